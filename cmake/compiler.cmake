@@ -1,0 +1,17 @@
+# One set of compiler rules for every room. No fast-math, and no contraction left to the compiler:
+# a scene's events and pixels are the same at every optimisation level (std::fma is asked for by name).
+add_library(carom_rules INTERFACE)
+target_compile_options(carom_rules INTERFACE
+    -Wall -Wextra -Wconversion -Wshadow -Wpedantic -ffp-contract=off
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms of GCC 12 on std::string, its bug 105651
+    $<$<BOOL:${CAROM_WERROR}>:-Werror>)
+if(CAROM_SANITIZE)
+    target_compile_options(carom_rules INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(carom_rules INTERFACE -fsanitize=address,undefined)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

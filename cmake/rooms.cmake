@@ -1,0 +1,18 @@
+# carom_room(NAME USES targets... PRIVATE targets...): the static library of src/NAME.
+# USES is what its headers may show; PRIVATE stays inside its .cpp files.
+function(carom_room name)
+    cmake_parse_arguments(arg "" "" "USES;PRIVATE" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+    if(NOT sources)
+        add_library(carom_${name} INTERFACE)
+        target_include_directories(carom_${name} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+        target_link_libraries(carom_${name} INTERFACE ${arg_USES})
+        add_library(carom::${name} ALIAS carom_${name})
+        return()
+    endif()
+    add_library(carom_${name} STATIC ${sources})
+    add_library(carom::${name} ALIAS carom_${name})
+    target_include_directories(carom_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(carom_${name} PUBLIC ${arg_USES} Threads::Threads PRIVATE carom_rules ${arg_PRIVATE})
+endfunction()

@@ -1,0 +1,52 @@
+// Scales and ticks of axes, and how an axis is drawn. Pure arithmetic plus one drawing function
+// each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/canvas.h"
+#include "draw/text.h"
+
+namespace carom {
+
+/// A linear map from data to canvas: `low` goes to `from`, `high` to `to`.
+struct Scale {
+    double low = 0, high = 1;
+    double from = 0, to = 1;
+    double operator()(double value) const {
+        return from + (value - low) / (high - low) * (to - from);
+    }
+};
+
+struct TickMark {
+    double value;
+    std::string label;
+};
+
+/// Three to five (at most `most`) round values (1, 2, 2.5, 5 times a power of ten) inside [low,
+/// high] with labels of equal precision.
+std::vector<TickMark> ticks(double low, double high, int most = 5);
+
+/// The smallest round value at or above `value` (> 0) that gives an axis from 0 good ticks.
+double round_up_for_axis(double value);
+
+struct AxisStyle {
+    double line_width = 1;
+    double tick_length = 6;
+    TextStyle label;  ///< of the tick labels
+    TextStyle title;  ///< of the words at its end
+    Color line;
+};
+
+/// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
+/// below them at the right end.
+void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
+                 const AxisStyle& style);
+
+/// A vertical axis along the left edge of `area`, labels left of it, `title` above its top end, set
+/// level.
+void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
+                 const AxisStyle& style);
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+// A surface to draw on: pixels, or (by the same calls) SVG and PDF. The one door to Cairo.
+// Lengths are pixels (raster) or points (vector), y down. Knows nothing of gases.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "draw/color.h"
+#include "draw/geometry.h"
+
+struct _cairo;  // what Cairo's handle points to, so that text.cpp can set text on a canvas
+
+namespace carom {
+
+/// Opaque pixels 0xffRRGGBB in native byte order (B, G, R, x in memory on little-endian machines).
+struct PixelView {
+    std::uint32_t* data = nullptr;
+    int width = 0, height = 0;
+    int stride = 0;  ///< pixels from one row to the next
+};
+
+class Canvas {
+  public:
+    /// An opaque raster of the given size. Throws SystemError when there is no memory.
+    explicit Canvas(PixelSize size);
+    ~Canvas();
+    Canvas(Canvas&&) noexcept;
+    Canvas& operator=(Canvas&&) noexcept;
+
+    PixelSize size() const;
+
+    void fill_all(Color color);
+    void fill(Rect rect, Color color);
+    void fill_circle(Point center, double radius, Color color);
+    void stroke_circle(Point center, double radius, double width, Color color);
+    void stroke_rect(Rect rect, double width,
+                     Color color);  ///< the line lies on the edge, half of it on each side
+    void stroke_line(Point from, Point to, double width, Color color);
+    void stroke_path(std::span<const Point> points, double width,
+                     Color color);  ///< round joins and caps
+    void stroke_dashed(Point from, Point to, double width, double dash, Color color);
+    void fill_polygon(std::span<const Point> points, Color color);
+    void clip_to(Rect rect);  ///< until release_clip(); does not nest
+    void release_clip();
+    void copy_from(const Canvas& other);  ///< all pixels of a raster of the same size
+
+    /// The pixels, after all drawing so far; draw_pixels_changed() must follow own writes. Raster
+    /// only.
+    PixelView pixels();
+    PixelView pixels() const;  ///< to read
+    void pixels_changed();
+
+    /// Cairo's own handle, for text.cpp only.
+    _cairo* handle() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace carom

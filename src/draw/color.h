@@ -1,0 +1,43 @@
+// Colours in sRGB, and what the eye makes of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace carom {
+
+/// sRGB, each channel in [0, 1]; alpha 1 is opaque.
+struct Color {
+    double red = 0, green = 0, blue = 0, alpha = 1;
+};
+
+/// A colour from 0xRRGGBB.
+constexpr Color rgb(std::uint32_t hex) {
+    return {static_cast<double>((hex >> 16) & 0xFF) / 255.0,
+            static_cast<double>((hex >> 8) & 0xFF) / 255.0, static_cast<double>(hex & 0xFF) / 255.0,
+            1.0};
+}
+
+constexpr Color with_alpha(Color color, double alpha) {
+    color.alpha = alpha;
+    return color;
+}
+
+/// Reads #rrggbb; nothing if it is not that.
+std::optional<Color> parse_color(std::string_view text);
+
+/// Mixes in sRGB: 0 gives `a`, 1 gives `b`.
+Color mix(Color a, Color b, double share);
+
+/// 0xAARRGGBB, opaque colours only (alpha is taken as 1), channels rounded to nearest.
+std::uint32_t to_pixel(Color color);
+
+/// Relative luminance of WCAG 2.2, dimensionless in [0, 1].
+double relative_luminance(Color color);
+
+/// Contrast ratio of WCAG 2.2, dimensionless in [1, 21].
+double contrast(Color a, Color b);
+
+}  // namespace carom

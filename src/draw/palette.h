@@ -1,0 +1,35 @@
+// Colour maps and colour sets, safe for colour-blind viewers.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "draw/color.h"
+
+namespace carom {
+
+/// A sequential map sampled at equal steps; at(0) is its slow end, at(1) its fast end, clamped
+/// outside.
+class ColorMap {
+  public:
+    explicit ColorMap(std::vector<Color> samples) : samples_(std::move(samples)) {}
+    Color at(double share) const;
+
+  private:
+    std::vector<Color> samples_;
+};
+
+/// A perceptually uniform map by name (viridis, cividis, plasma, inferno, magma); `first` and
+/// `last` cut it, first > last turns it. Throws std::invalid_argument.
+ColorMap color_map(std::string_view name, double first = 0.0, double last = 1.0);
+
+/// Names that color_map knows.
+std::span<const std::string> color_map_names();
+
+/// Okabe and Ito's colours for kinds, in a fixed order for a dark or a light ground; repeats after
+/// eight.
+Color kind_color(std::size_t index, bool dark_ground);
+
+}  // namespace carom

@@ -1,0 +1,41 @@
+// Text on a canvas: the one door to Pango and fontconfig. Every letter comes from one declared font
+// (Inter) through a private font configuration, so that text is the same on every machine that has
+// the font.
+#pragma once
+
+#include <string>
+
+#include "draw/canvas.h"
+
+namespace carom {
+
+enum class Align { left, center, right };
+
+struct TextStyle {
+    double size = 16;  ///< height of the em, in the canvas's unit
+    int weight = 400;  ///< 100 to 900
+    Color color;
+    Align align = Align::left;
+    bool tabular = true;   ///< figures of equal width
+    double max_width = 0;  ///< > 0: a longer line ends in an ellipsis
+};
+
+struct TextExtent {
+    double width = 0;
+    double ascent = 0, descent = 0;  ///< of the line, from the baseline, both positive
+};
+
+/// Draws one line of Pango markup with its baseline through `at`; returns its extent. Ill-formed
+/// markup is drawn as plain text.
+TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style);
+
+/// The extent without drawing.
+TextExtent measure_text(const std::string& markup, const TextStyle& style);
+
+/// Plain text made safe as markup: & < > ' " escaped.
+std::string escape_markup(const std::string& text);
+
+/// Throws SystemError, with the Debian package to install, if the font is not on this machine.
+void require_font();
+
+}  // namespace carom

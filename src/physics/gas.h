@@ -1,0 +1,80 @@
+// What is in the box, as plain values: the box, its walls, and the species with their rules for
+// radius, mass, velocity and position. Not the particles themselves (particles.h): those are drawn
+// from these rules by place(). Reduced units throughout: a length, a mass and a time unit of the
+// user's choice, Boltzmann's constant = 1.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace carom {
+
+enum class Wall { solid, periodic };
+
+/// The box [0, size_x] x [0, size_y], or the wire [0, size_x] when `dimension` is 1.
+struct Box {
+    int dimension = 2;
+    Eigen::Array2d size{0.0, 0.0};
+    std::array<Wall, 2> walls{Wall::solid, Wall::solid};  ///< of the sides across x, across y
+};
+
+struct UniformLaw {
+    double low, high;
+};
+struct NormalLaw {
+    double mean, deviation;
+};
+/// One number for all, one for each particle, or a law to draw from.
+using Quantity = std::variant<double, std::vector<double>, UniformLaw, NormalLaw>;
+
+struct Infinite {};
+struct Density {
+    Quantity value;  ///< mass = density * pi r^2 in 2-D, density * 2 r in 1-D
+};
+using MassRule = std::variant<Quantity, Density, Infinite>;
+
+struct AtRest {};
+struct Speed {
+    Quantity value;  ///< in random directions
+};
+struct Velocity {
+    std::vector<Eigen::Array2d> values;  ///< one for all, or one for each particle; y is 0 in 1-D
+};
+struct Temperature {
+    double value;  ///< each component normal with variance T/m
+};
+using VelocityRule = std::variant<AtRest, Speed, Velocity, Temperature>;
+
+struct Region {
+    Eigen::Array2d low, high;
+};
+struct RandomPlaces {};
+struct LatticePlaces {};
+struct WithinRegion {
+    Region region;  ///< random, disks wholly inside
+};
+struct Places {
+    std::vector<Eigen::Array2d> values;  ///< one for each particle
+};
+using PositionRule = std::variant<RandomPlaces, LatticePlaces, WithinRegion, Places>;
+
+struct Species {
+    std::string name;
+    std::int64_t count = 0;
+    Quantity radius = 0.5;
+    MassRule mass = Quantity{1.0};
+    VelocityRule velocity = AtRest{};
+    PositionRule position = RandomPlaces{};
+};
+
+struct Gas {
+    Box box;
+    std::vector<Species> species;
+    std::uint64_t seed = 1;
+};
+
+}  // namespace carom

@@ -1,0 +1,37 @@
+// The particles of a run: what never changes (Particles) and their state at one instant (Sample),
+// in the order in which the scene lists them.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace carom {
+
+/// Constant properties of N particles.
+struct Particles {
+    Eigen::ArrayXd radius;        ///< N, length
+    Eigen::ArrayXd inverse_mass;  ///< N, 1/mass; 0 for an infinite mass
+    Eigen::ArrayXi species;       ///< N, index into Gas::species
+
+    Eigen::Index count() const { return radius.size(); }
+};
+
+/// Positions and velocities of all particles at one time.
+struct Sample {
+    double time = 0.0;
+    Eigen::ArrayXXd position;  ///< N x dimension, length
+    Eigen::ArrayXXd velocity;  ///< N x dimension, length/time
+};
+
+/// Speeds |v| of all particles, N.
+inline Eigen::ArrayXd speeds(const Sample& sample) {
+    return sample.velocity.square().rowwise().sum().sqrt();
+}
+
+/// Kinetic energies m v^2 / 2, N; infinite for a moving particle of infinite mass, 0 for one at
+/// rest.
+inline Eigen::ArrayXd kinetic_energies(const Particles& particles, const Sample& sample) {
+    const Eigen::ArrayXd square = sample.velocity.square().rowwise().sum();
+    return (square > 0.0).select(0.5 * square / particles.inverse_mass, 0.0);
+}
+
+}  // namespace carom

@@ -1,0 +1,23 @@
+// What happens to the gas in time, as plain values.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace carom {
+
+struct ReverseVelocities {};
+
+struct RunEvent {
+    double at = 0.0;  ///< simulated time
+    std::variant<ReverseVelocities> action;
+};
+
+struct Run {
+    double until = 0.0;            ///< end, in simulated time
+    double equilibrate = 0.0;      ///< simulated time before t = 0, not counted
+    std::vector<RunEvent> events;  ///< in order of time; equal times in the order listed
+};
+
+}  // namespace carom

@@ -1,0 +1,73 @@
+// The event-driven simulation of hard particles: owns the state and the time.
+// Between events particles fly freely; every contact is computed exactly, none is missed, nothing
+// overlaps. Does not know films, files or statistics: it hands out samples and the collisions on
+// the way.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "physics/gas.h"
+#include "physics/particles.h"
+#include "physics/run.h"
+
+namespace carom {
+
+/// One collision, as it happened.
+struct Collision {
+    double time;
+    std::int32_t first;  ///< particle
+    std::int32_t
+        second;  ///< particle, or -1 - side for a wall (sides: left 0, right 1, bottom 2, top 3)
+    Eigen::Array2d first_position;   ///< centre of `first` at contact; y is 0 in 1-D
+    Eigen::Array2d second_position;  ///< centre of `second`, or the point of contact on the wall
+};
+
+/// How many collisions have happened since t = 0.
+struct CollisionCounts {
+    std::int64_t particle = 0;  ///< between two particles
+    std::int64_t wall = 0;      ///< of a particle with a wall
+};
+
+/// What happened on the way to a time.
+struct Passage {
+    CollisionCounts counts;  ///< since t = 0, at the end of the passage
+    int reversals = 0;       ///< reversals since t = 0, those at its end included
+    std::span<const Collision>
+        collisions;  ///< of this passage only, when recording; valid until the next advance
+};
+
+class Simulation {
+  public:
+    /// Places the particles and runs `run.equilibrate`. Throws PlacementError.
+    Simulation(const Gas& gas, const Run& run);
+
+    /// Starts from given particles at `start.time` = 0. Overlapping particles are a programmer's
+    /// error (assertion).
+    Simulation(const Box& box, Particles particles, const Sample& start, const Run& run);
+
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    /// Processes all events with time <= `time` (inclusive; `run.events` too) and moves on to it.
+    /// `time` must not lie in the past; not limited by `run.until`.
+    Passage advance_to(double time);
+
+    /// State of all particles at the present time.
+    const Sample& sample();
+
+    /// Whether advance_to hands out the collisions themselves; off at first.
+    void record_collisions(bool on);
+
+    const Box& box() const;
+    const Particles& particles() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+// From a YAML file to a Scene, or to all its errors at once.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace carom {
+
+/// What the command line lays over a scene, after the file and before validation.
+struct Overrides {
+    std::vector<std::pair<std::string, std::string>>
+        values;  ///< key path (counted lists: gas.0.count) and YAML value; the last wins
+};
+
+/// Loads and validates. `templates` is carom's own template folder (holding films/). Throws
+/// SceneError with every diagnostic of the file.
+Scene load_scene(const std::filesystem::path& path, const std::filesystem::path& templates,
+                 const Overrides& overrides = {});
+
+/// The same from text; `name` stands in for the path in messages.
+Scene load_scene_text(const std::string& text, const std::string& name,
+                      const std::filesystem::path& templates, const Overrides& overrides = {});
+
+}  // namespace carom

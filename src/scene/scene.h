@@ -1,0 +1,92 @@
+// The Scene: a plain, complete, validated value. Nothing after loading knows YAML, defaults or
+// templates.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/run.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+
+enum class ThemeName { light, dark, print };
+enum class ColorBy { speed, speed_class, energy, species, mass };
+
+struct PictureSize {
+    int width = 1920;
+    int height = 1080;
+    bool operator==(const PictureSize&) const = default;
+};
+
+/// How a species is drawn.
+struct SpeciesLook {
+    std::optional<std::string> color;  ///< #rrggbb
+    std::string label;                 ///< a word beside it, may be empty
+    std::optional<double> trail;       ///< seconds of film; none: by the film
+};
+
+/// A rectangle of a template's layout in grid units (template's own grid, origin top left).
+struct Slot {
+    double x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Where things stand in a frame: read from a template.
+struct LayoutSpec {
+    double grid_width = 80,
+           grid_height = 45;  ///< the picture in grid units; scaled to fit, centred
+    Slot title;               ///< title and subtitle
+    Slot gas;
+    Slot color_bar;
+    std::optional<Slot> monitors;
+    std::vector<Slot> panels;
+};
+
+/// A panel of a film with its options.
+struct PanelSpec {
+    std::string kind;
+    std::optional<std::string> title;  ///< none: by kind
+    std::optional<int> bins;           ///< histograms: none: by rule
+    std::optional<std::pair<double, double>> range;
+    bool theory = true;
+    bool mean_now = true;
+    bool mean_start = true;
+};
+
+struct Film {
+    std::string template_name = "lecture";
+    LayoutSpec layout;
+    double seconds = 30.0;  ///< of the whole film, holds and pauses included
+    int fps = 30;
+    PictureSize size;
+    ThemeName theme = ThemeName::dark;
+    ColorBy color_by = ColorBy::speed;
+    std::optional<std::string> palette;  ///< none: the theme's
+    std::vector<PanelSpec> panels;       ///< at most as many as layout.panels
+};
+
+/// Where a scene came from.
+struct SceneSource {
+    std::string path;  ///< as the user gave it
+    std::string text;  ///< the whole file, as read
+};
+
+struct Scene {
+    std::string title;
+    std::string subtitle;
+    std::string description;
+    std::uint64_t seed = 1;  ///< equal to gas.seed
+    Gas gas;
+    std::vector<SpeciesLook> looks;  ///< one for each species
+    Run run;
+    Film film;
+    SceneSource source;
+    std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
+                                            ///< empty message, for errors found later
+};
+
+}  // namespace carom

@@ -1,0 +1,43 @@
+// A file that appears whole or not at all: written beside its final name, synced, then renamed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace carom {
+
+/// Writes to a temporary file in the folder of `path`; `commit()` gives it its name, replacing an
+/// earlier one. Destroyed uncommitted, it leaves nothing.
+class AtomicFile {
+  public:
+    /// Creates the folder of `path` when it is missing. Throws SystemError naming the path and the
+    /// cause.
+    explicit AtomicFile(std::filesystem::path path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::span<const std::uint8_t>
+                   bytes);  ///< all of them at the present offset, or SystemError
+    void write(std::string_view text);
+    void seek(std::int64_t offset);                    ///< absolute, in bytes
+    std::int64_t read(std::span<std::uint8_t> bytes);  ///< bytes read, 0 at the end; or SystemError
+    std::int64_t size() const;  ///< bytes written so far (the end of the file)
+    void
+    commit();  ///< fsync, rename, fsync of the folder; SystemError leaves an earlier file as it was
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;
+    int descriptor_ = -1;
+};
+
+/// Reads a whole file of at most `most` bytes. Throws SystemError (cannot be read; or larger, with
+/// both numbers).
+std::string read_file(const std::filesystem::path& path, std::int64_t most);
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+// Messages about a user's input: where, what, and how to mend it.
+// Owns the value types and their text form; knows nothing of YAML or of the command line.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace carom {
+
+/// A place in a text, 1-based; line 0 means "the whole file". `length` is in characters (code
+/// points).
+struct SourceSpan {
+    std::string file;
+    int line = 0;
+    int column = 0;
+    int length = 1;
+};
+
+/// One error of a user's input. `source_line` is the whole line the span points into, empty if
+/// unknown.
+struct Diagnostic {
+    SourceSpan span;
+    std::string message;  ///< what was expected and what was found; lower case, no full stop
+    std::string hint;     ///< how to mend it; may be empty
+    std::string source_line;
+};
+
+/// The text of a diagnostic: `file:line:column: error: message`, the line, a caret, `hint: ...`; no
+/// trailing newline.
+std::string to_text(const Diagnostic& diagnostic);
+
+/// The user's input is wrong (exit code 2): all diagnostics found in one go.
+class SceneError : public std::runtime_error {
+  public:
+    explicit SceneError(std::vector<Diagnostic> diagnostics);
+    const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+  private:
+    std::vector<Diagnostic> diagnostics_;
+};
+
+/// The command line is wrong (exit code 2).
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The work failed for a reason outside the input: disk, codec, memory (exit code 1). Names path
+/// and cause.
+class SystemError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace carom

@@ -1,0 +1,32 @@
+#include "util/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+
+namespace carom {
+namespace {
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // hence safe in a signal handler
+
+void on_signal(int) { interrupted.store(true, std::memory_order_relaxed); }
+
+}  // namespace
+
+void install_signal_handlers() {
+    struct sigaction action = {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+void throw_if_interrupted() {
+    if (interrupted.load(std::memory_order_relaxed)) throw Interrupted();
+}
+
+void set_interrupted(bool value) { interrupted.store(value, std::memory_order_relaxed); }
+
+}  // namespace carom

@@ -1,0 +1,25 @@
+// Ctrl-C: a flag that long work asks for, so that everything it holds is released and no
+// half-written file is left.
+#pragma once
+
+#include <stdexcept>
+
+namespace carom {
+
+/// Thrown where work stops because the user asked for it (exit code 130).
+class Interrupted : public std::runtime_error {
+  public:
+    Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Sets the flag on SIGINT and SIGTERM, and ignores SIGXFSZ and SIGPIPE, so that a full disk or a
+/// closed pipe is an error and no death.
+void install_signal_handlers();
+
+/// Throws Interrupted if the user has asked to stop. Cheap: one relaxed atomic load.
+void throw_if_interrupted();
+
+/// For tests: sets or clears the flag.
+void set_interrupted(bool value);
+
+}  // namespace carom

@@ -1,0 +1,110 @@
+#include "util/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+namespace {
+
+struct Decoded {
+    std::size_t length;
+    bool valid;
+};
+
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+Decoded decode(std::string_view text, std::size_t index) {
+    const auto lead = static_cast<unsigned char>(text[index]);
+    if (lead < 0x80) return {1, true};
+    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    if (lead < 0xC2 || lead > 0xF4 || index + length > text.size()) return {1, false};
+    for (std::size_t i = 1; i < length; ++i)
+        if (!is_continuation(text[index + i])) return {1, false};
+    const auto second = static_cast<unsigned char>(text[index + 1]);
+    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
+    const bool surrogate = lead == 0xED && second >= 0xA0;
+    const bool too_large = lead == 0xF4 && second >= 0x90;
+    if (overlong || surrogate || too_large) return {1, false};
+    return {length, true};
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
+    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i)
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const int change = a[i - 1] == b[j - 1] ? 0 : 1;
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::size_t next_code_point(std::string_view text, std::size_t index) {
+    return index + decode(text, index).length;
+}
+
+int code_points(std::string_view text) {
+    int count = 0;
+    for (std::size_t i = 0; i < text.size(); i = next_code_point(text, i)) ++count;
+    return count;
+}
+
+bool is_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const Decoded decoded = decode(text, i);
+        if (!decoded.valid) return false;
+        i += decoded.length;
+    }
+    return true;
+}
+
+std::optional<std::string> nearest_spelling(std::string_view word,
+                                            std::span<const std::string> candidates) {
+    constexpr std::size_t longest_compared = 64;  // a longer word is no misspelt key
+    if (word.size() > longest_compared) return std::nullopt;
+    std::optional<std::string> best;
+    int least = static_cast<int>(std::max<std::size_t>(1, word.size() / 3)) + 1;
+    for (const std::string& candidate : candidates) {
+        const int distance = edit_distance(word, candidate);
+        if (distance < least) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string three_digits(double value) {
+    if (!std::isfinite(value)) return "–";
+    std::string text;
+    const double size = std::abs(value);
+    if (size == 0.0) {
+        text = "0";
+    } else if (size < 1e-3 || size >= 99999.5) {
+        text = fmt::format("{:.2e}", size);
+        const std::size_t e = text.find('e');
+        text = fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
+    } else {
+        const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+        text = fmt::format("{:.{}f}", size, std::max(0, 3 - before));
+    }
+    return value < 0 ? "\u2212" + text : text;
+}
+
+std::string grouped(long long value) {
+    std::string digits = std::to_string(value < 0 ? -value : value);
+    for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+        digits.insert(static_cast<std::size_t>(i), "\u2009");
+    return value < 0 ? "\u2212" + digits : digits;
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+// Small services on text: UTF-8 steps, nearest spelling, numbers as a viewer reads them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace carom {
+
+/// Index of the byte after the code point that begins at `index`; invalid bytes count as one code
+/// point each.
+std::size_t next_code_point(std::string_view text, std::size_t index);
+
+/// Number of code points (invalid bytes count as one each).
+int code_points(std::string_view text);
+
+/// Whether `text` is well-formed UTF-8 (RFC 3629: no overlong forms, no surrogates, at most
+/// U+10FFFF).
+bool is_utf8(std::string_view text);
+
+/// The candidate with the smallest Damerau-Levenshtein distance (optimal string alignment) to
+/// `word`, if at most a third of its length.
+std::optional<std::string> nearest_spelling(std::string_view word,
+                                            std::span<const std::string> candidates);
+
+/// Three significant digits, as on an axis: 0.0123, 1.23, 1230, 1.23e7, with U+2212 for minus.
+std::string three_digits(double value);
+
+/// An integer with thin spaces (U+2009) between groups of three digits: 12 345.
+std::string grouped(long long value);
+
+}  // namespace carom

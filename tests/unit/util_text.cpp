@@ -1,0 +1,41 @@
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "util/text.h"
+
+using namespace carom;
+
+TEST_CASE("three significant digits read as on an axis") {
+    CHECK(three_digits(0.0) == "0");
+    CHECK(three_digits(0.05) == "0.0500");
+    CHECK(three_digits(2.2388) == "2.24");
+    CHECK(three_digits(449.97) == "450");
+    CHECK(three_digits(12345.0) == "12345");
+    CHECK(three_digits(-1.5) == "\u22121.50");
+    CHECK(three_digits(1.234e-7) == "1.23e-7");
+    CHECK(three_digits(6.02e23) == "6.02e23");
+    CHECK(three_digits(1.0 / 0.0) == "–");
+}
+
+TEST_CASE("UTF-8 is told from other bytes") {
+    CHECK(is_utf8("Bälle N₂ 気体 🎱"));
+    CHECK_FALSE(is_utf8("\xC0\xAF"));          // overlong
+    CHECK_FALSE(is_utf8("\xED\xA0\x80"));      // surrogate
+    CHECK_FALSE(is_utf8("\xF4\x90\x80\x80"));  // above U+10FFFF
+    CHECK_FALSE(is_utf8("caf\xE9"));           // Latin-1
+    CHECK(code_points("気体") == 2);
+}
+
+TEST_CASE("the nearest spelling is offered only when it is near") {
+    const std::vector<std::string> keys{"count", "radius", "mass", "speed", "velocity"};
+    CHECK(nearest_spelling("raduis", keys) == "radius");
+    CHECK(nearest_spelling("sped", keys) == "speed");
+    CHECK_FALSE(nearest_spelling("temperature", keys).has_value());
+}
+
+TEST_CASE("integers are grouped by thin spaces") {
+    CHECK(grouped(999) == "999");
+    CHECK(grouped(1234567) == "1\u2009234\u2009567");
+    CHECK(grouped(-1000) == "\u22121\u2009000");
+}

@@ -1,0 +1,39 @@
+// Histograms with fixed edges, and the rule that chooses the edges.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+
+/// Equal bins over [low, high).
+struct Bins {
+    double low = 0.0, high = 1.0;
+    int count = 1;
+    double width() const { return (high - low) / count; }
+    double edge(int index) const { return low + (high - low) * index / count; }
+};
+
+/// Counts of values in bins; those outside are counted apart: the three always add up to the number
+/// of values.
+struct Histogram {
+    Bins bins;
+    std::vector<std::int64_t> counts;  ///< one for each bin
+    std::int64_t below = 0, above = 0;
+};
+
+/// Bins values: bin k holds [edge(k), edge(k + 1)), the last its upper edge too. NaN counts as
+/// above.
+Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins);
+
+/// Number of bins over [low, high] by Freedman and Diaconis (1981), 2 IQR n^(-1/3) wide, for
+/// samples of size `n` like `values`; within [fewest, most].
+int freedman_diaconis(const std::vector<double>& values, double n, double low, double high,
+                      int fewest, int most);
+
+/// The quantile at `share` in [0, 1] by linear interpolation between order statistics; `values` is
+/// reordered. Requires at least one value.
+double quantile(std::vector<double>& values, double share);
+
+}  // namespace carom

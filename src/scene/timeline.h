@@ -1,0 +1,42 @@
+// Which simulated time each frame of a film shows: the holds at both ends, the pause at a reversal,
+// and frame times that are symmetric about a reversal, so that the way back mirrors the way out
+// picture by picture.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace carom {
+
+enum class Phase { opening, moving, reversing, closing };
+
+/// One frame of a film.
+struct Tick {
+    int frame = 0;
+    double time = 0.0;  ///< simulated
+    Phase phase = Phase::moving;
+    double progress =
+        0.0;  ///< through the phase, from 0 to 1; of the reversal pause the share that has passed
+    int reversals = 0;  ///< reversals up to this frame; one that is just announced counts from the
+                        ///< middle of its pause
+};
+
+/// All frames of the film of `scene`, round(seconds * fps) of them, times never falling.
+/// Opening 1.5 s, closing 2 s, 1 s for each reversal; together at most a quarter of the film,
+/// scaled down in short ones.
+std::vector<Tick> timeline(const Scene& scene);
+
+/// Where `time` lies on an axis that turns back at every reversal: elapsed time until the first
+/// reversal, then running back.
+double folded_time(const Run& run, double time);
+
+/// The number of frames of a scene's film.
+int frame_count(const Film& film);
+
+/// First frames of the film's segments, and the number of frames as the last entry. A function of
+/// the scene alone: a multiple of four (of cores) segments of at most 150 frames, shorter where
+/// many particles make a frame's data large.
+std::vector<int> segment_starts(int frames, std::int64_t particles);
+
+}  // namespace carom

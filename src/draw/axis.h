@@ -24,8 +24,9 @@ struct TickMark {
     std::string label;
 };
 
-/// Three to five (at most `most`) round values (1, 2, 2.5, 5 times a power of ten) inside [low,
-/// high] with labels of equal precision.
+/// Round values (multiples of 1, 2, 2.5 or 5 times a power of ten) inside [low, high]: as many as
+/// `most` (>= 2) allows, three at least for `most` = 5 and a range from 0, with labels of equal
+/// precision. Nothing for an empty range.
 std::vector<TickMark> ticks(double low, double high, int most = 5);
 
 /// The smallest round value at or above `value` (> 0) that gives an axis from 0 good ticks.
@@ -38,6 +39,10 @@ struct AxisStyle {
     TextStyle title;  ///< of the words at its end
     Color line;
 };
+
+/// The height that an x axis takes below its area, and the width that a y axis takes left of it.
+double x_axis_space(const std::string& title, const AxisStyle& style);
+double y_axis_space(const Scale& scale, const AxisStyle& style);
 
 /// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
 /// below them at the right end.

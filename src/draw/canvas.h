@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "draw/color.h"
 #include "draw/geometry.h"
@@ -23,7 +23,8 @@ struct PixelView {
 
 class Canvas {
   public:
-    /// An opaque raster of the given size. Throws SystemError when there is no memory.
+    /// An opaque black raster, 1 to 16384 pixels each way. Throws SystemError when there is no
+    /// memory or the size is out of these bounds; so does every drawing call that Cairo refuses.
     explicit Canvas(PixelSize size);
     ~Canvas();
     Canvas(Canvas&&) noexcept;
@@ -46,11 +47,13 @@ class Canvas {
     void release_clip();
     void copy_from(const Canvas& other);  ///< all pixels of a raster of the same size
 
-    /// The pixels, after all drawing so far; draw_pixels_changed() must follow own writes. Raster
-    /// only.
+    /// The pixels, after all drawing so far; pixels_changed() must follow own writes. Raster only.
     PixelView pixels();
     PixelView pixels() const;  ///< to read
     void pixels_changed();
+
+    /// The picture as a PNG file in memory. Throws SystemError.
+    std::vector<std::uint8_t> png() const;
 
     /// Cairo's own handle, for text.cpp only.
     _cairo* handle() const;

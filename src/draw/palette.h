@@ -1,9 +1,13 @@
-// Colour maps and colour sets, safe for colour-blind viewers.
+// Colour maps and colour sets, safe for colour-blind viewers. The maps are viridis, plasma, inferno
+// and magma by Smith and van der Walt (CC0) and cividis by Nuñez, Anderton and Renslow (2018,
+// doi:10.1371/journal.pone.0199239); see palette-LICENSE.txt.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "draw/color.h"

@@ -1,6 +1,7 @@
 // Text on a canvas: the one door to Pango and fontconfig. Every letter comes from one declared font
 // (Inter) through a private font configuration, so that text is the same on every machine that has
-// the font.
+// the font. A line with a letter that Inter lacks is set with the machine's own fonts beside it.
+// May be used in several threads at once; each keeps its own fonts and its own recent lines.
 #pragma once
 
 #include <string>
@@ -26,7 +27,8 @@ struct TextExtent {
 };
 
 /// Draws one line of Pango markup with its baseline through `at`; returns its extent. Ill-formed
-/// markup is drawn as plain text.
+/// markup is drawn as plain text. On pixels the baseline is moved to the nearest whole pixel (x is
+/// kept to 1/8 pixel), so that horizontal strokes are crisp.
 TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style);
 
 /// The extent without drawing.

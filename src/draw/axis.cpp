@@ -1,0 +1,179 @@
+#include "draw/axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// A step of digits times 10^exponent; two digits, so that 2.5 is whole.
+struct Step {
+    int tenths = 10;
+    int exponent = 0;
+    double size() const { return tenths * std::pow(10.0, exponent - 1); }
+    bool is_half() const { return tenths == 25; }
+};
+
+// Rounding must not lose a tick that lies on the end of the range.
+constexpr double slack = 1e-9;
+
+std::pair<double, double> tick_range(double low, double high, const Step& step) {
+    return {std::ceil(low / step.size() - slack), std::floor(high / step.size() + slack)};
+}
+
+Step smallest_step(double low, double high, int most) {
+    Step step{.tenths = 10, .exponent = static_cast<int>(std::floor(std::log10(high - low))) - 2};
+    while (true) {
+        for (const int tenths : {10, 20, 25, 50}) {
+            step.tenths = tenths;
+            const auto [first, last] = tick_range(low, high, step);
+            if (last - first + 1 <= most) return step;
+        }
+        ++step.exponent;
+    }
+}
+
+std::string superscript(int value) {
+    constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = value < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(value)))
+        text += digits[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
+
+std::string with_decimals(double value, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    const double scaled = std::round(std::abs(value) * unit);
+    if (scaled == 0.0) return decimals > 0 ? fmt::format("{:.{}f}", 0.0, decimals) : "0";
+    const std::string sign = value < 0 ? "\u2212" : "";
+    if (decimals == 0) return sign + grouped(static_cast<long long>(scaled));
+    return sign + fmt::format("{:.{}f}", std::abs(value), decimals);
+}
+
+// Long labels are written with a power of ten, the same one for all.
+std::string label_of(double value, const Step& step, double largest) {
+    const int last_digit = step.exponent - (step.is_half() ? 1 : 0);
+    const bool is_plain = last_digit >= -4 && largest < 1e6;
+    if (is_plain) return with_decimals(value, std::max(0, -last_digit));
+    if (value == 0.0) return "0";
+    const int power = static_cast<int>(std::floor(std::log10(largest) + slack));
+    return with_decimals(value / std::pow(10.0, power), std::max(0, power - last_digit)) +
+           "\u2009×\u200910" + superscript(power);
+}
+
+double half_line_height(const TextStyle& style) {
+    constexpr double cap_height = 0.727;  // of Inter, in ems
+    return 0.5 * cap_height * style.size;
+}
+
+double gap_to_label(const AxisStyle& style) { return 0.35 * style.label.size; }
+
+// Whether each label keeps half an em to the next one.
+bool fits(const std::vector<TickMark>& marks, const Scale& scale, const TextStyle& style) {
+    for (std::size_t i = 1; i < marks.size(); ++i) {
+        const double distance = std::abs(scale(marks[i].value) - scale(marks[i - 1].value));
+        const double needed = 0.5 * (measure_text(marks[i].label, style).width +
+                                     measure_text(marks[i - 1].label, style).width);
+        if (distance < needed + 0.5 * style.size) return false;
+    }
+    return true;
+}
+
+std::vector<TickMark> fitting_x_ticks(const Scale& scale, const TextStyle& style) {
+    for (int most = 5; most > 2; --most) {
+        std::vector<TickMark> marks = ticks(scale.low, scale.high, most);
+        if (fits(marks, scale, style)) return marks;
+    }
+    return ticks(scale.low, scale.high, 2);
+}
+
+std::vector<TickMark> fitting_y_ticks(const Scale& scale, const TextStyle& style) {
+    const double room = std::abs(scale.to - scale.from) / (1.5 * style.size);
+    return ticks(scale.low, scale.high, std::clamp(static_cast<int>(room) + 1, 2, 5));
+}
+
+}  // namespace
+
+std::vector<TickMark> ticks(double low, double high, int most) {
+    if (!(std::isfinite(low) && std::isfinite(high) && low < high && most >= 2)) return {};
+    const Step step = smallest_step(low, high, most);
+    const auto [first, last] = tick_range(low, high, step);
+    const double largest = std::max(std::abs(first), std::abs(last)) * step.size();
+
+    std::vector<TickMark> marks;
+    for (double count = first; count <= last; ++count) {
+        const double value = count == 0.0 ? 0.0 : count * step.size();
+        marks.push_back({value, label_of(value, step, largest)});
+    }
+    return marks;
+}
+
+double round_up_for_axis(double value) {
+    assert(value > 0.0 && std::isfinite(value));
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double round : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0})
+        if (round * power >= value * (1.0 - slack)) return round * power;
+    return 10.0 * power;
+}
+
+double x_axis_space(const std::string& title, const AxisStyle& style) {
+    const double labels =
+        style.tick_length + gap_to_label(style) + 2 * half_line_height(style.label);
+    return title.empty() ? labels : labels + 1.5 * style.title.size;
+}
+
+double y_axis_space(const Scale& scale, const AxisStyle& style) {
+    double widest = 0;
+    for (const TickMark& mark : fitting_y_ticks(scale, style.label))
+        widest = std::max(widest, measure_text(mark.label, style.label).width);
+    return style.tick_length + gap_to_label(style) + widest;
+}
+
+void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
+                 const AxisStyle& style) {
+    const double y = area.bottom();
+    TextStyle label = style.label;
+    label.align = Align::center;
+    const double baseline =
+        y + style.tick_length + gap_to_label(style) + 2 * half_line_height(label);
+    canvas.stroke_line({area.x - 0.5 * style.line_width, y},
+                       {area.right() + 0.5 * style.line_width, y}, style.line_width, style.line);
+    for (const TickMark& mark : fitting_x_ticks(scale, label)) {
+        const double x = scale(mark.value);
+        canvas.stroke_line({x, y}, {x, y + style.tick_length}, style.line_width, style.line);
+        draw_text(canvas, {x, baseline}, mark.label, label);
+    }
+    if (title.empty()) return;
+    TextStyle words = style.title;
+    words.align = Align::right;
+    draw_text(canvas, {area.right(), baseline + 1.5 * words.size}, title, words);
+}
+
+void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
+                 const AxisStyle& style) {
+    const double x = area.x;
+    TextStyle label = style.label;
+    label.align = Align::right;
+    canvas.stroke_line({x, area.y - 0.5 * style.line_width},
+                       {x, area.bottom() + 0.5 * style.line_width}, style.line_width, style.line);
+    for (const TickMark& mark : fitting_y_ticks(scale, label)) {
+        const double y = scale(mark.value);
+        canvas.stroke_line({x - style.tick_length, y}, {x, y}, style.line_width, style.line);
+        draw_text(canvas,
+                  {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
+                  mark.label, label);
+    }
+    if (title.empty()) return;
+    TextStyle words = style.title;
+    words.align = Align::left;
+    draw_text(canvas, {x, area.y - 0.7 * words.size}, title, words);
+}
+
+}  // namespace carom

@@ -1,0 +1,203 @@
+#include "draw/canvas.h"
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <numbers>
+#include <stdexcept>
+
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+constexpr int largest_side = 16384;
+
+void check(cairo_status_t status, const char* action) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw SystemError(fmt::format("cannot {}: {}", action, cairo_status_to_string(status)));
+}
+
+struct SurfaceDeleter {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+
+struct ContextDeleter {
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Context = std::unique_ptr<cairo_t, ContextDeleter>;
+
+Surface create_raster(PixelSize size) {
+    if (size.width < 1 || size.height < 1 || size.width > largest_side ||
+        size.height > largest_side)
+        throw SystemError(
+            fmt::format("cannot draw a picture of {} × {} pixels: each side must be "
+                        "between 1 and {}",
+                        size.width, size.height, largest_side));
+    Surface surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)};
+    check(cairo_surface_status(surface.get()), "create a picture");
+    return surface;
+}
+
+Context create_context(cairo_surface_t* surface) {
+    Context context{cairo_create(surface)};
+    check(cairo_status(context.get()), "draw");
+    cairo_set_antialias(context.get(), CAIRO_ANTIALIAS_GRAY);
+    return context;
+}
+
+void set_color(cairo_t* context, Color color) {
+    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
+}
+
+void fill_path(cairo_t* context, Color color) {
+    set_color(context, color);
+    cairo_fill(context);
+    check(cairo_status(context), "draw");
+}
+
+void stroke(cairo_t* context, double width, Color color) {
+    set_color(context, color);
+    cairo_set_line_width(context, width);
+    cairo_stroke(context);
+    check(cairo_status(context), "draw");
+}
+
+void trace(cairo_t* context, std::span<const Point> points) {
+    for (const Point& point : points) cairo_line_to(context, point.x, point.y);
+}
+
+void trace_circle(cairo_t* context, Point center, double radius) {
+    cairo_new_sub_path(context);
+    cairo_arc(context, center.x, center.y, radius, 0.0, 2.0 * std::numbers::pi);
+    cairo_close_path(context);
+}
+
+// Cairo calls this from C, so that no exception may leave it.
+cairo_status_t append(void* closure, const unsigned char* data, unsigned length) noexcept {
+    auto& bytes = *static_cast<std::vector<std::uint8_t>*>(closure);
+    try {
+        bytes.insert(bytes.end(), data, data + length);
+    } catch (const std::bad_alloc&) {
+        return CAIRO_STATUS_NO_MEMORY;
+    }
+    return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+struct Canvas::Implementation {
+    explicit Implementation(PixelSize wanted)
+        : size(wanted), surface(create_raster(wanted)), context(create_context(surface.get())) {}
+
+    PixelView pixels() const {
+        cairo_surface_flush(surface.get());
+        // Cairo aligns its pixels for the widest access it makes itself.
+        auto* data = static_cast<void*>(cairo_image_surface_get_data(surface.get()));
+        const int stride = cairo_image_surface_get_stride(surface.get());
+        return {static_cast<std::uint32_t*>(data), size.width, size.height, stride / 4};
+    }
+
+    PixelSize size;
+    Surface surface;
+    Context context;
+};
+
+Canvas::Canvas(PixelSize size) : implementation_(std::make_unique<Implementation>(size)) {}
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+PixelSize Canvas::size() const { return implementation_->size; }
+
+cairo_t* Canvas::handle() const { return implementation_->context.get(); }
+
+void Canvas::fill_all(Color color) {
+    set_color(handle(), color);
+    cairo_paint(handle());
+    check(cairo_status(handle()), "draw");
+}
+
+void Canvas::fill(Rect rect, Color color) {
+    cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
+    fill_path(handle(), color);
+}
+
+void Canvas::fill_circle(Point center, double radius, Color color) {
+    trace_circle(handle(), center, radius);
+    fill_path(handle(), color);
+}
+
+void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
+    trace_circle(handle(), center, radius);
+    stroke(handle(), width, color);
+}
+
+void Canvas::stroke_rect(Rect rect, double width, Color color) {
+    cairo_set_line_join(handle(), CAIRO_LINE_JOIN_MITER);
+    cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
+    stroke(handle(), width, color);
+}
+
+void Canvas::stroke_line(Point from, Point to, double width, Color color) {
+    cairo_set_line_cap(handle(), CAIRO_LINE_CAP_BUTT);
+    cairo_move_to(handle(), from.x, from.y);
+    cairo_line_to(handle(), to.x, to.y);
+    stroke(handle(), width, color);
+}
+
+void Canvas::stroke_path(std::span<const Point> points, double width, Color color) {
+    cairo_set_line_cap(handle(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(handle(), CAIRO_LINE_JOIN_ROUND);
+    trace(handle(), points);
+    stroke(handle(), width, color);
+}
+
+void Canvas::stroke_dashed(Point from, Point to, double width, double dash, Color color) {
+    cairo_set_dash(handle(), &dash, 1, 0.0);
+    stroke_line(from, to, width, color);
+    cairo_set_dash(handle(), nullptr, 0, 0.0);
+}
+
+void Canvas::fill_polygon(std::span<const Point> points, Color color) {
+    trace(handle(), points);
+    cairo_close_path(handle());
+    fill_path(handle(), color);
+}
+
+void Canvas::clip_to(Rect rect) {
+    cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(handle());
+    check(cairo_status(handle()), "draw");
+}
+
+void Canvas::release_clip() { cairo_reset_clip(handle()); }
+
+void Canvas::copy_from(const Canvas& other) {
+    const PixelView from = other.pixels();
+    const PixelView to = pixels();
+    assert(from.width == to.width && from.height == to.height && from.stride == to.stride);
+    const auto pixel_count =
+        static_cast<std::size_t>(to.stride) * static_cast<std::size_t>(to.height);
+    std::memcpy(to.data, from.data, pixel_count * sizeof(*to.data));
+    pixels_changed();
+}
+
+PixelView Canvas::pixels() { return implementation_->pixels(); }
+
+PixelView Canvas::pixels() const { return implementation_->pixels(); }
+
+void Canvas::pixels_changed() { cairo_surface_mark_dirty(implementation_->surface.get()); }
+
+std::vector<std::uint8_t> Canvas::png() const {
+    std::vector<std::uint8_t> bytes;
+    check(cairo_surface_write_to_png_stream(implementation_->surface.get(), append, &bytes),
+          "encode a PNG");
+    return bytes;
+}
+
+}  // namespace carom

@@ -1,0 +1,49 @@
+#include "draw/color.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+std::uint32_t to_byte(double channel) {
+    return static_cast<std::uint32_t>(std::lround(std::clamp(channel, 0.0, 1.0) * 255.0));
+}
+
+// The transfer function of sRGB (IEC 61966-2-1), from code value to light.
+double linear(double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+std::optional<Color> parse_color(std::string_view text) {
+    if (text.size() != 7 || text.front() != '#') return std::nullopt;
+    std::uint32_t hex = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + 1, end, hex, 16);
+    if (error != std::errc() || stop != end) return std::nullopt;
+    return rgb(hex);
+}
+
+Color mix(Color a, Color b, double share) {
+    const auto between = [share](double from, double to) { return from + (to - from) * share; };
+    return {between(a.red, b.red), between(a.green, b.green), between(a.blue, b.blue),
+            between(a.alpha, b.alpha)};
+}
+
+std::uint32_t to_pixel(Color color) {
+    return 0xFF000000U | to_byte(color.red) << 16 | to_byte(color.green) << 8 | to_byte(color.blue);
+}
+
+double relative_luminance(Color color) {
+    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+}
+
+double contrast(Color a, Color b) {
+    const auto [darker, lighter] = std::minmax(relative_luminance(a), relative_luminance(b));
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+}  // namespace carom

@@ -1,0 +1,349 @@
+#include "draw/text.h"
+
+#include <cairo.h>
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+constexpr const char* family = "Inter";
+
+template <auto release>
+struct Releaser {
+    template <typename T>
+    void operator()(T* handle) const {
+        release(handle);
+    }
+};
+template <typename T, auto release>
+using Owned = std::unique_ptr<T, Releaser<release>>;
+
+using FontConfig = Owned<FcConfig, FcConfigDestroy>;
+using Pattern = Owned<FcPattern, FcPatternDestroy>;
+using ObjectSet = Owned<FcObjectSet, FcObjectSetDestroy>;
+using FontSet = Owned<FcFontSet, FcFontSetDestroy>;
+using FontMap = Owned<PangoFontMap, g_object_unref>;
+using Context = Owned<PangoContext, g_object_unref>;
+using Font = Owned<PangoFont, g_object_unref>;
+using Layout = Owned<PangoLayout, g_object_unref>;
+using LayoutIter = Owned<PangoLayoutIter, pango_layout_iter_free>;
+using Attributes = Owned<PangoAttrList, pango_attr_list_unref>;
+using Description = Owned<PangoFontDescription, pango_font_description_free>;
+using FontOptions = Owned<cairo_font_options_t, cairo_font_options_destroy>;
+using Glyphs = Owned<PangoGlyphString, pango_glyph_string_free>;
+using Surface = Owned<cairo_surface_t, cairo_surface_destroy>;
+using CairoContext = Owned<cairo_t, cairo_destroy>;
+using GString = Owned<char, g_free>;
+
+// The fonts of this machine, and a configuration that knows none but the declared family.
+struct Configurations {
+    FontConfig machine{FcInitLoadConfigAndFonts()};
+    FontConfig declared{FcConfigCreate()};
+    bool has_font = false;
+
+    Configurations() {
+        const Pattern wanted{FcPatternCreate()};
+        FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
+        const ObjectSet fields{FcObjectSetBuild(FC_FILE, nullptr)};
+        const FontSet found{FcFontList(machine.get(), wanted.get(), fields.get())};
+        for (int i = 0; found != nullptr && i < found->nfont; ++i) {
+            FcChar8* file = nullptr;
+            if (FcPatternGetString(found->fonts[i], FC_FILE, 0, &file) != FcResultMatch) continue;
+            if (FcConfigAppFontAddFile(declared.get(), file)) has_font = true;
+        }
+    }
+};
+
+const Configurations& configurations() {
+    static const Configurations all;
+    return all;
+}
+
+Context create_context(PangoFontMap* map) {
+    Context context{pango_font_map_create_context(map)};
+    const FontOptions options{cairo_font_options_create()};
+    cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context.get(), options.get());
+    pango_context_set_round_glyph_positions(context.get(), FALSE);
+    pango_context_set_language(context.get(), pango_language_from_string("en"));
+    pango_context_set_base_dir(context.get(), PANGO_DIRECTION_WEAK_LTR);
+    return context;
+}
+
+// A font map for one thread: Pango's may not be shared.
+struct Fonts {
+    explicit Fonts(FcConfig* configuration)
+        : map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT)) {
+        pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), configuration);
+        context = create_context(map.get());
+    }
+    FontMap map;
+    Context context;
+};
+
+struct PlacedGlyph {
+    PangoFont* font = nullptr;  ///< kept alive by the line's layout
+    PangoGlyph glyph = 0;
+    double x = 0, y = 0;  ///< from the start of the baseline
+};
+
+// A line that has been shaped. `glyphs` is empty where Pango has to draw it: colours of its own,
+// underlines, letters from other fonts.
+struct Line {
+    Layout layout;
+    TextExtent extent;
+    std::vector<PlacedGlyph> glyphs;
+};
+
+struct LineKey {
+    std::string markup;
+    double size;
+    int weight;
+    bool tabular;
+    double max_width;
+    auto operator<=>(const LineKey&) const = default;
+};
+
+Attributes parse(const std::string& markup, std::string& text) {
+    PangoAttrList* attributes = nullptr;
+    char* plain = nullptr;
+    if (pango_parse_markup(markup.data(), static_cast<int>(markup.size()), 0, &attributes, &plain,
+                           nullptr, nullptr)) {
+        text = GString(plain).get();
+        return Attributes(attributes);
+    }
+    text = GString(g_utf8_make_valid(markup.data(), static_cast<gssize>(markup.size()))).get();
+    return Attributes(pango_attr_list_new());
+}
+
+Layout create_layout(PangoContext* context, const LineKey& key) {
+    Layout layout{pango_layout_new(context)};
+    std::string text;
+    const Attributes attributes = parse(key.markup, text);
+    if (key.tabular)
+        pango_attr_list_insert_before(attributes.get(), pango_attr_font_features_new("tnum=1"));
+
+    const Description description{pango_font_description_new()};
+    pango_font_description_set_family_static(description.get(), family);
+    pango_font_description_set_weight(description.get(), static_cast<PangoWeight>(key.weight));
+    pango_font_description_set_absolute_size(description.get(), key.size * PANGO_SCALE);
+    pango_layout_set_font_description(layout.get(), description.get());
+
+    pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
+    pango_layout_set_attributes(layout.get(), attributes.get());
+    pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+    if (key.max_width > 0) {
+        pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
+        pango_layout_set_width(layout.get(), static_cast<int>(key.max_width * PANGO_SCALE));
+    }
+    return layout;
+}
+
+double to_length(int pango_units) { return static_cast<double>(pango_units) / PANGO_SCALE; }
+
+TextExtent extent_of(PangoLayout* layout) {
+    PangoRectangle logical = {};
+    pango_layout_line_get_extents(pango_layout_get_line_readonly(layout, 0), nullptr, &logical);
+    return {to_length(logical.width), to_length(-logical.y), to_length(logical.y + logical.height)};
+}
+
+void place_glyphs(const PangoGlyphItem& run, int& x, std::vector<PlacedGlyph>& glyphs) {
+    const int y = -run.y_offset;
+    x += run.start_x_offset;
+    for (int i = 0; i < run.glyphs->num_glyphs; ++i) {
+        const PangoGlyphInfo& info = run.glyphs->glyphs[i];
+        if (info.glyph != PANGO_GLYPH_EMPTY)
+            glyphs.push_back({run.item->analysis.font, info.glyph,
+                              to_length(x + info.geometry.x_offset),
+                              to_length(y + info.geometry.y_offset)});
+        x += info.geometry.width;
+    }
+    x += run.end_x_offset;
+}
+
+std::vector<PlacedGlyph> glyphs_of(PangoLayout* layout) {
+    std::vector<PlacedGlyph> glyphs;
+    int x = 0;
+    for (GSList* run = pango_layout_get_line_readonly(layout, 0)->runs; run != nullptr;
+         run = run->next) {
+        const auto& item = *static_cast<const PangoGlyphItem*>(run->data);
+        // What is left here are attributes of drawing; those of shaping have been used up.
+        if (item.item->analysis.extra_attrs != nullptr) return {};
+        place_glyphs(item, x, glyphs);
+    }
+    return glyphs;
+}
+
+// The coverage of one glyph, and where its upper left pixel lies from the pixel of its origin.
+struct GlyphMask {
+    Surface coverage;
+    int left = 0, top = 0;
+};
+
+GlyphMask create_mask(PangoFont* font, PangoGlyph glyph, double shift_x, double shift_y) {
+    PangoRectangle ink = {};
+    pango_font_get_glyph_extents(font, glyph, &ink, nullptr);
+    GlyphMask mask;
+    if (ink.width <= 0 || ink.height <= 0) return mask;
+    mask.left = static_cast<int>(std::floor(to_length(ink.x))) - 1;
+    mask.top = static_cast<int>(std::floor(to_length(ink.y))) - 1;
+    const int width = static_cast<int>(std::ceil(to_length(ink.x + ink.width))) + 2 - mask.left;
+    const int height = static_cast<int>(std::ceil(to_length(ink.y + ink.height))) + 2 - mask.top;
+    mask.coverage.reset(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
+
+    const CairoContext context{cairo_create(mask.coverage.get())};
+    const Glyphs one{pango_glyph_string_new()};
+    pango_glyph_string_set_size(one.get(), 1);
+    one->glyphs[0] = {};
+    one->glyphs[0].glyph = glyph;
+    cairo_move_to(context.get(), shift_x - mask.left, shift_y - mask.top);
+    pango_cairo_glyph_string_path(context.get(), font, one.get());
+    cairo_fill(context.get());
+    return mask;
+}
+
+// What one thread keeps. Both caches are emptied when full: what a film shows again and again is
+// soon back in them.
+class Typesetter {
+  public:
+    const Line& line(const LineKey& key) {
+        const auto known = lines_.find(key);
+        if (known != lines_.end()) return known->second;
+        if (lines_.size() >= most_lines) lines_.clear();
+        return lines_.emplace(key, set(key)).first->second;
+    }
+
+    const GlyphMask& mask(const PlacedGlyph& glyph, int phase_x, int phase_y) {
+        const MaskKey key{glyph.font, glyph.glyph, phase_x, phase_y};
+        const auto known = masks_.find(key);
+        if (known != masks_.end()) return known->second;
+        if (masks_.size() >= most_masks) masks_.clear();
+        keep(glyph.font);
+        return masks_
+            .emplace(key, create_mask(glyph.font, glyph.glyph, phase_x / phases, phase_y / phases))
+            .first->second;
+    }
+
+    static constexpr double phases = 8.0;
+
+  private:
+    using MaskKey = std::tuple<PangoFont*, PangoGlyph, int, int>;
+    static constexpr std::size_t most_lines = 512;
+    static constexpr std::size_t most_masks = 4096;
+
+    Line set(const LineKey& key) {
+        Line line;
+        line.layout = create_layout(declared_.context.get(), key);
+        const bool is_complete = pango_layout_get_unknown_glyphs_count(line.layout.get()) == 0;
+        if (!is_complete) line.layout = create_layout(machine().context.get(), key);
+        line.extent = extent_of(line.layout.get());
+        if (is_complete) line.glyphs = glyphs_of(line.layout.get());
+        return line;
+    }
+
+    // A font whose address is a key must not be freed, or another might come to lie there.
+    void keep(PangoFont* font) {
+        if (!fonts_.contains(font))
+            fonts_.emplace(font, static_cast<PangoFont*>(g_object_ref(font)));
+    }
+
+    Fonts& machine() {
+        if (!machine_) machine_ = std::make_unique<Fonts>(configurations().machine.get());
+        return *machine_;
+    }
+
+    Fonts declared_{configurations().declared.get()};
+    std::unique_ptr<Fonts> machine_;
+    std::map<PangoFont*, Font> fonts_;
+    std::map<LineKey, Line> lines_;
+    std::map<MaskKey, GlyphMask> masks_;
+};
+
+Typesetter& typesetter() {
+    require_font();
+    thread_local Typesetter own;
+    return own;
+}
+
+const Line& line_of(const std::string& markup, const TextStyle& style) {
+    return typesetter().line({markup, style.size, style.weight, style.tabular, style.max_width});
+}
+
+struct GridPoint {
+    int whole = 0, phase = 0;
+};
+
+GridPoint to_grid(double position) {
+    const double steps = std::floor(position * Typesetter::phases + 0.5);
+    const double whole = std::floor(steps / Typesetter::phases);
+    return {static_cast<int>(whole), static_cast<int>(steps - whole * Typesetter::phases)};
+}
+
+void draw_glyphs(cairo_t* context, Point origin, const Line& line) {
+    for (const PlacedGlyph& glyph : line.glyphs) {
+        const GridPoint x = to_grid(origin.x + glyph.x);
+        const GridPoint y = to_grid(origin.y + glyph.y);
+        const GlyphMask& mask = typesetter().mask(glyph, x.phase, y.phase);
+        if (mask.coverage != nullptr)
+            cairo_mask_surface(context, mask.coverage.get(), x.whole + mask.left,
+                               y.whole + mask.top);
+    }
+}
+
+double start_of(double x, Align align, double width) {
+    if (align == Align::left) return x;
+    return align == Align::center ? x - 0.5 * width : x - width;
+}
+
+bool is_raster(cairo_t* context) {
+    return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
+}
+
+}  // namespace
+
+TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style) {
+    const Line& line = line_of(markup, style);
+    cairo_t* context = canvas.handle();
+    const Color& color = style.color;
+    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
+
+    Point origin{start_of(at.x, style.align, line.extent.width), at.y};
+    if (is_raster(context)) origin.y = std::round(origin.y);
+    if (is_raster(context) && !line.glyphs.empty()) {
+        draw_glyphs(context, origin, line);
+    } else {
+        cairo_move_to(context, origin.x, origin.y);
+        pango_cairo_show_layout_line(context, pango_layout_get_line_readonly(line.layout.get(), 0));
+        cairo_new_path(context);
+    }
+    return line.extent;
+}
+
+TextExtent measure_text(const std::string& markup, const TextStyle& style) {
+    return line_of(markup, style).extent;
+}
+
+std::string escape_markup(const std::string& text) {
+    return GString(g_markup_escape_text(text.data(), static_cast<gssize>(text.size()))).get();
+}
+
+void require_font() {
+    if (!configurations().has_font)
+        throw SystemError(
+            "the typeface Inter is not installed on this machine: install the Debian package "
+            "fonts-inter");
+}
+
+}  // namespace carom

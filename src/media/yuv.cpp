@@ -1,0 +1,117 @@
+#include "media/yuv.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <vector>
+
+// Three versions of the inner loops, chosen when the program starts: the arithmetic is the same.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define CAROM_SIMD __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define CAROM_SIMD
+#endif
+
+namespace carom {
+namespace {
+
+constexpr double red_weight = 0.2126, green_weight = 0.7152, blue_weight = 0.0722;
+
+// 23 bits keep the error of a rounded weight below 5e-5 of a luma step, and the sum below 2^31.
+constexpr int luma_bits = 23;
+// Chroma is a sum of eight pixels: three bits less, and the sum below 2^31 all the same.
+constexpr int chroma_bits = 23 - 3;
+constexpr int chroma_shift = chroma_bits + 3;
+
+constexpr std::int32_t fixed(double weight, int bits) {
+    const double scaled = weight * (1 << bits);
+    return static_cast<std::int32_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+}
+
+constexpr double luma_range = 219.0 / 255.0, chroma_range = 224.0 / 255.0;
+constexpr double cb_scale = chroma_range / (2 * (1 - blue_weight));
+constexpr double cr_scale = chroma_range / (2 * (1 - red_weight));
+
+constexpr std::int32_t y_red = fixed(luma_range * red_weight, luma_bits);
+constexpr std::int32_t y_green = fixed(luma_range * green_weight, luma_bits);
+constexpr std::int32_t y_blue = fixed(luma_range * blue_weight, luma_bits);
+// The weights of a chroma row sum to exactly zero, so that greys have none.
+constexpr std::int32_t cb_red = fixed(-cb_scale * red_weight, chroma_bits);
+constexpr std::int32_t cb_blue = fixed(cb_scale * (1 - blue_weight), chroma_bits);
+constexpr std::int32_t cb_green = -cb_red - cb_blue;
+constexpr std::int32_t cr_red = fixed(cr_scale * (1 - red_weight), chroma_bits);
+constexpr std::int32_t cr_blue = fixed(-cr_scale * blue_weight, chroma_bits);
+constexpr std::int32_t cr_green = -cr_red - cr_blue;
+
+constexpr std::int32_t y_offset = (16 << luma_bits) + (1 << (luma_bits - 1));
+constexpr std::int32_t chroma_offset = (128 << chroma_shift) + (1 << (chroma_shift - 1));
+
+CAROM_SIMD void luma_row(const std::uint32_t* __restrict pixels, std::uint8_t* __restrict y,
+                         int width) {
+    for (int i = 0; i < width; ++i) {
+        const auto pixel = static_cast<std::int32_t>(pixels[i]);
+        const std::int32_t red = (pixel >> 16) & 255, green = (pixel >> 8) & 255,
+                           blue = pixel & 255;
+        y[i] = static_cast<std::uint8_t>(
+            (y_red * red + y_green * green + y_blue * blue + y_offset) >> luma_bits);
+    }
+}
+
+// Red and blue share a word, 16 bits each: sums of eight bytes fit.
+CAROM_SIMD void sum_rows(const std::uint32_t* __restrict above,
+                         const std::uint32_t* __restrict below, std::uint32_t* __restrict red_blue,
+                         std::uint32_t* __restrict green, int width) {
+    for (int i = 0; i < width; ++i) {
+        red_blue[i] = (above[i] & 0xff00ffu) + (below[i] & 0xff00ffu);
+        green[i] = ((above[i] >> 8) & 255u) + ((below[i] >> 8) & 255u);
+    }
+}
+
+// `red_blue` and `green` have one more element before them, a copy of the first.
+CAROM_SIMD void chroma_row(const std::uint32_t* __restrict red_blue,
+                           const std::uint32_t* __restrict green, std::uint8_t* __restrict cb,
+                           std::uint8_t* __restrict cr, int chroma_width) {
+    for (int i = 0; i < chroma_width; ++i) {
+        const std::uint32_t both = red_blue[2 * i - 1] + 2 * red_blue[2 * i] + red_blue[2 * i + 1];
+        const auto red = static_cast<std::int32_t>(both >> 16);
+        const auto blue = static_cast<std::int32_t>(both & 0xffffu);
+        const auto mid =
+            static_cast<std::int32_t>(green[2 * i - 1] + 2 * green[2 * i] + green[2 * i + 1]);
+        cb[i] = static_cast<std::uint8_t>(
+            (cb_red * red + cb_green * mid + cb_blue * blue + chroma_offset) >> chroma_shift);
+        cr[i] = static_cast<std::uint8_t>(
+            (cr_red * red + cr_green * mid + cr_blue * blue + chroma_offset) >> chroma_shift);
+    }
+}
+
+}  // namespace
+
+void to_yuv420(const PixelView& frame, const YuvPlanes& planes) {
+    assert(frame.width > 0 && frame.height > 0);
+    const int width = frame.width, chroma_width = even_size(width) / 2;
+    // One element to the left for the filter, and one to the right for an odd width.
+    const auto padded = static_cast<std::size_t>(width) + 2;
+    std::vector<std::uint32_t> sums(2 * padded);
+    std::uint32_t* const red_blue = sums.data() + 1;
+    std::uint32_t* const green = red_blue + padded;
+
+    for (int row = 0; row < even_size(frame.height); row += 2) {
+        const std::uint32_t* rows[2];
+        for (int k = 0; k < 2; ++k) {
+            rows[k] =
+                frame.data + std::ptrdiff_t{std::min(row + k, frame.height - 1)} * frame.stride;
+            std::uint8_t* const y = planes.y + std::ptrdiff_t{row + k} * planes.y_stride;
+            luma_row(rows[k], y, width);
+            if (width % 2 != 0) y[width] = y[width - 1];
+        }
+        sum_rows(rows[0], rows[1], red_blue, green, width);
+        for (std::uint32_t* sum : {red_blue, green}) {
+            sum[-1] = sum[0];
+            sum[width] = sum[width - 1];
+        }
+        const std::ptrdiff_t chroma = std::ptrdiff_t{row / 2} * planes.chroma_stride;
+        chroma_row(red_blue, green, planes.cb + chroma, planes.cr + chroma, chroma_width);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+// Conversion of drawn pixels to planar 4:2:0 for the encoder: BT.709, limited range, left-sited
+// chroma. Owns the arithmetic only; buffers belong to the caller.
+#pragma once
+
+#include <cstdint>
+
+#include "draw/canvas.h"
+
+namespace carom {
+
+/// Three planes of bytes: luma of `width` x `height` (both even), chroma of half of each.
+struct YuvPlanes {
+    std::uint8_t* y = nullptr;
+    std::uint8_t* cb = nullptr;
+    std::uint8_t* cr = nullptr;
+    int y_stride = 0, chroma_stride = 0;  ///< bytes from one row to the next
+};
+
+/// The next even number: sizes of 4:2:0 pictures.
+constexpr int even_size(int size) { return size + size % 2; }
+
+/// Converts all of `frame` into planes of even_size() of its size; an odd last row or column is
+/// repeated. Luma is the nearest integer to ITU-R BT.709-6 (items 3.2 to 3.5), chroma is that of
+/// the pixels filtered 1-2-1 about the left luma column and averaged over two rows (the siting of
+/// H.264, chroma_sample_loc_type 0). Integer arithmetic: the same bytes on every machine.
+void to_yuv420(const PixelView& frame, const YuvPlanes& planes);
+
+}  // namespace carom

@@ -99,6 +99,27 @@ std::vector<TickMark> fitting_y_ticks(const Scale& scale, const TextStyle& style
     return ticks(scale.low, scale.high, std::clamp(static_cast<int>(room) + 1, 2, 5));
 }
 
+void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
+                  const std::vector<TickMark>& marks, const std::string& title,
+                  const AxisStyle& style) {
+    const double x = area.x;
+    TextStyle label = style.label;
+    label.align = Align::right;
+    canvas.stroke_line({x, area.y - 0.5 * style.line_width},
+                       {x, area.bottom() + 0.5 * style.line_width}, style.line_width, style.line);
+    for (const TickMark& mark : marks) {
+        const double y = scale(mark.value);
+        canvas.stroke_line({x - style.tick_length, y}, {x, y}, style.line_width, style.line);
+        draw_text(canvas,
+                  {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
+                  mark.label, label);
+    }
+    if (title.empty()) return;
+    TextStyle words = style.title;
+    words.align = Align::left;
+    draw_text(canvas, {x, area.y - 0.7 * words.size}, title, words);
+}
+
 }  // namespace
 
 std::vector<TickMark> ticks(double low, double high, int most) {
@@ -111,6 +132,20 @@ std::vector<TickMark> ticks(double low, double high, int most) {
     for (double count = first; count <= last; ++count) {
         const double value = count == 0.0 ? 0.0 : count * step.size();
         marks.push_back({value, label_of(value, step, largest)});
+    }
+    return marks;
+}
+
+std::vector<TickMark> decade_ticks(double low, double high, int most) {
+    const int first = static_cast<int>(std::ceil(low - slack));
+    const int last = static_cast<int>(std::floor(high + slack));
+    const int step = std::max(1, (last - first + most - 1) / most);
+    const bool is_plain = first >= -4 && last <= 5;
+    std::vector<TickMark> marks;
+    for (int exponent = first; exponent <= last; ++exponent) {
+        if (exponent % step != 0) continue;
+        const std::string plain = with_decimals(std::pow(10.0, exponent), std::max(0, -exponent));
+        marks.push_back({double(exponent), is_plain ? plain : "10" + superscript(exponent)});
     }
     return marks;
 }
@@ -158,22 +193,14 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
 
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style) {
-    const double x = area.x;
-    TextStyle label = style.label;
-    label.align = Align::right;
-    canvas.stroke_line({x, area.y - 0.5 * style.line_width},
-                       {x, area.bottom() + 0.5 * style.line_width}, style.line_width, style.line);
-    for (const TickMark& mark : fitting_y_ticks(scale, label)) {
-        const double y = scale(mark.value);
-        canvas.stroke_line({x - style.tick_length, y}, {x, y}, style.line_width, style.line);
-        draw_text(canvas,
-                  {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
-                  mark.label, label);
-    }
-    if (title.empty()) return;
-    TextStyle words = style.title;
-    words.align = Align::left;
-    draw_text(canvas, {x, area.y - 0.7 * words.size}, title, words);
+    draw_y_marks(canvas, area, scale, fitting_y_ticks(scale, style.label), title, style);
+}
+
+void draw_log_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
+                     const AxisStyle& style) {
+    const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
+    const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
+    draw_y_marks(canvas, area, scale, decade_ticks(scale.low, scale.high, most), title, style);
 }
 
 }  // namespace carom

@@ -29,6 +29,9 @@ struct TickMark {
 /// precision. Nothing for an empty range.
 std::vector<TickMark> ticks(double low, double high, int most = 5);
 
+/// Powers of ten from 10^low to 10^high, at most about `most`; a mark's value is its exponent.
+std::vector<TickMark> decade_ticks(double low, double high, int most = 5);
+
 /// The smallest round value at or above `value` (> 0) that gives an axis from 0 good ticks.
 double round_up_for_axis(double value);
 
@@ -53,5 +56,9 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
 /// level.
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
+
+/// The same for a logarithmic axis: `scale` maps decimal logarithms.
+void draw_log_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
+                     const AxisStyle& style);
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "util/text.h"
@@ -158,10 +159,8 @@ double round_up_for_axis(double value) {
     return 10.0 * power;
 }
 
-double x_axis_space(const std::string& title, const AxisStyle& style) {
-    const double labels =
-        style.tick_length + gap_to_label(style) + 2 * half_line_height(style.label);
-    return title.empty() ? labels : labels + 1.5 * style.title.size;
+double x_axis_space(const AxisStyle& style) {
+    return style.tick_length + gap_to_label(style) + 2 * half_line_height(style.label);
 }
 
 double y_axis_space(const Scale& scale, const AxisStyle& style) {
@@ -180,15 +179,19 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
         y + style.tick_length + gap_to_label(style) + 2 * half_line_height(label);
     canvas.stroke_line({area.x - 0.5 * style.line_width, y},
                        {area.right() + 0.5 * style.line_width, y}, style.line_width, style.line);
+    double right = std::numeric_limits<double>::infinity();
+    if (!title.empty()) {
+        TextStyle words = style.title;
+        words.align = Align::right;
+        const double width = draw_text(canvas, {area.right(), baseline}, title, words).width;
+        right = area.right() - width - 0.5 * words.size;
+    }
     for (const TickMark& mark : fitting_x_ticks(scale, label)) {
         const double x = scale(mark.value);
         canvas.stroke_line({x, y}, {x, y + style.tick_length}, style.line_width, style.line);
-        draw_text(canvas, {x, baseline}, mark.label, label);
+        if (x + 0.5 * measure_text(mark.label, label).width < right)
+            draw_text(canvas, {x, baseline}, mark.label, label);
     }
-    if (title.empty()) return;
-    TextStyle words = style.title;
-    words.align = Align::right;
-    draw_text(canvas, {area.right(), baseline + 1.5 * words.size}, title, words);
 }
 
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,

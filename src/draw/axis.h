@@ -44,11 +44,11 @@ struct AxisStyle {
 };
 
 /// The height that an x axis takes below its area, and the width that a y axis takes left of it.
-double x_axis_space(const std::string& title, const AxisStyle& style);
+double x_axis_space(const AxisStyle& style);
 double y_axis_space(const Scale& scale, const AxisStyle& style);
 
 /// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
-/// below them at the right end.
+/// on the line of the labels at the right end; labels that it would touch are left out.
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
 

@@ -93,11 +93,11 @@ constexpr Color black = rgb(0x000000), orange = rgb(0xE69F00), sky_blue = rgb(0x
                 bluish_green = rgb(0x009E73), yellow = rgb(0xF0E442), blue = rgb(0x0072B2),
                 vermilion = rgb(0xD55E00), reddish_purple = rgb(0xCC79A7), white = rgb(0xFFFFFF);
 
-// The colours that stand out least from the ground come last.
-constexpr std::array on_dark = {sky_blue,       orange, bluish_green, yellow,
-                                reddish_purple, white,  vermilion,    blue};
-constexpr std::array on_light = {blue,  vermilion, bluish_green, reddish_purple,
-                                 black, orange,    sky_blue,     yellow};
+// The colours that stand out least from the ground, or are near the theory curve's, come last.
+constexpr std::array on_dark = {sky_blue, yellow, bluish_green, reddish_purple,
+                                white,    orange, vermilion,    blue};
+constexpr std::array on_light = {blue,      bluish_green, reddish_purple, black,
+                                 vermilion, orange,       sky_blue,       yellow};
 
 }  // namespace
 

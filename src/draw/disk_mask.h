@@ -1,0 +1,67 @@
+// Coverage of one disk over the pixels of a grid, in rows ready to be blended four pixels at a
+// time. Integer arithmetic behind correctly rounded square roots: the same everywhere. Draws
+// nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+
+/// A disk's centre lies in 1/16 of a pixel, its radius in 1/256 (1/512 off at most, which is half a
+/// step of an 8-bit coverage).
+struct DiskShape {
+    static constexpr int phases = 16;
+    static constexpr int radius_steps = 256;
+    int phase_x = 0, phase_y = 0;  ///< of the centre, right of and below its pixel's corner
+    int radius = 1;                ///< in 1/radius_steps of a pixel, positive
+};
+
+/// One row of pixels, from `left` on: groups of four pixels with a coverage each, a span of `full`
+/// pixels, groups again.
+struct MaskRow {
+    std::int16_t left = 0;
+    std::uint16_t left_groups = 0, full = 0, right_groups = 0;
+};
+
+constexpr int group_size = 4;
+
+/// A disk's rows in a MaskStore and the smallest box that holds their groups; `left` and `top`
+/// count from the pixel that holds the centre.
+struct DiskMask {
+    int left = 0, top = 0, width = 0, height = 0;
+    std::size_t first_row = 0, first_coverage = 0;
+};
+
+/// Masks one after another in two arrays, so that dropping the last ones costs nothing.
+class MaskStore {
+  public:
+    /// Adds the mask of a disk.
+    DiskMask add(const DiskShape& shape);
+
+    /// Drops `mask` and all that was added after it.
+    void truncate_to(const DiskMask& mask);
+
+    const MaskRow* rows(const DiskMask& mask) const { return rows_.data() + mask.first_row; }
+
+    /// Coverages in 1/255 of the groups of all rows in turn.
+    const std::uint8_t* coverages(const DiskMask& mask) const {
+        return coverages_.data() + mask.first_coverage;
+    }
+
+    std::size_t bytes() const { return rows_.size() * sizeof(MaskRow) + coverages_.size(); }
+
+  private:
+    void sum_changes(int width, int full_sum);
+    void add_row(int left, int width, bool is_whole);
+    void append(int first, int groups);
+
+    std::vector<MaskRow> rows_;
+    std::vector<std::uint8_t> coverages_;
+    std::vector<float> half_chords_;     ///< of the disk being added, from its equator to a pole
+    std::vector<std::int32_t> changes_;  ///< of coverage from one pixel to the next, in one row
+    std::vector<std::uint8_t> row_;      ///< coverages of one row, and a group of zeros
+};
+
+}  // namespace carom

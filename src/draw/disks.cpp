@@ -1,0 +1,264 @@
+#include "draw/disks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+#include <vector>
+
+#include "draw/disk_mask.h"
+
+namespace carom {
+namespace {
+
+// Pixel columns and rows that may be written: [left, right) and [top, bottom).
+struct PixelBounds {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
+PixelBounds bounds_of(const PixelView& pixels, const Rect& clip) {
+    const auto within = [](double position, int most) {
+        return static_cast<int>(std::clamp(std::round(position), 0.0, static_cast<double>(most)));
+    };
+    return {within(clip.x, pixels.width), within(clip.y, pixels.height),
+            within(clip.right(), pixels.width), within(clip.bottom(), pixels.height)};
+}
+
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
+using Quads = std::uint32_t __attribute__((vector_size(16)));
+using Words = std::uint16_t __attribute__((vector_size(16)));
+
+template <typename T>
+T load(const void* from) {
+    T value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+
+// The two halves of a vector, each byte widened to a word.
+Words low_words(Bytes bytes) {
+    return reinterpret_cast<Words>(__builtin_shufflevector(bytes, Bytes{}, 0, 16, 1, 17, 2, 18, 3,
+                                                           19, 4, 20, 5, 21, 6, 22, 7, 23));
+}
+Words high_words(Bytes bytes) {
+    return reinterpret_cast<Words>(__builtin_shufflevector(bytes, Bytes{}, 8, 24, 9, 25, 10, 26, 11,
+                                                           27, 12, 28, 13, 29, 14, 30, 15, 31));
+}
+
+Bytes twice_each(Bytes bytes) {
+    return __builtin_shufflevector(bytes, bytes, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7,
+                                   23);
+}
+
+// Coverage 255 weighs 256, so that a covered pixel has the disk's very colour.
+Words blend(Words below, Words above, Words coverage) {
+    const Words weight = coverage + (coverage >> 7);
+    return (below * (256 - weight) + above * weight + 128) >> 8;
+}
+
+void blend_group(std::uint32_t* pixels, const std::uint8_t* coverages, Bytes color) {
+    static_assert(group_size * sizeof *pixels == sizeof(Bytes));
+    const Quads four = {load<std::uint32_t>(coverages)};
+    const Bytes coverage = twice_each(twice_each(reinterpret_cast<Bytes>(four)));
+    const Bytes below = load<Bytes>(pixels);
+    const Words low = blend(low_words(below), low_words(color), low_words(coverage));
+    const Words high = blend(high_words(below), high_words(color), high_words(coverage));
+    const Bytes mixed =
+        __builtin_shufflevector(reinterpret_cast<Bytes>(low), reinterpret_cast<Bytes>(high), 0, 2,
+                                4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    std::memcpy(pixels, &mixed, sizeof mixed);
+}
+
+// Draws masks of one colour.
+class Stamp {
+  public:
+    Stamp(const PixelView& pixels, const PixelBounds& bounds, std::uint32_t color)
+        : pixels_(pixels), bounds_(bounds), color_(color | 0xFF000000U) {
+        const std::uint32_t four[] = {color_, color_, color_, color_};
+        color_bytes_ = load<Bytes>(four);
+    }
+
+    void draw(const MaskStore& store, const DiskMask& mask, int x, int y) const {
+        const bool is_inside =
+            x + mask.left >= bounds_.left && x + mask.left + mask.width <= bounds_.right &&
+            y + mask.top >= bounds_.top && y + mask.top + mask.height <= bounds_.bottom;
+        const MaskRow* row = store.rows(mask);
+        const std::uint8_t* coverage = store.coverages(mask);
+        for (int line = y + mask.top; line < y + mask.top + mask.height; ++line, ++row) {
+            if (is_inside)
+                draw_row(*row, coverage, x, line);
+            else if (line >= bounds_.top && line < bounds_.bottom)
+                draw_cut_row(*row, coverage, x, line);
+            coverage += group_size * (row->left_groups + row->right_groups);
+        }
+    }
+
+  private:
+    std::uint32_t* start_of(int line) const {
+        return pixels_.data + static_cast<std::ptrdiff_t>(line) * pixels_.stride;
+    }
+
+    void draw_row(const MaskRow& row, const std::uint8_t* coverage, int x, int line) const {
+        std::uint32_t* pixel = start_of(line) + x + row.left;
+        for (int i = 0; i < row.left_groups; ++i, pixel += group_size, coverage += group_size)
+            blend_group(pixel, coverage, color_bytes_);
+        pixel = std::fill_n(pixel, row.full, color_);
+        for (int i = 0; i < row.right_groups; ++i, pixel += group_size, coverage += group_size)
+            blend_group(pixel, coverage, color_bytes_);
+    }
+
+    // The same row where a part of it may lie outside of the bounds.
+    void draw_cut_row(const MaskRow& row, const std::uint8_t* coverage, int x, int line) const {
+        const int left = x + row.left;
+        const int inside = left + row.left_groups * group_size;
+        const int outside = inside + row.full;
+        draw_cut(line, left, inside, coverage);
+        const int from = std::max(inside, bounds_.left), to = std::min(outside, bounds_.right);
+        if (from < to) std::fill(start_of(line) + from, start_of(line) + to, color_);
+        draw_cut(line, outside, outside + row.right_groups * group_size,
+                 coverage + (inside - left));
+    }
+
+    void draw_cut(int line, int from, int to, const std::uint8_t* coverage) const {
+        for (int i = std::max(from, bounds_.left); i < std::min(to, bounds_.right); ++i) {
+            const std::uint8_t alone[group_size] = {coverage[i - from]};
+            std::uint32_t group[group_size] = {start_of(line)[i]};
+            blend_group(group, alone, color_bytes_);
+            start_of(line)[i] = group[0];
+        }
+    }
+
+    PixelView pixels_;
+    PixelBounds bounds_;
+    std::uint32_t color_;
+    Bytes color_bytes_;
+};
+
+// A disk on the grid of phases: the pixel that holds its centre, and its shape around it.
+struct PlacedDisk {
+    int x = 0, y = 0;
+    DiskShape shape;
+};
+
+constexpr float largest_radius = 16000;  // rows are counted in 16 bits
+
+bool is_visible(const Disk& disk, const PixelBounds& bounds) {
+    // Written so that nothing but finite numbers passes.
+    return disk.radius > 0 && disk.radius <= largest_radius &&
+           disk.x + disk.radius + 1 > static_cast<float>(bounds.left) &&
+           disk.x - disk.radius - 1 < static_cast<float>(bounds.right) &&
+           disk.y + disk.radius + 1 > static_cast<float>(bounds.top) &&
+           disk.y - disk.radius - 1 < static_cast<float>(bounds.bottom);
+}
+
+PlacedDisk place(const Disk& disk) {
+    constexpr int phases = DiskShape::phases;
+    // Shifted to be positive, where a cast is a floor.
+    constexpr int shift = 1 << 15;
+    const auto to_steps = [](float position) {
+        return static_cast<int>((static_cast<double>(position) + shift) * phases + 0.5);
+    };
+    const int x = to_steps(disk.x), y = to_steps(disk.y);
+    const int radius = static_cast<int>(disk.radius * DiskShape::radius_steps + 0.5F);
+    return {x / phases - shift, y / phases - shift, {x % phases, y % phases, std::max(1, radius)}};
+}
+
+}  // namespace
+
+void fetch_ahead(const PixelView& pixels, const PixelBounds& bounds, const Disk& disk) {
+    if (!is_visible(disk, bounds)) return;
+    const int first = std::max(bounds.top, static_cast<int>(disk.y - disk.radius));
+    const int last = std::min(bounds.bottom - 1, static_cast<int>(disk.y + disk.radius));
+    const int left = std::max(bounds.left, static_cast<int>(disk.x - disk.radius));
+    const int right = std::min(bounds.right - 1, static_cast<int>(disk.x + disk.radius));
+    for (int line = first; line <= last; ++line) {
+        const std::uint32_t* row = pixels.data + static_cast<std::ptrdiff_t>(line) * pixels.stride;
+        for (int x = left; x < right + 16; x += 16) __builtin_prefetch(row + std::min(x, right), 1);
+    }
+}
+
+// Masks are kept while there is room for them, each radius at the phases met so far. What is kept
+// saves time and never shows in the picture.
+struct DiskPainter::Implementation {
+    static constexpr std::size_t most_bytes = 16 << 20;
+    static constexpr int largest_kept = 64 * DiskShape::radius_steps;
+    using Phases = std::array<int, DiskShape::phases * DiskShape::phases>;  ///< index, or -1
+
+    std::size_t bytes() const {
+        return store.bytes() + masks.size() * sizeof(DiskMask) + by_radius.size() * sizeof(Phases);
+    }
+
+    void forget_if_full() {
+        if (!is_full) return;
+        store = MaskStore();
+        masks.clear();
+        by_radius.clear();
+        last_radius = -1;
+        is_full = false;
+    }
+
+    /// The phases of a radius, or nothing when there is no room for it.
+    Phases* phases_of(int radius) {
+        if (radius == last_radius) return last_phases;
+        const auto known = by_radius.find(radius);
+        Phases* phases = known != by_radius.end() ? &known->second : nullptr;
+        if (phases == nullptr && radius <= largest_kept) {
+            is_full |= bytes() > most_bytes;
+            if (!is_full) {
+                phases = &by_radius[radius];
+                phases->fill(-1);
+            }
+        }
+        last_radius = radius;
+        last_phases = phases;
+        return phases;
+    }
+
+    void draw_one(const Stamp& stamp, const PlacedDisk& disk) {
+        Phases* phases = phases_of(disk.shape.radius);
+        const int phase = disk.shape.phase_y * DiskShape::phases + disk.shape.phase_x;
+        int* index = phases != nullptr ? &(*phases)[static_cast<std::size_t>(phase)] : nullptr;
+        if (index != nullptr && *index >= 0) {
+            stamp.draw(store, masks[static_cast<std::size_t>(*index)], disk.x, disk.y);
+            return;
+        }
+        const DiskMask mask = store.add(disk.shape);
+        stamp.draw(store, mask, disk.x, disk.y);
+        is_full |= bytes() > most_bytes;
+        if (index == nullptr || is_full) {
+            store.truncate_to(mask);
+        } else {
+            *index = static_cast<int>(masks.size());
+            masks.push_back(mask);
+        }
+    }
+
+    MaskStore store;
+    std::vector<DiskMask> masks;
+    std::unordered_map<int, Phases> by_radius;  ///< looked up only
+    int last_radius = -1;
+    Phases* last_phases = nullptr;
+    bool is_full = false;
+};
+
+DiskPainter::DiskPainter() : implementation_(std::make_unique<Implementation>()) {}
+DiskPainter::~DiskPainter() = default;
+DiskPainter::DiskPainter(DiskPainter&&) noexcept = default;
+DiskPainter& DiskPainter::operator=(DiskPainter&&) noexcept = default;
+
+void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
+    implementation_->forget_if_full();
+    const PixelView pixels = canvas.pixels();
+    const PixelBounds bounds = bounds_of(pixels, clip);
+    for (std::size_t i = 0; i < disks.size(); ++i) {
+        const Disk& disk = disks[i];
+        if (i + 4 < disks.size()) fetch_ahead(pixels, bounds, disks[i + 4]);
+        if (!is_visible(disk, bounds)) continue;
+        const Stamp stamp(pixels, bounds, disk.color);
+        implementation_->draw_one(stamp, place(disk));
+    }
+    canvas.pixels_changed();
+}
+
+}  // namespace carom

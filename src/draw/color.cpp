@@ -42,7 +42,7 @@ double relative_luminance(Color color) {
 }
 
 double contrast(Color a, Color b) {
-    const auto [darker, lighter] = std::minmax(relative_luminance(a), relative_luminance(b));
+    const auto [darker, lighter] = std::minmax({relative_luminance(a), relative_luminance(b)});
     return (lighter + 0.05) / (darker + 0.05);
 }
 

@@ -173,14 +173,33 @@ void place_glyphs(const PangoGlyphItem& run, int& x, std::vector<PlacedGlyph>& g
     x += run.end_x_offset;
 }
 
+// Whether a run wants more than its glyphs in the line's colour at their places.
+bool is_decorated(const PangoGlyphItem& run) {
+    for (GSList* link = run.item->analysis.extra_attrs; link != nullptr; link = link->next) {
+        switch (static_cast<const PangoAttribute*>(link->data)->klass->type) {
+            case PANGO_ATTR_FOREGROUND:
+            case PANGO_ATTR_FOREGROUND_ALPHA:
+            case PANGO_ATTR_BACKGROUND:
+            case PANGO_ATTR_BACKGROUND_ALPHA:
+            case PANGO_ATTR_UNDERLINE:
+            case PANGO_ATTR_OVERLINE:
+            case PANGO_ATTR_STRIKETHROUGH:
+            case PANGO_ATTR_SHAPE:
+                return true;
+            default:
+                break;
+        }
+    }
+    return false;
+}
+
 std::vector<PlacedGlyph> glyphs_of(PangoLayout* layout) {
     std::vector<PlacedGlyph> glyphs;
     int x = 0;
     for (GSList* run = pango_layout_get_line_readonly(layout, 0)->runs; run != nullptr;
          run = run->next) {
         const auto& item = *static_cast<const PangoGlyphItem*>(run->data);
-        // What is left here are attributes of drawing; those of shaping have been used up.
-        if (item.item->analysis.extra_attrs != nullptr) return {};
+        if (is_decorated(item)) return {};
         place_glyphs(item, x, glyphs);
     }
     return glyphs;

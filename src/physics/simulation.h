@@ -22,13 +22,16 @@ struct Collision {
     std::int32_t
         second;  ///< particle, or -1 - side for a wall (sides: left 0, right 1, bottom 2, top 3)
     Eigen::Array2d first_position;   ///< centre of `first` at contact; y is 0 in 1-D
-    Eigen::Array2d second_position;  ///< centre of `second`, or the point of contact on the wall
+    Eigen::Array2d second_position;  ///< centre of `second` (in a periodic box of its image that
+                                     ///< touches `first`), or the point of contact on the wall
 };
 
 /// How many collisions have happened since t = 0.
 struct CollisionCounts {
     std::int64_t particle = 0;  ///< between two particles
     std::int64_t wall = 0;      ///< of a particle with a wall
+    std::int64_t ties = 0;      ///< pairs that shared a particle and an instant with the pair just
+                                ///< before: their order is by number, not by physics
 };
 
 /// What happened on the way to a time.
@@ -44,8 +47,8 @@ class Simulation {
     /// Places the particles and runs `run.equilibrate`. Throws PlacementError.
     Simulation(const Gas& gas, const Run& run);
 
-    /// Starts from given particles at `start.time` = 0. Overlapping particles are a programmer's
-    /// error (assertion).
+    /// Starts from given particles at `start.time` = 0, or `run.equilibrate` before it. Overlapping
+    /// particles are a programmer's error (assertion).
     Simulation(const Box& box, Particles particles, const Sample& start, const Run& run);
 
     ~Simulation();

@@ -1,0 +1,139 @@
+#include "physics/cell_grid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numbers>
+
+namespace carom {
+namespace {
+
+// More cells than this a particle would mostly be empty and cost crossings.
+constexpr double cells_per_particle = 2.0;
+constexpr double wider = 1.0 + 1e-9;  // so that round-off never leaves a cell too narrow
+
+double least_cell(double area, double count) {
+    return std::sqrt(area / (cells_per_particle * std::max(count, 4.0)));
+}
+
+// Cells and pairs looked at per unit of time, in arbitrary units, when disks up to `small` are in
+// the fine grid. Larger disks meet more others and cross more cells, in proportion to their size.
+double expected_work(const Eigen::ArrayXd& radii, double small, double area) {
+    const auto larger = (radii > small).cast<double>();
+    const double large_count = larger.sum();
+    const double small_count = static_cast<double>(radii.size()) - large_count;
+    const double cell = std::max(2.0 * small, least_cell(area, static_cast<double>(radii.size())));
+    const double coarse = std::max(2.0 * radii.maxCoeff(), cell);
+    const double in_cell = small_count * std::min(1.0, cell * cell / area);
+    const double in_coarse = large_count * std::min(1.0, coarse * coarse / area);
+    const double look_at_large = large_count > 0.0 ? 9.0 + 9.0 * in_coarse : 0.0;
+    const double per_small = 9.0 + 9.0 * in_cell + look_at_large;
+    const Eigen::ArrayXd ratio = radii / cell;
+    const Eigen::ArrayXd ring = 9.0 + 6.0 * std::numbers::pi * ratio;
+    const double large_work =
+        (larger * (1.0 + ratio) * (ring * (1.0 + in_cell) + look_at_large)).sum();
+    return small_count * per_small + large_work;
+}
+
+double choose_small_radius(const Eigen::ArrayXd& radii, double area) {
+    const double largest = radii.maxCoeff();
+    double best = largest;
+    double least_work = expected_work(radii, largest, area);
+    for (double bound = largest / std::numbers::sqrt2; bound > largest * 1e-6;
+         bound /= std::numbers::sqrt2) {
+        if (!(radii <= bound).any()) break;
+        const double small = (radii <= bound).select(radii, 0.0).maxCoeff();
+        const double work = expected_work(radii, small, area);
+        if (work < least_work) {
+            least_work = work;
+            best = small;
+        }
+    }
+    return best;
+}
+
+int cells_along(double length, double least) {
+    const double cells = std::floor(length / (least * wider));
+    return static_cast<int>(std::clamp(cells, 1.0, 65535.0));
+}
+
+// Coarse cells are whole numbers of fine ones; the last takes what is left over.
+std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
+    const int together = static_cast<int>(
+        std::min(std::ceil(least * wider / fine_length), static_cast<double>(fine)));
+    const int coarse = std::max(1, fine / together);
+    std::vector<std::int32_t> merged(static_cast<std::size_t>(fine));
+    for (int i = 0; i < fine; ++i)
+        merged[static_cast<std::size_t>(i)] = std::min(i / together, coarse - 1);
+    return merged;
+}
+
+}  // namespace
+
+CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
+    const double area = box.size.prod();
+    const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
+    small_radius_ = radii.size() > 0 ? choose_small_radius(radii, area) : 0.0;
+    has_large_ = small_radius_ < largest;
+    const double least =
+        std::max(2.0 * small_radius_, least_cell(area, static_cast<double>(radii.size())));
+    columns_ = cells_along(box.size[0], least);
+    rows_ = cells_along(box.size[1], least);
+    width_ = box.size[0] / columns_;
+    height_ = box.size[1] / rows_;
+    coarse_column_ = merge(columns_, width_, std::max(2.0 * largest, width_));
+    coarse_row_ = merge(rows_, height_, std::max(2.0 * largest, height_));
+
+    const bool periodic_x = box.walls[0] == Wall::periodic;
+    const bool periodic_y = box.walls[1] == Wall::periodic;
+    fine_ = {Axis{columns_, periodic_x, box.size[0]}, Axis{rows_, periodic_y, box.size[1]}};
+    coarse_ = {Axis{coarse_column_.back() + 1, periodic_x, box.size[0]},
+               Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
+    fine_heads_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
+    coarse_heads_.assign(
+        static_cast<std::size_t>(coarse_[0].cells) * static_cast<std::size_t>(coarse_[1].cells),
+        -1);
+    links_.assign(static_cast<std::size_t>(radii.size()), Links{-1, -1});
+}
+
+Cell CellGrid::cell_at(double x, double y) const {
+    const auto along = [](double position, double length, int cells) {
+        const double cell = std::floor(position / length);
+        return static_cast<std::uint16_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+    };
+    return {along(x, width_, columns_), along(y, height_, rows_)};
+}
+
+void CellGrid::clear() {
+    std::fill(fine_heads_.begin(), fine_heads_.end(), -1);
+    std::fill(coarse_heads_.begin(), coarse_heads_.end(), -1);
+}
+
+void CellGrid::add(std::int32_t particle, double radius, Cell cell) {
+    link(particle, head_of(radius, cell));
+}
+
+void CellGrid::move(std::int32_t particle, double radius, Cell from, Cell to) {
+    std::int32_t& old_head = head_of(radius, from);
+    std::int32_t& new_head = head_of(radius, to);
+    if (&old_head == &new_head) return;
+    unlink(particle, old_head);
+    link(particle, new_head);
+}
+
+void CellGrid::link(std::int32_t particle, std::int32_t& head) {
+    links_[static_cast<std::size_t>(particle)] = {-1, head};
+    if (head >= 0) links_[static_cast<std::size_t>(head)].previous = particle;
+    head = particle;
+}
+
+void CellGrid::unlink(std::int32_t particle, std::int32_t& head) {
+    const Links links = links_[static_cast<std::size_t>(particle)];
+    if (links.previous >= 0)
+        links_[static_cast<std::size_t>(links.previous)].next = links.next;
+    else
+        head = links.next;
+    if (links.next >= 0) links_[static_cast<std::size_t>(links.next)].previous = links.previous;
+}
+
+}  // namespace carom

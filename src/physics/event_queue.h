@@ -1,0 +1,81 @@
+// The next event of each particle, and which particle's comes first. One event per particle: a new
+// one replaces the old. Times are local (local_clock.h) and lie in laps.
+//
+// A calendar: a lap is cut into buckets of equal width, each an unsorted doubly linked list through
+// the events themselves; only the present bucket is ordered, in a small heap. So scheduling costs
+// the same for any number of particles. Events beyond the lap wait in one more list until
+// begin_lap(). Does not know what an event means.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace carom {
+
+/// What happens next to a particle. `partner` and `partner_collisions` are for the owner's use.
+struct Event {
+    double time = std::numeric_limits<double>::infinity();  ///< local; infinity: nothing
+    std::int32_t partner = 0;
+    std::uint32_t partner_collisions = 0;
+};
+
+class EventQueue {
+  public:
+    explicit EventQueue(std::int32_t count);
+
+    /// Replaces all events at once, in laps suited to their times; the present is time 0.
+    void reset(const std::vector<Event>& events);
+
+    /// Replaces the event of `particle`; its time must not lie before that of the last earliest().
+    void schedule(std::int32_t particle, const Event& event);
+
+    const Event& event(std::int32_t particle) const { return nodes_[index(particle)].event; }
+
+    /// The particle whose event is the earliest in this lap (at equal times the lowest number), or
+    /// -1 when the lap is over.
+    std::int32_t earliest();
+
+    /// How far the next lap begins after the present one: a whole number of laps, so that an event
+    /// lies in it; infinity when there is no event at all.
+    double next_lap() const;
+
+    /// Counts all times from `shift` later on (from next_lap()), and adapts the width of the
+    /// buckets to the events seen.
+    void begin_lap(double shift);
+
+  private:
+    struct Node {
+        Event event;
+        std::int32_t previous = unlisted;  ///< or -2 - list at the head of a list, or unlisted
+        std::int32_t next = -1;
+    };
+    struct Present {
+        double time;
+        std::int32_t particle;
+    };
+    static constexpr std::int32_t unlisted = std::numeric_limits<std::int32_t>::min();
+
+    static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+    std::int32_t beyond_lap() const { return buckets_; }
+    bool is_current(const Present& entry) const;
+    void set_width(double width);
+    void insert(std::int32_t particle);
+    void link(std::int32_t particle, std::int32_t list);
+    void unlink(std::int32_t particle);
+    void open_bucket(std::int32_t bucket);
+    void forget_replaced();
+
+    std::vector<Node> nodes_;
+    std::vector<std::int32_t> heads_;  ///< of the buckets, then of the list beyond the lap
+    std::vector<Present> present_;     ///< heap; entries replaced since are dropped when met
+    std::int32_t buckets_;
+    std::int32_t bucket_ = 0;  ///< the present one
+    double width_ = 1.0;       ///< a power of two, so that laps add up exactly
+    double per_width_ = 1.0;
+    double lap_ = 1.0;
+    std::int64_t events_in_lap_ = 0;
+};
+
+}  // namespace carom

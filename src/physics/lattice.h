@@ -1,0 +1,30 @@
+// Hexagonal lattices of places fitted to a box. Knows no particles.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "physics/gas.h"
+
+namespace carom {
+
+/// A hexagonal arrangement: rows parallel to x, every other one shifted by half a spacing.
+struct HexagonalLattice {
+    int rows = 0;
+    int columns = 0;          ///< of the unshifted rows
+    int shifted_columns = 0;  ///< of the others
+    Eigen::Array2d spacing;   ///< along a row, between rows; length
+    double nearest = 0.0;     ///< least distance of two sites, length
+
+    int sites() const { return (rows + 1) / 2 * columns + rows / 2 * shifted_columns; }
+};
+
+/// All lattices of at least `count` sites that keep disks of `radius` inside `box` and apart, the
+/// widest spaced first.
+std::vector<HexagonalLattice> fitting_lattices(const Box& box, int count, double radius);
+
+/// The sites of a lattice, row by row from the bottom.
+std::vector<Eigen::Array2d> lattice_sites(const Box& box, const HexagonalLattice& lattice,
+                                          double radius);
+
+}  // namespace carom

@@ -1,0 +1,30 @@
+// Time as an epoch and a short time since: contacts are computed in the short time, which never
+// loses digits however long the run. Does not decide when to move the epoch.
+#pragma once
+
+namespace carom {
+
+class LocalClock {
+  public:
+    explicit LocalClock(double epoch = 0.0) : high_(epoch) {}
+
+    /// Moves the epoch on by `time`; the sum is kept to twice the digits of a double (two-sum).
+    void advance(double time) {
+        const double sum = high_ + time;
+        const double added = sum - high_;
+        low_ += (high_ - (sum - added)) + (time - added);
+        high_ = sum;
+    }
+
+    /// Time since the epoch of a time on the user's clock.
+    double local(double time) const { return (time - high_) - low_; }
+
+    /// Time on the user's clock of a time since the epoch.
+    double absolute(double local_time) const { return high_ + (low_ + local_time); }
+
+  private:
+    double high_;
+    double low_ = 0.0;
+};
+
+}  // namespace carom

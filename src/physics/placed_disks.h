@@ -1,0 +1,57 @@
+// Disks that have found their places, and the question whether a further one fits between them.
+// Each disk is listed in all cells that it touches, so large and small ones are found alike.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "physics/gas.h"
+
+namespace carom {
+
+/// Two disks count as apart when their distance is short of touching by no more than this part of
+/// the sum of their radii: coordinates written in decimals touch only to within round-off.
+inline constexpr double touching_tolerance = 1e-12;
+
+/// Shortest vector between two points of the box, across its periodic borders where it has them.
+Eigen::Array2d nearest_image(const Box& box, Eigen::Array2d separation);
+
+class PlacedDisks {
+  public:
+    /// Room for about `count` disks of about `typical_radius`.
+    PlacedDisks(const Box& box, std::int64_t count, double typical_radius);
+
+    /// The particle of the lowest number that overlaps a disk at `centre`, if any does.
+    std::optional<std::int32_t> overlapped(const Eigen::Array2d& centre, double radius) const;
+
+    /// Whether a disk at `centre` overlaps none.
+    bool is_free(const Eigen::Array2d& centre, double radius) const;
+
+    void add(std::int32_t particle, const Eigen::Array2d& centre, double radius);
+
+  private:
+    struct Disk {
+        Eigen::Array2d centre;
+        double radius;
+        std::int32_t particle;
+    };
+    struct Entry {
+        std::int32_t disk, next;
+    };
+
+    template <typename Function>
+    void for_each_cell(const Eigen::Array2d& centre, double radius, Function&& f) const;
+    template <typename Function>
+    void for_each_overlapping(const Eigen::Array2d& centre, double radius, Function&& f) const;
+
+    Box box_;
+    Eigen::Array2i cells_;
+    Eigen::Array2d cell_size_;
+    std::vector<std::int32_t> heads_;
+    std::vector<Entry> entries_;
+    std::vector<Disk> disks_;
+};
+
+}  // namespace carom

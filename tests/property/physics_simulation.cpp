@@ -1,0 +1,287 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "physics/hard_disks.h"
+#include "physics/placement.h"
+#include "physics/simulation.h"
+#include "support/slow_simulator.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+Wall wall(Random& random) { return random.uniform() < 0.5 ? Wall::periodic : Wall::solid; }
+
+// A small scene of any kind: mixed sizes and masses, fixed and moving infinite masses, all walls,
+// boxes of few cells as well as dilute ones.
+Gas small_scene(std::uint64_t seed) {
+    Random random(seed, "small scene");
+    Gas gas;
+    gas.seed = seed;
+    gas.box.size = {random.uniform(2.5, 9.0), random.uniform(2.5, 9.0)};
+    gas.box.walls = {wall(random), wall(random)};
+    const double r = 0.5 * std::sqrt(gas.box.size.prod()) * random.uniform(0.08, 0.2);
+    gas.species.push_back({.name = "small",
+                           .count = 1 + static_cast<int>(random.below(5)),
+                           .radius = UniformLaw{0.3 * r, r},
+                           .mass = UniformLaw{0.1, 10.0},
+                           .velocity = Temperature{1.0}});
+    gas.species.push_back({.name = "large",
+                           .count = 1 + static_cast<int>(random.below(3)),
+                           .radius = random.uniform(1.0, 2.4) * r,
+                           .mass = Quantity{random.uniform(0.01, 100.0)},
+                           .velocity = Speed{random.uniform(0.0, 2.0)}});
+    if (random.uniform() < 0.3)
+        gas.species.push_back({.name = "fixed", .count = 1, .radius = r, .mass = Infinite{}});
+    if (random.uniform() < 0.15)
+        gas.species.push_back({.name = "driven",
+                               .count = 1,
+                               .radius = r,
+                               .mass = Infinite{},
+                               .velocity = Velocity{{{random.uniform(-1, 1), 0.3}}}});
+    return gas;
+}
+
+// The deepest overlap of any pair or wall, length.
+double deepest_overlap(const Box& box, const Particles& particles, const Sample& sample) {
+    double deepest = 0.0;
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        for (Eigen::Index j = 0; j < i; ++j) {
+            if (particles.inverse_mass[i] + particles.inverse_mass[j] == 0.0) continue;
+            Eigen::Array2d r = (sample.position.row(i) - sample.position.row(j)).transpose();
+            for (int a = 0; a < 2; ++a)
+                if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic)
+                    r[a] = std::remainder(r[a], box.size[a]);
+            const double sigma = particles.radius[i] + particles.radius[j];
+            deepest = std::max(deepest, sigma - std::hypot(r[0], r[1]));
+        }
+        for (int a = 0; a < 2; ++a) {
+            if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic) continue;
+            const double x = sample.position(i, a);
+            deepest = std::max(deepest, particles.radius[i] - std::min(x, box.size[a] - x));
+        }
+    }
+    return deepest;
+}
+
+bool has_driven(const Particles& particles, const Sample& start) {
+    return (particles.inverse_mass == 0.0 && speeds(start) > 0.0).any();
+}
+
+std::uint64_t hash_of(const Sample& sample) {
+    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+    for (const auto* array : {&sample.position, &sample.velocity})
+        for (Eigen::Index k = 0; k < array->size(); ++k)
+            hash = (hash ^ std::bit_cast<std::uint64_t>(array->data()[k])) * 1099511628211ULL;
+    return hash;
+}
+
+// Coordinates of the size of the box are rounded a few times on the way to a contact, and a sample
+// is taken at a rounded time, when the fastest disk is off by its speed times the rounding.
+double overlap_bound(const Box& box, const Sample& sample) {
+    const double epsilon = std::numeric_limits<double>::epsilon();
+    return epsilon * (4.0 * box.size.sum() + 2.0 * speeds(sample).maxCoeff() * sample.time);
+}
+
+}  // namespace
+
+TEST_CASE("the same events in the same order as the slow, obvious simulator") {
+    int compared = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        CAPTURE(seed);
+        const Gas gas = small_scene(seed);
+        const auto [particles, start] = place(gas);
+        HardDisks fast(gas.box, particles);
+        fast.start(start);
+        test::SlowSimulator slow(gas.box, particles, start);
+        // Round-off of the doubles grows by some 4 to 13 bits per collision of a particle. Events
+        // are compared while it is small; a wrong event shows as a jump.
+        double deviation = 1e-14;
+        const auto events = static_cast<int>(6 * particles.count());
+        for (int k = 0; k < events && deviation < 1e-9; ++k) {
+            CAPTURE(k);
+            const auto expected = slow.next(1e6L);
+            Collision found{};
+            const bool any = fast.advance_one(1e6, found);
+            REQUIRE(any == expected.has_value());
+            if (!any) break;
+            std::int32_t first = found.first, second = found.second;
+            if (second >= 0 && second < first) std::swap(first, second);
+            REQUIRE(first == expected->first);
+            REQUIRE(second == expected->second);
+            const double time = static_cast<double>(expected->time);
+            const double off = std::abs(found.time - time) / std::max(1.0, time);
+            REQUIRE(off <= 1e4 * deviation);
+            deviation = std::max(deviation, off);
+            ++compared;
+        }
+    }
+    CHECK(compared > 5000);
+}
+
+TEST_CASE("no overlap after any event, energy and momentum are kept") {
+    for (std::uint64_t seed = 1001; seed <= 1200; ++seed) {
+        CAPTURE(seed);
+        const Gas gas = small_scene(seed);
+        const auto [particles, start] = place(gas);
+        const bool driven = has_driven(particles, start);
+        const bool fixed = (particles.inverse_mass == 0.0).any();
+        const Eigen::ArrayXd masses =
+            (particles.inverse_mass > 0.0).select(particles.inverse_mass.inverse(), 0.0);
+        const auto energy_of = [&](const Sample& s) {
+            return 0.5 * (masses * s.velocity.square().rowwise().sum()).sum();
+        };
+        HardDisks disks(gas.box, particles);
+        disks.start(start);
+        Sample sample;
+        Collision collision{};
+        for (int k = 0; k < 200 && disks.advance_one(1e6, collision); ++k) {
+            CAPTURE(k);
+            disks.sample(collision.time, sample);
+            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+            if (driven) continue;
+            REQUIRE(energy_of(sample) == doctest::Approx(energy_of(start)).epsilon(1e-13));
+            for (int a = 0; a < 2; ++a) {
+                if (fixed || gas.box.walls[static_cast<std::size_t>(a)] == Wall::solid) continue;
+                const double scale = (masses * speeds(start)).sum();
+                const double change =
+                    (masses * (sample.velocity.col(a) - start.velocity.col(a))).sum();
+                REQUIRE(std::abs(change) <= 1e-13 * scale);
+            }
+        }
+    }
+}
+
+TEST_CASE("one large disk among many small ones, and many sizes at once") {
+    for (const Wall side : {Wall::solid, Wall::periodic}) {
+        Gas gas;
+        gas.box.size = {60.0, 50.0};
+        gas.box.walls = {side, side};
+        gas.species = {{.name = "giant",
+                        .count = 2,
+                        .radius = 8.0,
+                        .mass = Density{1.0},
+                        .velocity = Temperature{30.0}},
+                       {.name = "middle",
+                        .count = 10,
+                        .radius = UniformLaw{1.0, 3.0},
+                        .mass = Density{1.0},
+                        .velocity = Temperature{30.0}},
+                       {.name = "dust",
+                        .count = 400,
+                        .radius = UniformLaw{0.1, 0.4},
+                        .mass = Density{1.0},
+                        .velocity = Temperature{30.0}}};
+        const auto [particles, start] = place(gas);
+        HardDisks disks(gas.box, particles);
+        disks.start(start);
+        Sample sample;
+        Collision collision{};
+        for (int k = 0; k < 30'000; ++k) {
+            REQUIRE(disks.advance_one(1e6, collision));
+            if (k % 60 != 0) continue;
+            disks.sample(collision.time, sample);
+            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+        }
+        CHECK(kinetic_energies(particles, sample).sum() ==
+              doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("dense from a lattice, at late and early times alike") {
+    Gas gas;
+    gas.box.size = {30.0, 26.0};
+    gas.box.walls = {Wall::periodic, Wall::solid};
+    gas.species = {
+        {.name = "", .count = 700, .velocity = Temperature{1.0}, .position = LatticePlaces{}}};
+    auto [particles, start] = place(gas);
+    for (const double epoch : {0.0, 1e10}) {
+        start.time = epoch;
+        HardDisks disks(gas.box, particles);
+        disks.start(start);
+        disks.advance(epoch + 5.0, nullptr);
+        CHECK(disks.counts().particle > 20'000);
+        Sample sample;
+        Collision collision{};
+        for (int k = 0; k < 50; ++k) {
+            disks.advance_one(epoch + 100.0, collision);
+            disks.sample(collision.time, sample);
+            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+        }
+        CHECK(kinetic_energies(particles, sample).sum() ==
+              doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("a reversal brings everything home within what doubles can do") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        Gas gas;
+        gas.seed = seed;
+        gas.box.size = {20.0, 20.0};  // packing 0.2
+        gas.species = {{.name = "", .count = 100, .velocity = Speed{1.0}}};
+        const auto [particles, start] = place(gas);
+        const double out = 5.0;  // some two collisions per particle
+        const Run run{
+            .until = 2.0 * out, .equilibrate = 0.0, .events = {{out, ReverseVelocities{}}}};
+        Simulation simulation(gas.box, particles, start, run);
+        const auto there = simulation.advance_to(out).counts;
+        const auto back = simulation.advance_to(2.0 * out).counts;
+        CHECK(there.particle > 40);
+        CHECK(back.particle == 2 * there.particle);
+        CHECK(back.wall == 2 * there.wall);
+        // s c + 2 sqrt(s c) + 16 bits for c collisions per particle, s = 2.5 at this packing
+        const double bits = 2.5 * 2.0 * static_cast<double>(there.particle) / 100.0;
+        const double bound = std::exp2(bits + 2.0 * std::sqrt(bits) + 16.0 - 53.0);
+        const Sample& home = simulation.sample();
+        CHECK((home.position - start.position).abs().maxCoeff() <= bound);
+        CHECK((home.velocity + start.velocity).abs().maxCoeff() <= bound);
+    }
+}
+
+TEST_CASE("two runs of one scene are the same to the last bit") {
+    Gas gas;
+    gas.box.size = {40.0, 40.0};
+    gas.box.walls = {Wall::periodic, Wall::solid};
+    gas.species = {{.name = "a", .count = 300, .velocity = Temperature{1.0}},
+                   {.name = "b", .count = 10, .radius = 2.0, .mass = Quantity{16.0}}};
+    std::uint64_t hash = 0;
+    for (int i = 0; i < 2; ++i) {
+        Simulation simulation(gas, Run{});
+        simulation.advance_to(7.0);
+        const std::int64_t collisions = simulation.advance_to(20.0).counts.particle;
+        CHECK(collisions > 3000);
+        const std::uint64_t now = hash_of(simulation.sample());
+        if (i == 1) CHECK(now == hash);
+        hash = now;
+    }
+}
+
+TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
+    Gas gas;
+    gas.box.size = {20.0, 20.0};
+    gas.species = {{.name = "fast", .count = 3, .velocity = Speed{1e6}},
+                   {.name = "slow", .count = 20, .mass = Quantity{1e15}, .velocity = Speed{1e-12}},
+                   {.name = "light", .count = 5, .mass = Quantity{1e-3}}};
+    const auto [particles, start] = place(gas);
+    HardDisks disks(gas.box, particles);
+    disks.start(start);
+    Sample sample;
+    Collision collision{};
+    for (int k = 0; k < 20'000; ++k) {
+        REQUIRE(disks.advance_one(1e6, collision));
+        disks.sample(collision.time, sample);
+        if (k % 10 == 0)
+            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+    }
+    CHECK(kinetic_energies(particles, sample).sum() ==
+          doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-12));
+}

@@ -1,0 +1,120 @@
+#include "support/slow_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::test {
+
+SlowSimulator::SlowSimulator(const Box& box, const Particles& particles, const Sample& start)
+    : box_(box) {
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        disks_.push_back({start.position(i, 0), start.position(i, 1), start.velocity(i, 0),
+                          start.velocity(i, 1), particles.radius[i], particles.inverse_mass[i]});
+}
+
+void SlowSimulator::look_at_pairs(Candidate& best) const {
+    const int images_x = box_.walls[0] == Wall::periodic ? 2 : 0;
+    const int images_y = box_.walls[1] == Wall::periodic ? 2 : 0;
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+        for (std::size_t j = i + 1; j < disks_.size(); ++j) {
+            const Disk &a = disks_[i], &b = disks_[j];
+            if (a.inverse_mass + b.inverse_mass == 0.0L) continue;
+            const long double vx = b.vx - a.vx, vy = b.vy - a.vy;
+            const long double sigma = a.radius + b.radius;
+            for (int ix = -images_x; ix <= images_x; ++ix) {
+                for (int iy = -images_y; iy <= images_y; ++iy) {
+                    const long double sx = ix * static_cast<long double>(box_.size[0]);
+                    const long double sy = iy * static_cast<long double>(box_.size[1]);
+                    const long double x = b.x + sx - a.x, y = b.y + sy - a.y;
+                    const long double approach = x * vx + y * vy, v2 = vx * vx + vy * vy;
+                    if (approach >= 0.0L) continue;
+                    const long double gap = x * x + y * y - sigma * sigma;
+                    const long double discriminant = approach * approach - v2 * gap;
+                    if (discriminant <= 0.0L) continue;
+                    const long double wait =
+                        gap <= 0.0L ? 0.0L : (-approach - std::sqrt(discriminant)) / v2;
+                    if (wait < best.wait)
+                        best = {wait, static_cast<int>(i), static_cast<int>(j), sx, sy};
+                }
+            }
+        }
+    }
+}
+
+void SlowSimulator::look_at_walls(Candidate& best) const {
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+        const Disk& d = disks_[i];
+        for (int axis = 0; axis < 2; ++axis) {
+            if (box_.walls[static_cast<std::size_t>(axis)] == Wall::periodic) continue;
+            const long double x = axis == 0 ? d.x : d.y, v = axis == 0 ? d.vx : d.vy;
+            if (v == 0.0L) continue;
+            const long double wall = v > 0.0L ? box_.size[axis] - d.radius : d.radius;
+            const long double wait = std::max(0.0L, (wall - x) / v);
+            const int side = 2 * axis + (v > 0.0L ? 1 : 0);
+            if (wait < best.wait) best = {wait, static_cast<int>(i), -1 - side, 0.0L, 0.0L};
+        }
+    }
+}
+
+void SlowSimulator::collide(const Candidate& event) {
+    Disk& a = disks_[static_cast<std::size_t>(event.first)];
+    if (event.second < 0) {
+        (event.second > -3 ? a.vx : a.vy) *= -1.0L;
+        return;
+    }
+    Disk& b = disks_[static_cast<std::size_t>(event.second)];
+    const long double x = b.x + event.shift_x - a.x, y = b.y + event.shift_y - a.y;
+    const long double distance = std::hypot(x, y);
+    const long double nx = x / distance, ny = y / distance;
+    const long double along = (b.vx - a.vx) * nx + (b.vy - a.vy) * ny;
+    const long double impulse = 2.0L * along / (a.inverse_mass + b.inverse_mass);
+    a.vx += a.inverse_mass * impulse * nx;
+    a.vy += a.inverse_mass * impulse * ny;
+    b.vx -= b.inverse_mass * impulse * nx;
+    b.vy -= b.inverse_mass * impulse * ny;
+}
+
+// So short that nothing flies further than a quarter of the box, and the images looked at suffice.
+long double SlowSimulator::longest_step() const {
+    long double fastest = 1e-300L;
+    for (const Disk& d : disks_) fastest = std::max(fastest, std::hypot(d.vx, d.vy));
+    return 0.25L * std::min(box_.size[0], box_.size[1]) / fastest;
+}
+
+void SlowSimulator::fly(long double wait) {
+    const auto wrap = [](long double x, long double length) {
+        return x - length * std::floor(x / length);
+    };
+    time_ += wait;
+    for (Disk& d : disks_) {
+        d.x += d.vx * wait;
+        d.y += d.vy * wait;
+        if (box_.walls[0] == Wall::periodic) d.x = wrap(d.x, box_.size[0]);
+        if (box_.walls[1] == Wall::periodic) d.y = wrap(d.y, box_.size[1]);
+    }
+}
+
+std::optional<SlowEvent> SlowSimulator::next(long double end) {
+    while (true) {
+        const long double step = longest_step();
+        Candidate best{step, -1, -1, 0.0L, 0.0L};
+        look_at_pairs(best);
+        look_at_walls(best);
+        if (!(time_ + best.wait <= end)) return std::nullopt;
+        if (best.first < 0) {
+            fly(step);
+            continue;
+        }
+        // Wrapping may change which image touches: collide first, at the places of the contact.
+        for (Disk& d : disks_) {
+            d.x += d.vx * best.wait;
+            d.y += d.vy * best.wait;
+        }
+        time_ += best.wait;
+        collide(best);
+        fly(0.0L);
+        return SlowEvent{time_, best.first, best.second};
+    }
+}
+
+}  // namespace carom::test

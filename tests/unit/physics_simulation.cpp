@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "physics/simulation.h"
+
+using namespace carom;
+
+namespace {
+
+struct Disk {
+    double x, y, vx, vy, radius = 0.5, mass = 1.0;
+};
+
+Simulation simulation_of(const Box& box, const std::vector<Disk>& disks, const Run& run = {}) {
+    const auto count = static_cast<Eigen::Index>(disks.size());
+    Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
+    Sample start{0.0, Eigen::ArrayXXd(count, 2), Eigen::ArrayXXd(count, 2)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Disk& d = disks[static_cast<std::size_t>(i)];
+        particles.radius[i] = d.radius;
+        particles.inverse_mass[i] = 1.0 / d.mass;
+        start.position.row(i) << d.x, d.y;
+        start.velocity.row(i) << d.vx, d.vy;
+    }
+    return Simulation(box, particles, start, run);
+}
+
+Box box_of(double width, double height, Wall x = Wall::solid, Wall y = Wall::solid) {
+    return Box{2, {width, height}, {x, y}};
+}
+
+}  // namespace
+
+TEST_CASE("collisions are told exactly, those at the end included") {
+    Simulation simulation = simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0}, {5, 5, 0, 0}});
+    simulation.record_collisions(true);
+    CHECK(simulation.advance_to(1.75).collisions.empty());
+    Passage passage = simulation.advance_to(2.0);
+    REQUIRE(passage.collisions.size() == 1);
+    const Collision pair = passage.collisions[0];
+    CHECK(pair.time == 2.0);
+    CHECK(pair.first == 0);
+    CHECK(pair.second == 1);
+    CHECK(pair.first_position[0] == 4.0);
+    CHECK(pair.second_position[0] == 5.0);
+    CHECK(simulation.sample().velocity(0, 0) == 0.0);
+    CHECK(simulation.sample().velocity(1, 0) == 1.0);
+    passage = simulation.advance_to(7.0);
+    REQUIRE(passage.collisions.size() == 1);
+    CHECK(passage.collisions[0].time == 6.5);
+    CHECK(passage.collisions[0].second == -2);  // the right wall
+    CHECK(passage.collisions[0].second_position[0] == 10.0);
+    CHECK(passage.counts.particle == 1);
+    CHECK(passage.counts.wall == 1);
+    CHECK(simulation.sample().position(1, 0) == 9.0);
+    simulation.record_collisions(false);
+    CHECK(simulation.advance_to(20.0).collisions.empty());
+}
+
+TEST_CASE("a gas at rest, and an empty one, stay so for ever") {
+    Simulation at_rest = simulation_of(box_of(10.0, 10.0), {{2, 5, 0, 0}, {3, 5, 0, 0}});
+    CHECK(at_rest.advance_to(1e300).counts.particle == 0);
+    CHECK(at_rest.sample().position(1, 0) == 3.0);
+    Simulation empty = simulation_of(box_of(10.0, 10.0), {});
+    CHECK(empty.advance_to(5.0).counts.wall == 0);
+    CHECK(empty.sample().position.rows() == 0);
+}
+
+TEST_CASE("looking at the state changes nothing") {
+    const std::vector<Disk> disks{{2, 5, 1, 0.3}, {5, 5.3, -0.2, 0.4}, {7, 2, 0.9, 0.7, 1.0, 3.0}};
+    Simulation often = simulation_of(box_of(10.0, 10.0), disks);
+    Simulation once = simulation_of(box_of(10.0, 10.0), disks);
+    for (int i = 1; i <= 1000; ++i) {
+        often.advance_to(i * 0.1);
+        often.sample();
+    }
+    once.advance_to(1000 * 0.1);
+    CHECK((often.sample().position == once.sample().position).all());
+    CHECK((often.sample().velocity == once.sample().velocity).all());
+}
+
+TEST_CASE("time before t = 0 is not counted") {
+    Simulation simulation = simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0}, {5, 5, 0, 0}},
+                                          {.until = 0.0, .equilibrate = 5.0, .events = {}});
+    CHECK(simulation.sample().position(1, 0) == 8.0);
+    CHECK(simulation.sample().time == 0.0);
+    const Passage passage = simulation.advance_to(1.5);
+    CHECK(passage.counts.particle == 0);
+    CHECK(passage.counts.wall == 1);
+}
+
+TEST_CASE("a reversal at its time, also when several lie in one passage") {
+    const Run run{.until = 20.0,
+                  .equilibrate = 0.0,
+                  .events = {{3.0, ReverseVelocities{}},
+                             {4.0, ReverseVelocities{}},
+                             {4.0, ReverseVelocities{}},
+                             {5.0, ReverseVelocities{}}}};
+    Simulation simulation = simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0}, {5, 5, 0, 0}}, run);
+    CHECK(simulation.advance_to(2.5).reversals == 0);
+    CHECK(simulation.advance_to(3.0).reversals == 1);
+    CHECK(simulation.sample().velocity(1, 0) == -1.0);
+    // back to the collision at 4, processed at the instant of the second and third reversal
+    CHECK(simulation.advance_to(3.999).counts.particle == 1);
+    const Passage passage = simulation.advance_to(4.0);
+    CHECK(passage.reversals == 3);
+    CHECK(passage.counts.particle >= 2);
+    CHECK(simulation.advance_to(6.0).reversals == 4);
+}
+
+TEST_CASE("a simulation can be moved") {
+    Simulation a = simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0}, {5, 5, 0, 0}});
+    a.advance_to(1.0);
+    Simulation b = std::move(a);
+    CHECK(b.advance_to(2.5).counts.particle == 1);
+    CHECK(b.particles().count() == 2);
+    CHECK(b.box().size[0] == 10.0);
+}
+
+TEST_CASE("two disks around a periodic box meet on both sides") {
+    // Two nearly fill it, and each meets two images of the other.
+    Simulation pair =
+        simulation_of(box_of(2.5, 4.0, Wall::periodic), {{0.5, 2, 0, 0}, {1.5, 2, 1, 0}});
+    const Passage passage = pair.advance_to(0.5 + 0.5 + 0.25);
+    CHECK(passage.counts.particle == 2);  // at 0.5 across the border, at 1.0 inside
+}
+
+TEST_CASE(
+    "disks that fill the box and push each other round without end are an error, not a hang") {
+    Simulation jammed = simulation_of(box_of(3.0, 4.0, Wall::periodic),
+                                      {{0.5, 2, 0, 0}, {1.5, 2, 0, 0}, {2.5, 2, 0.5, 0}});
+    CHECK_THROWS_WITH_AS(jammed.advance_to(1.0),
+                         "disks collide without end at t = 0: they fill the box along a line, or "
+                         "are crushed between infinite masses",
+                         std::runtime_error);
+}
+
+TEST_CASE("ties are decided by number and counted") {
+    // One disk hits two at rest at the same instant.
+    Simulation simulation =
+        simulation_of(box_of(20.0, 20.0), {{5, 10, 1, 0}, {8, 10.5, 0, 0}, {8, 9.5, 0, 0}});
+    const Passage passage = simulation.advance_to(3.0);
+    CHECK(passage.counts.particle >= 2);
+    CHECK(passage.counts.ties >= 1);
+}

@@ -30,6 +30,37 @@ std::string padding_up_to(const std::string& line, int column) {
     return padding;
 }
 
+// A line longer than a screen is cut to a piece around the place.
+Diagnostic cut_to_screen(Diagnostic diagnostic) {
+    constexpr int longest = 160;
+    constexpr int kept_before = 60;
+    std::string& line = diagnostic.source_line;
+    SourceSpan& span = diagnostic.span;
+    if (code_points(line) <= longest) return diagnostic;
+    const int first = std::max(0, span.column - 1 - kept_before);
+    std::string piece = first > 0 ? "…" : "";
+    int position = 0;
+    for (std::size_t i = 0; i < line.size() && position < first + longest; ++position) {
+        const std::size_t next = next_code_point(line, i);
+        if (position >= first) piece += line.substr(i, next - i);
+        i = next;
+    }
+    line = piece + (first + longest < code_points(line) ? "…" : "");
+    span.column -= first > 0 ? first - 1 : 0;
+    span.length = std::min(span.length, longest - kept_before);
+    return diagnostic;
+}
+
+// The line, numbered if it is one of a file, and the caret under it.
+std::string marked_line(const Diagnostic& whole) {
+    const Diagnostic shown = cut_to_screen(whole);
+    const SourceSpan& span = shown.span;
+    const std::string number = span.line > 0 ? fmt::format("{}", span.line) : "";
+    const auto carets = static_cast<std::size_t>(std::max(1, span.length));
+    return fmt::format("\n{:>5} | {}\n{:>8}{}{}", number, shown.source_line, "| ",
+                       padding_up_to(shown.source_line, span.column), std::string(carets, '^'));
+}
+
 }  // namespace
 
 std::string to_text(const Diagnostic& diagnostic) {
@@ -38,13 +69,7 @@ std::string to_text(const Diagnostic& diagnostic) {
     if (span.line > 0) text += fmt::format(":{}:{}", span.line, span.column);
     if (!text.empty()) text += ": ";
     text += "error: " + diagnostic.message;
-    if (span.line > 0 && !diagnostic.source_line.empty()) {
-        const std::string gutter = fmt::format("{:>5} | ", span.line);
-        const auto carets = static_cast<std::size_t>(std::max(1, span.length));
-        text += fmt::format("\n{}{}", gutter, diagnostic.source_line);
-        text += fmt::format("\n{:>8}{}{}", "| ", padding_up_to(diagnostic.source_line, span.column),
-                            std::string(carets, '^'));
-    }
+    if (!diagnostic.source_line.empty()) text += marked_line(diagnostic);
     if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
     return text;
 }

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// A place in a text, 1-based; line 0 means "the whole file". `length` is in characters (code
-/// points).
+/// A place in a text, 1-based; line 0 means the whole file, or a text without lines (the command
+/// line's), where `column` counts. `length` is in characters (code points).
 struct SourceSpan {
     std::string file;
     int line = 0;
@@ -26,8 +26,8 @@ struct Diagnostic {
     std::string source_line;
 };
 
-/// The text of a diagnostic: `file:line:column: error: message`, the line, a caret, `hint: ...`; no
-/// trailing newline.
+/// The text of a diagnostic: `file:line:column: error: message`, the line (cut around the place
+/// when it is long), a caret, `hint: ...`; no trailing newline.
 std::string to_text(const Diagnostic& diagnostic);
 
 /// The user's input is wrong (exit code 2): all diagnostics found in one go.

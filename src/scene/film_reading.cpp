@@ -1,0 +1,192 @@
+#include "scene/film_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "scene/limits.h"
+
+namespace carom {
+namespace {
+
+void read_event(const Fields& fields, const Run& run, std::vector<RunEvent>& events,
+                Errors& errors) {
+    const auto at = fields.number("at");
+    if (!at) return;
+    if (run.until > 0.0 && *at > run.until)
+        errors.add(
+            *fields.given("at"),
+            fmt::format("the event is at {}, after the end of the run at {}", *at, run.until),
+            "`at` lies between 0 and `until`");
+    if (fields.given("reverse")) events.push_back({*at, ReverseVelocities{}});
+}
+
+Slot read_slot(const Node& list, const LayoutSpec& layout, Errors& errors) {
+    const std::vector<double> sides = numbers(list);
+    const Slot slot{sides[0], sides[1], sides[2], sides[3]};
+    if (slot.width <= 0.0 || slot.height <= 0.0)
+        errors.add(list, "expected [x, y, width, height] with a positive width and height");
+    constexpr double rounding = 1e-9;
+    if (slot.x + slot.width > layout.grid_width + rounding ||
+        slot.y + slot.height > layout.grid_height + rounding)
+        errors.add(list, fmt::format("the place reaches outside the grid of {} by {}",
+                                     layout.grid_width, layout.grid_height));
+    return slot;
+}
+
+PictureSize read_size(const Fields& film, Errors& errors) {
+    static const std::map<std::string, PictureSize> named{
+        {"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}};
+    const Node& node = *film.value("size");
+    if (node.is_scalar()) return named.at(node.text);
+    const Eigen::Array2d sides = pair(node);
+    const PictureSize size{static_cast<int>(sides[0]), static_cast<int>(sides[1])};
+    if (size.width % 2 != 0 || size.height % 2 != 0)
+        errors.add(node,
+                   fmt::format("expected an even width and height, found {} by {}", size.width,
+                               size.height),
+                   "films store colour for blocks of two by two pixels");
+    return size;
+}
+
+ThemeName read_theme(const std::string& word) {
+    static const std::map<std::string, ThemeName> themes{
+        {"light", ThemeName::light}, {"dark", ThemeName::dark}, {"print", ThemeName::print}};
+    return themes.at(word);
+}
+
+ColorBy read_color_by(const std::string& word) {
+    static const std::map<std::string, ColorBy> ways{{"speed", ColorBy::speed},
+                                                     {"speed-class", ColorBy::speed_class},
+                                                     {"energy", ColorBy::energy},
+                                                     {"species", ColorBy::species},
+                                                     {"mass", ColorBy::mass}};
+    return ways.at(word);
+}
+
+PanelSpec read_options(const Fields& fields, Errors& errors) {
+    PanelSpec panel;
+    panel.kind = fields.text("kind").value_or("");
+    panel.title = fields.text("title");
+    if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
+    if (const Node* range = fields.given("range")) {
+        const Eigen::Array2d ends = pair(*range);
+        if (ends[0] >= ends[1])
+            errors.add(*range, "expected [low, high] with low < high for `range`");
+        panel.range = {ends[0], ends[1]};
+    }
+    panel.theory = fields.flag("theory").value_or(true);
+    panel.mean_now = fields.flag("mean_now").value_or(true);
+    panel.mean_start = fields.flag("mean_start").value_or(true);
+    return panel;
+}
+
+std::vector<PanelSpec> read_panels(const Fields& film, std::size_t slots,
+                                   const std::string& template_name, Errors& errors) {
+    std::vector<PanelSpec> panels;
+    const Node* list = film.given("panels");
+    if (list == nullptr) return panels;
+    const Section& section = section_of(film.section(), "panels");
+    for (const Node& item : list->items) {
+        if (!item.valid) continue;
+        if (item.is_mapping()) {
+            panels.push_back(read_options({item, section}, errors));
+        } else {
+            panels.push_back({});
+            panels.back().kind = item.text;
+        }
+    }
+    if (list->items.size() > slots)
+        errors.add(list->items[slots],
+                   fmt::format("{} panels, but the template `{}` has room for {}",
+                               list->items.size(), template_name, slots));
+    return panels;
+}
+
+double read_seconds(const Fields& film, const Run& run) {
+    if (const auto seconds = film.number("seconds")) return *seconds;
+    return run.until / film.number("pace").value_or(1.0);
+}
+
+// The place to mend a length: where it is given, or where the run's end is.
+const Node& place_of_length(const Fields& film, const Fields& scene) {
+    for (const char* key : {"seconds", "pace"})
+        if (const Node* node = film.given(key)) return *node;
+    if (const auto run = scene.inner("run"))
+        if (const Node* until = run->given("until")) return *until;
+    return film.node();
+}
+
+void check_frames(const Film& film, const Fields& fields, const Fields& scene, Errors& errors) {
+    const double frames = std::round(film.seconds * film.fps);
+    if (frames >= 2.0 && frames <= most_frames.value) return;
+    const bool given = fields.given("seconds") != nullptr;
+    std::string hint =
+        frames < 2.0 ? "a film has at least 2 frames"
+                     : fmt::format("the ceiling is {} {}", most_frames.value, most_frames.meaning);
+    if (!given) hint += "; give `film.seconds`, or another `film.pace`";
+    errors.add(place_of_length(fields, scene),
+               fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} frames",
+                           film.seconds, film.fps, frames),
+               hint);
+}
+
+}  // namespace
+
+Run read_run(const Fields& scene, Errors& errors) {
+    Run run;
+    const auto fields = scene.inner("run");
+    if (!fields) return run;
+    run.until = fields->number("until").value_or(0.0);
+    run.equilibrate = fields->number("equilibrate").value_or(0.0);
+    if (const Node* events = fields->given("events"))
+        for (const Node& item : events->items)
+            if (item.is_mapping())
+                read_event({item, section_of(fields->section(), "events")}, run, run.events,
+                           errors);
+    std::stable_sort(run.events.begin(), run.events.end(),
+                     [](const RunEvent& a, const RunEvent& b) { return a.at < b.at; });
+    return run;
+}
+
+LayoutSpec read_layout(const Fields& template_file, Errors& errors) {
+    LayoutSpec layout;
+    const auto fields = template_file.inner("layout");
+    if (!fields) return layout;
+    if (const Node* grid = fields->given("grid")) {
+        const Eigen::Array2d sides = pair(*grid);
+        layout.grid_width = sides[0];
+        layout.grid_height = sides[1];
+    }
+    const auto slot = [&](const char* key, Slot& place) {
+        if (const Node* node = fields->given(key)) place = read_slot(*node, layout, errors);
+    };
+    slot("title", layout.title);
+    slot("gas", layout.gas);
+    slot("color_bar", layout.color_bar);
+    if (fields->given("monitors")) slot("monitors", layout.monitors.emplace());
+    if (const Node* panels = fields->given("panels"))
+        for (const Node& item : panels->items)
+            layout.panels.push_back(read_slot(item, layout, errors));
+    return layout;
+}
+
+Film read_film(const Fields& fields, const Fields& scene, const Run& run, const LayoutSpec& layout,
+               Errors& errors) {
+    Film film;
+    film.template_name = fields.text("template").value_or("");
+    film.layout = layout;
+    film.fps = static_cast<int>(fields.integer("fps").value_or(30));
+    film.size = read_size(fields, errors);
+    film.theme = read_theme(fields.text("theme").value());
+    film.color_by = read_color_by(fields.text("color_by").value());
+    film.palette = fields.text("palette");
+    film.seconds = read_seconds(fields, run);
+    if (film.seconds > 0.0) check_frames(film, fields, scene, errors);
+    film.panels = read_panels(fields, layout.panels.size(), film.template_name, errors);
+    return film;
+}
+
+}  // namespace carom

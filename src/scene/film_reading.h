@@ -1,0 +1,22 @@
+// From the checked `run` and `film` of a scene, and its template, to values, and what these mean
+// together: times, frames, panels for the slots there are.
+#pragma once
+
+#include "scene/fields.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+Run read_run(const Fields& scene, Errors& errors);
+
+/// Where things stand, from a checked template.
+LayoutSpec read_layout(const Fields& template_file, Errors& errors);
+
+/// The film, from `film` laid over its template. `run` gives the length where the film does not.
+Film read_film(const Fields& film, const Fields& scene, const Run& run, const LayoutSpec& layout,
+               Errors& errors);
+
+/// What the film shows, in a plain sentence or two.
+std::string describe(const Scene& scene);
+
+}  // namespace carom

@@ -1,0 +1,192 @@
+#include "scene/gas_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace carom {
+namespace {
+
+Wall wall(const std::string& word) { return word == "periodic" ? Wall::periodic : Wall::solid; }
+
+Wall opposite_walls(const Fields& walls, std::string_view first, std::string_view second,
+                    Errors& errors) {
+    const std::string a = walls.text(first).value_or("solid");
+    const std::string b = walls.text(second).value_or("solid");
+    if (a != b)
+        errors.add(walls.node(), fmt::format("`{}` is {} but `{}` is {}", first, a, second, b),
+                   "a periodic wall leads to the opposite one: make both periodic");
+    return wall(a);
+}
+
+// Lists give one value for each particle.
+void check_list_length(const Fields& item, std::string_view key, std::int64_t count,
+                       Errors& errors) {
+    const Node* list = item.given(key);
+    if (list == nullptr || !list->is_list()) return;
+    const auto length = static_cast<std::int64_t>(list->items.size());
+    const bool vectors = key == "velocity" || key == "position";
+    if (vectors && !list->items.front().is_list()) {
+        if (key == "position" && count != 1)
+            errors.add(*list, fmt::format("one point for {} particles", count),
+                       "list a point for each, or give `{within: [x0, y0, x1, y1]}`");
+        return;
+    }
+    if (length != count)
+        errors.add(*list, fmt::format("`{}` lists {} values for {} particles", key, length, count),
+                   "give one for each particle");
+}
+
+std::int64_t listed_positions(const Fields& item) {
+    const Node* position = item.given("position");
+    if (position == nullptr || !position->is_list()) return 0;
+    return position->items.front().is_list() ? static_cast<std::int64_t>(position->items.size())
+                                             : 1;
+}
+
+// 0 when it is not known.
+std::int64_t read_count(const Fields& item, Errors& errors) {
+    if (const auto count = item.integer("count")) return *count;
+    const std::int64_t listed = listed_positions(item);
+    if (listed == 0 && !item.mentions("count") &&
+        (item.given("position") || !item.mentions("position")))
+        errors.add(item.node(), "an item of `gas` needs `count`, or a list of positions");
+    return listed;
+}
+
+std::optional<Quantity> read_quantity(const Fields& item, std::string_view key, Errors& errors) {
+    const Node* node = item.value(key);
+    if (node == nullptr) return std::nullopt;
+    const Key& entry = item.section().keys.at(item.section().index(key));
+    return quantity_in(*node, entry.forms.front().range, errors);
+}
+
+MassRule read_mass(const Fields& item, Errors& errors) {
+    if (item.given("density"))
+        if (auto density = read_quantity(item, "density", errors)) return Density{*density};
+    if (item.text("mass") == "infinite") return Infinite{};
+    return read_quantity(item, "mass", errors).value_or(Quantity{1.0});
+}
+
+VelocityRule read_velocity(const Fields& item, Errors& errors) {
+    if (const Node* velocity = item.given("velocity")) return Velocity{points(*velocity)};
+    if (const auto temperature = item.number("temperature")) return Temperature{*temperature};
+    if (const auto speed = read_quantity(item, "speed", errors)) return Speed{*speed};
+    return AtRest{};
+}
+
+std::optional<PositionRule> read_position(const Fields& item, Errors& errors) {
+    const Node* position = item.value("position");
+    if (position->is_list()) return Places{points(*position)};
+    if (position->text == "lattice") return LatticePlaces{};
+    if (!position->is_mapping()) return RandomPlaces{};
+    const Node* within = find(*position, "within");
+    if (within == nullptr || !within->valid) return std::nullopt;
+    const std::vector<double> ends = numbers(*within);
+    if (ends[0] < ends[2] && ends[1] < ends[3])
+        return WithinRegion{{{ends[0], ends[1]}, {ends[2], ends[3]}}};
+    errors.add(*within, "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
+    return std::nullopt;
+}
+
+SpeciesLook read_look(const Fields& item) {
+    SpeciesLook look;
+    if (const auto color = item.text("color")) look.color = color_hex(*color);
+    look.label = item.text("label").value_or("");
+    look.trail = item.number("trail");
+    return look;
+}
+
+SpeciesDraft read_item(const Fields& item, Errors& errors) {
+    SpeciesDraft draft;
+    draft.node = &item.node();
+    Species& species = draft.species;
+    species.name = item.text("name").value_or("");
+    species.count = read_count(item, errors);
+    if (species.count > 0)
+        for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
+            check_list_length(item, key, species.count, errors);
+    const auto radius = read_quantity(item, "radius", errors);
+    draft.radius_known = radius.has_value() && (item.given("radius") || !item.mentions("radius"));
+    species.radius = radius.value_or(Quantity{0.5});
+    species.mass = read_mass(item, errors);
+    species.velocity = read_velocity(item, errors);
+    const auto position = read_position(item, errors);
+    draft.position_known =
+        position.has_value() && (item.given("position") || !item.mentions("position"));
+    if (position) species.position = *position;
+    draft.look = read_look(item);
+    return draft;
+}
+
+void check_name(const SpeciesDraft& draft, Errors& errors) {
+    const std::string& name = draft.species.name;
+    const bool number = name.find_first_not_of("0123456789") == std::string::npos;
+    if (name != "all" && !number) return;
+    errors.add(*find(*draft.node, "name"),
+               fmt::format("{} cannot be the name of a species", in_quotes(name)),
+               "`all` and numbers have a meaning of their own where particles are chosen");
+}
+
+void check_names(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
+    std::map<std::string, std::size_t> first;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const SpeciesDraft& draft = drafts[i];
+        if (draft.species.name.empty()) {
+            if (drafts.size() > 1 && find(*draft.node, "name") == nullptr)
+                errors.add(*draft.node, "an item of `gas` needs `name` when there are several");
+            continue;
+        }
+        check_name(draft, errors);
+        if (!first.emplace(draft.species.name, i).second)
+            errors.add(*find(*draft.node, "name"),
+                       fmt::format("the name {} is taken by another species",
+                                   in_quotes(draft.species.name)));
+    }
+}
+
+void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
+    std::int64_t total = 0;
+    for (const SpeciesDraft& draft : drafts) {
+        total += draft.species.count;
+        if (static_cast<double>(total) <= most_particles.value) continue;
+        const Node* count = find(*draft.node, "count");
+        errors.add(
+            count != nullptr ? *count : *draft.node, fmt::format("{} particles up to here", total),
+            fmt::format("the ceiling is {} {}", most_particles.value, most_particles.meaning));
+        return;
+    }
+}
+
+}  // namespace
+
+std::optional<Box> read_box(const Fields& scene, Errors& errors) {
+    const auto fields = scene.inner("box");
+    if (!fields) return std::nullopt;
+    Box box;
+    if (const auto walls = fields->inner("walls"))
+        box.walls = {opposite_walls(*walls, "left", "right", errors),
+                     opposite_walls(*walls, "bottom", "top", errors)};
+    else
+        box.walls.fill(wall(fields->text("walls").value_or("solid")));
+    const Node* size = fields->given("size");
+    if (size == nullptr) return std::nullopt;
+    box.size = pair(*size);
+    return box;
+}
+
+std::vector<SpeciesDraft> read_species(const Fields& scene, Errors& errors) {
+    std::vector<SpeciesDraft> drafts;
+    const Node* gas = scene.given("gas");
+    if (gas == nullptr) return drafts;
+    const Section& section = section_of(scene.section(), "gas");
+    for (const Node& item : gas->items)
+        if (item.is_mapping()) drafts.push_back(read_item({item, section}, errors));
+    check_names(drafts, errors);
+    check_total(drafts, errors);
+    if (drafts.size() == 1 && drafts[0].species.name.empty()) drafts[0].species.name = "gas";
+    return drafts;
+}
+
+}  // namespace carom

@@ -1,0 +1,47 @@
+// The ceilings of the scene language, all of them. Scenes come from strangers: what is over a
+// ceiling is refused with the number and the ceiling, before memory is taken.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace carom {
+
+/// A ceiling (or a floor) and what it counts.
+struct Limit {
+    double value;
+    std::string_view meaning;
+    constexpr std::size_t count() const { return static_cast<std::size_t>(value); }
+};
+
+inline constexpr Limit most_file_bytes{4 << 20, "bytes in a scene or template file"};
+inline constexpr Limit most_nesting{24, "lists and mappings inside one another"};
+inline constexpr Limit most_values{500'000, "values in a file, its aliases written out"};
+inline constexpr Limit most_letters{4'000, "characters in a text"};
+inline constexpr Limit most_overrides{1'000, "values set on the command line"};
+inline constexpr Limit most_errors_shown{50, "errors shown in one run"};
+
+inline constexpr Limit largest_quantity{1e12, "of any length, mass, speed or time"};
+inline constexpr Limit smallest_quantity{1e-12, "of a length, mass or time that must be positive"};
+inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exact in every reader"};
+inline constexpr Limit most_particles{2'000'000, "particles in all"};
+inline constexpr Limit most_species{200, "species"};
+inline constexpr Limit most_events{1'000, "events of a run"};
+inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of overlaps"};
+
+inline constexpr Limit most_frames{108'000, "frames of a film: an hour at 30 frames a second"};
+inline constexpr Limit most_frames_per_second{120, "frames in a second of film"};
+inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at least"};
+inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
+inline constexpr Limit most_panels{12, "panels of a film"};
+inline constexpr Limit most_bins{1'000, "bins of a histogram"};
+inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
+
+inline constexpr std::array limits{
+    most_file_bytes,   most_nesting,     most_values,         most_letters, most_overrides,
+    most_errors_shown, largest_quantity, smallest_quantity,   largest_seed, most_particles,
+    most_species,      most_events,      most_pairs_compared, most_frames,  most_frames_per_second,
+    smallest_side,     largest_side,     most_panels,         most_bins,    largest_grid};
+
+}  // namespace carom

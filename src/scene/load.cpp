@@ -1,0 +1,181 @@
+#include "scene/load.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "scene/check.h"
+#include "scene/film_reading.h"
+#include "scene/gas_reading.h"
+#include "scene/limits.h"
+#include "scene/overrides.h"
+#include "scene/scalar.h"
+#include "scene/template.h"
+#include "scene/yaml.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::string cause(int error) { return std::generic_category().message(error); }
+
+// Reads a file up to one byte over the ceiling, which the reader then refuses. Devices and pipes
+// are no scenes: they may never end.
+std::string file_text(const fs::path& path, const Source& name, Errors& errors) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (fs::is_directory(status)) {
+        errors.add(name, "cannot be read: it is a folder");
+        return {};
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        errors.add(name, "cannot be read: it is no ordinary file");
+        return {};
+    }
+    const std::unique_ptr<std::FILE, CloseFile> file{std::fopen(path.c_str(), "rb")};
+    if (!file) {
+        errors.add(name, "cannot be read: " + cause(errno));
+        return {};
+    }
+    std::string text(most_file_bytes.count() + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    if (std::ferror(file.get())) errors.add(name, "cannot be read: " + cause(errno));
+    return text;
+}
+
+// A scene of a newer format may hold anything: nothing else in it is looked at.
+void refuse_newer_format(const Node& root) {
+    const Node* version = find(root, "carom");
+    if (version == nullptr) return;
+    const auto number = number_in(*version);
+    if (!number || *number <= scene_format) return;
+    Errors errors;
+    errors.add(*version,
+               fmt::format("the scene is written for format {}, this carom reads format {}",
+                           in_quotes(version->text), scene_format),
+               "a newer carom reads it");
+    errors.throw_if_any();
+}
+
+Node empty_mapping(const Source& source) {
+    Node node;
+    node.kind = Node::Kind::mapping;
+    node.source = &source;
+    return node;
+}
+
+/// A scene's tree with its template's, checked for form.
+struct Tree {
+    Node root;
+    Node film;  ///< the scene's, laid over the template's
+    Node template_file;
+    std::string template_name;
+};
+
+void read_template(Tree& tree, const fs::path& scene, const fs::path& templates, Sources& sources,
+                   Errors& errors) {
+    const Fields film{tree.film, section_of(scene_section(), "film")};
+    const Node* asked = film.value("template");
+    if (film.mentions("template") && film.given("template") == nullptr) return;
+    const auto file = find_template(*asked, scene, templates, errors, *tree.root.source);
+    if (!file) return;
+    Source& source = sources.emplace_back();
+    source = {file->path.string(), {}, Origin::template_file};
+    Errors broken;
+    source.text = file_text(file->path, source, broken);
+    broken.throw_if_any();
+    tree.template_file = read_yaml(source, errors);
+    tree.template_name = file->name;
+    if (!tree.template_file.is_mapping()) {
+        errors.add(source, "expected a template: a mapping with `layout`");
+        return;
+    }
+    check_mapping(tree.template_file, template_section(), errors);
+    tree.film = lay_over(tree.film, tree.template_file);
+}
+
+Scene read_scene(const Tree& tree, Errors& errors) {
+    const Fields fields{tree.root, scene_section()};
+    Scene scene;
+    scene.title = fields.text("title").value_or("");
+    scene.subtitle = fields.text("subtitle").value_or("");
+    scene.seed = static_cast<std::uint64_t>(fields.integer("seed").value_or(1));
+    scene.gas.seed = scene.seed;
+    const auto box = read_box(fields, errors);
+    const std::vector<SpeciesDraft> drafts = read_species(fields, errors);
+    if (box) {
+        scene.gas.box = *box;
+        check_room(*box, drafts, errors);
+    }
+    for (const SpeciesDraft& draft : drafts) {
+        scene.gas.species.push_back(draft.species);
+        scene.looks.push_back(draft.look);
+        scene.species_spans.push_back(place_of(*draft.node));
+    }
+    scene.run = read_run(fields, errors);
+    if (tree.template_file.is_mapping()) {
+        const LayoutSpec layout = read_layout({tree.template_file, template_section()}, errors);
+        scene.film = read_film({tree.film, section_of(scene_section(), "film")}, fields, scene.run,
+                               layout, errors);
+        scene.film.template_name = tree.template_name;
+    }
+    errors.throw_if_any();
+    scene.description = fields.text("description").value_or(describe(scene));
+    return scene;
+}
+
+Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
+           const Overrides& overrides) {
+    const Source& source = sources.front();
+    Errors errors;
+    Tree tree;
+    tree.root = read_yaml(source, errors);
+    if (tree.root.kind == Node::Kind::null) {
+        if (errors.empty()) errors.add(source, "the scene is empty");
+        errors.throw_if_any();
+    }
+    if (tree.root.is_mapping()) apply_overrides(overrides, tree.root, sources, errors);
+    if (!tree.root.is_mapping()) {
+        errors.add(tree.root,
+                   "expected a scene (a mapping with `title`, `box`, `gas` and `run`), "
+                   "found " +
+                       described(tree.root));
+        errors.throw_if_any();
+    }
+    refuse_newer_format(tree.root);
+    check_mapping(tree.root, scene_section(), errors);
+    const Node* film = find(tree.root, "film");
+    tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
+    read_template(tree, path, templates, sources, errors);
+    Scene scene = read_scene(tree, errors);
+    scene.source = {source.name, source.text};
+    return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides) {
+    Sources sources(1);
+    sources.front().name = path.string();
+    Errors errors;
+    sources.front().text = file_text(path, sources.front(), errors);
+    errors.throw_if_any();
+    return load(sources, path, templates, overrides);
+}
+
+Scene load_scene_text(const std::string& text, const std::string& name, const fs::path& templates,
+                      const Overrides& overrides) {
+    Sources sources(1);
+    sources.front() = {name, text, Origin::scene};
+    return load(sources, name, templates, overrides);
+}
+
+}  // namespace carom

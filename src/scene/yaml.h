@@ -1,0 +1,15 @@
+// From YAML text to nodes, strictly: what YAML leaves open is refused here.
+#pragma once
+
+#include <cstddef>
+
+#include "scene/node.h"
+
+namespace carom {
+
+/// Reads the text of `source` from byte `begin` as one document. Adds an error for everything that
+/// is no plain, unambiguous YAML (bytes that are not UTF-8, control characters, duplicate keys,
+/// tags, several documents, a ceiling exceeded); a null node when nothing could be read.
+Node read_yaml(const Source& source, Errors& errors, std::size_t begin = 0);
+
+}  // namespace carom

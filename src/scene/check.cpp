@@ -14,7 +14,7 @@ namespace {
 
 /// A value on its way through the check: what it is for, and where to report.
 struct Context {
-    const std::string& key;
+    const std::string& what;
     Errors& errors;
 };
 
@@ -23,20 +23,41 @@ void refuse(Node& node, std::string message, std::string hint, Errors& errors) {
     errors.add(node, std::move(message), std::move(hint));
 }
 
-std::string joined(const std::vector<Form>& forms) {
+std::string listed(const std::vector<std::string>& parts, std::string_view last) {
     std::string text;
-    for (std::size_t i = 0; i < forms.size(); ++i) {
-        if (i > 0) text += i + 1 == forms.size() ? " or " : ", ";
-        text += phrase(forms[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i > 0) text += i + 1 == parts.size() ? fmt::format(" {} ", last) : ", ";
+        text += parts[i];
     }
     return text;
 }
 
+std::string names_listed(const std::vector<std::string>& names, std::string_view last) {
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) quoted.push_back("`" + name + "`");
+    return listed(quoted, last);
+}
+
+Node::Kind kind_of(const Form& form) {
+    if (form.shape == Shape::list) return Node::Kind::list;
+    return form.shape == Shape::mapping ? Node::Kind::mapping : Node::Kind::scalar;
+}
+
+// The forms that the value seems to be meant for: those of its kind; all where there are none.
+std::string expected(const Node& node, const std::vector<Form>& forms) {
+    std::vector<std::string> near, all;
+    for (const Form& form : forms) {
+        all.push_back(phrase(form));
+        if (kind_of(form) == node.kind) near.push_back(all.back());
+    }
+    return listed(near.empty() ? all : near, "or");
+}
+
 void mismatch(Node& node, const std::vector<Form>& forms, std::string hint, Context context) {
-    refuse(
-        node,
-        fmt::format("expected {} for `{}`, found {}", joined(forms), context.key, described(node)),
-        std::move(hint), context.errors);
+    refuse(node,
+           fmt::format("expected {} for {}, found {}", expected(node, forms), context.what,
+                       described(node)),
+           std::move(hint), context.errors);
 }
 
 const Form* form_of(const std::vector<Form>& forms, Shape shape) {
@@ -74,7 +95,7 @@ bool is_comment_behind(const Node& key_of_nothing) {
 void check_text(Node& node, const Form& form, Context context) {
     const int length = code_points(node.text);
     if (static_cast<std::size_t>(length) > form.longest)
-        return refuse(node, fmt::format("`{}` has {} characters", context.key, length),
+        return refuse(node, fmt::format("{} has {} characters", context.what, length),
                       fmt::format("the ceiling is {}", form.longest), context.errors);
     if (node.text.find_first_not_of(" \t\n") == std::string::npos && form.shortest > 0)
         return mismatch(node, {form}, "", context);
@@ -86,8 +107,8 @@ void check_text(Node& node, const Form& form, Context context) {
         const bool line_break = code == '\n' && (form.lines || end);
         if ((code < 0x20 && !line_break) || code == 0x7F || c1)
             return refuse(node,
-                          code == '\n' ? fmt::format("`{}` is one line, found several", context.key)
-                                       : fmt::format("`{}` holds a control character", context.key),
+                          code == '\n' ? fmt::format("{} is one line, found several", context.what)
+                                       : fmt::format("{} holds a control character", context.what),
                           "", context.errors);
     }
 }
@@ -158,8 +179,9 @@ void check_list(Node& node, const std::vector<Form>& forms, Context context) {
     check_length(node, *form, forms, context);
     if (!node.valid) return;
     const bool independent = form_of(form->items, Shape::mapping) != nullptr;
+    const std::string what = "an item of " + context.what;
     for (Node& item : node.items) {
-        check_value(item, form->items, context);
+        check_value(item, form->items, {what, context.errors});
         if (!item.valid && !independent) node.valid = false;
     }
 }
@@ -182,27 +204,20 @@ void check_value(Node& node, const std::vector<Form>& forms, Context context) {
     }
 }
 
+std::vector<std::string> key_names(const Section& section) {
+    std::vector<std::string> names;
+    for (const Key& key : section.keys) names.push_back(key.name);
+    return names;
+}
+
 void unknown_key(const Node& key, const Section& section, Errors& errors) {
     for (const Refused& refused : section.refused)
         if (refused.name == key.text) return errors.add(key, refused.reason, refused.hint);
-    std::vector<std::string> names;
-    std::string list;
-    for (const Key& known : section.keys) {
-        names.push_back(known.name);
-        list += (list.empty() ? "" : ", ") + known.name;
-    }
+    const std::vector<std::string> names = key_names(section);
     const auto near = nearest_spelling(key.text, names);
-    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),
-               near ? fmt::format("did you mean `{}`?", *near) : "its keys are " + list);
-}
-
-std::string quoted_list(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-        text += "`" + names[i] + "`";
-    }
-    return text;
+    errors.add(
+        key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),
+        near ? fmt::format("did you mean `{}`?", *near) : "its keys are " + listed(names, "and"));
 }
 
 // Where several are given, those of the latest origin count; two of these are one too many.
@@ -220,21 +235,31 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
         } else {
             if (origin == kept->source->origin)
                 errors.add(node.keys[i],
-                           fmt::format("{} exclude one another, found a second one",
-                                       quoted_list(choice.names)),
+                           fmt::format("{} exclude one another", names_listed(choice.names, "and")),
                            "keep one of them");
             value.valid = false;
         }
     }
     if (choice.required && kept == nullptr)
-        errors.add(node, fmt::format("{} needs {}", section.name, quoted_list(choice.names)));
+        errors.add(node,
+                   fmt::format("{} needs {}", section.name, names_listed(choice.names, "or")));
+}
+
+// A key that is there in another spelling, or refused with a reason, has been reported.
+bool is_misspelt(const Node& node, const Section& section, const std::string& name) {
+    const std::vector<std::string> names = key_names(section);
+    return std::any_of(node.keys.begin(), node.keys.end(), [&](const Node& key) {
+        return section.index(key.text) == names.size() && nearest_spelling(key.text, names) == name;
+    });
 }
 
 void check_presence(const Node& node, const Section& section, Errors& errors) {
-    for (const Key& key : section.keys)
-        if (key.required && find(node, key.name) == nullptr)
+    for (const Key& key : section.keys) {
+        const bool missing = key.required && find(node, key.name) == nullptr;
+        if (missing && !is_misspelt(node, section, key.name))
             errors.add(node, fmt::format("{} needs `{}`", section.name, key.name),
                        fmt::format("`{}`: {}", key.name, key.meaning));
+    }
 }
 
 // A key that only some kinds of panel have.
@@ -249,7 +274,7 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
         errors.add(node.keys[i],
                    fmt::format("`{}` has no meaning for a panel of kind `{}`", node.keys[i].text,
                                kind->text),
-                   "it goes with " + quoted_list(with));
+                   "it goes with " + names_listed(with, "or"));
         node.items[i].valid = false;
     }
 }
@@ -264,7 +289,7 @@ void check_mapping(Node& node, const Section& section, Errors& errors) {
             continue;
         }
         const Key& key = section.keys[index];
-        check_value(node.items[i], key.forms, {key.name, errors});
+        check_value(node.items[i], key.forms, {"`" + key.name + "`", errors});
     }
     for (const Choice& choice : section.choices) check_choice(node, choice, section, errors);
     check_presence(node, section, errors);

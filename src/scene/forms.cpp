@@ -122,12 +122,7 @@ Form list_of(std::vector<Form> items, std::size_t shortest, Limit most, std::str
     return form;
 }
 
-Form mapping(Section section) {
-    std::string phrase = section.keys.size() > 4 ? "a mapping" : "";
-    if (phrase.empty()) {
-        for (const Key& key : section.keys) phrase += (phrase.empty() ? "{" : ", ") + key.name;
-        phrase += "}";
-    }
+Form mapping(Section section, std::string phrase) {
     return {.shape = Shape::mapping,
             .section = std::make_shared<const Section>(std::move(section)),
             .phrase = std::move(phrase)};
@@ -135,8 +130,7 @@ Form mapping(Section section) {
 
 std::vector<Form> quantity(Range range) {
     Form list = list_of({number(range)}, 1, most_particles, "a list of numbers");
-    Form drawn = mapping(law(range));
-    drawn.phrase = "{uniform: [low, high]}, {normal: [mean, deviation]}";
+    Form drawn = mapping(law(range), "{uniform: [low, high]} or {normal: [mean, deviation]}");
     return {number(range), std::move(list), std::move(drawn)};
 }
 

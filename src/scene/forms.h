@@ -27,7 +27,7 @@ Form list_of(std::vector<Form> items, std::size_t shortest, std::size_t longest,
              std::string phrase);
 Form list_of(std::vector<Form> items, std::size_t shortest, Limit most, std::string phrase);
 
-Form mapping(Section section);
+Form mapping(Section section, std::string phrase = "a mapping");
 
 /// NUMBER of the scene language: a number for all, a list of one for each particle, or a law.
 std::vector<Form> quantity(Range range);

@@ -83,7 +83,8 @@ vector<Key> matter_keys() {
                             true}}});
     vector<Form> mass = quantity(positive);
     mass.push_back(one_of({"infinite"}));
-    vector<Form> places{one_of({"random", "lattice"}), mapping(within)};
+    vector<Form> places{one_of({"random", "lattice"}),
+                        mapping(within, "{within: [x0, y0, x1, y1]}")};
     places.insert(places.end(), points.begin(), points.end());
     return {{"name",
              "The name of the species, shown in legends.",

@@ -29,26 +29,27 @@ std::string cause(int error) { return std::generic_category().message(error); }
 
 // Reads a file up to one byte over the ceiling, which the reader then refuses. Devices and pipes
 // are no scenes: they may never end.
-std::string file_text(const fs::path& path, const Source& name, Errors& errors) {
+std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);
     if (fs::is_directory(status)) {
         errors.add(name, "cannot be read: it is a folder");
-        return {};
+        return std::nullopt;
     }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         errors.add(name, "cannot be read: it is no ordinary file");
-        return {};
+        return std::nullopt;
     }
     const std::unique_ptr<std::FILE, CloseFile> file{std::fopen(path.c_str(), "rb")};
     if (!file) {
         errors.add(name, "cannot be read: " + cause(errno));
-        return {};
+        return std::nullopt;
     }
     std::string text(most_file_bytes.count() + 1, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    if (std::ferror(file.get())) errors.add(name, "cannot be read: " + cause(errno));
-    return text;
+    if (std::ferror(file.get()) == 0) return text;
+    errors.add(name, "cannot be read: " + cause(errno));
+    return std::nullopt;
 }
 
 // A scene of a newer format may hold anything: nothing else in it is looked at.
@@ -89,13 +90,14 @@ void read_template(Tree& tree, const fs::path& scene, const fs::path& templates,
     if (!file) return;
     Source& source = sources.emplace_back();
     source = {file->path.string(), {}, Origin::template_file};
-    Errors broken;
-    source.text = file_text(file->path, source, broken);
-    broken.throw_if_any();
+    auto text = file_text(file->path, source, errors);
+    if (!text) return;
+    source.text = std::move(*text);
     tree.template_file = read_yaml(source, errors);
     tree.template_name = file->name;
     if (!tree.template_file.is_mapping()) {
-        errors.add(source, "expected a template: a mapping with `layout`");
+        errors.add(tree.template_file, "expected a template (a mapping with `layout`), found " +
+                                           described(tree.template_file));
         return;
     }
     check_mapping(tree.template_file, template_section(), errors);
@@ -166,8 +168,9 @@ Scene load_scene(const fs::path& path, const fs::path& templates, const Override
     Sources sources(1);
     sources.front().name = path.string();
     Errors errors;
-    sources.front().text = file_text(path, sources.front(), errors);
+    auto text = file_text(path, sources.front(), errors);
     errors.throw_if_any();
+    sources.front().text = std::move(text.value());
     return load(sources, path, templates, overrides);
 }
 

@@ -243,12 +243,23 @@ std::optional<Stop> unreadable_byte(std::string_view text, std::size_t begin) {
     return std::nullopt;
 }
 
-std::string way_out(const std::string& problem) {
+bool has_bare_color(std::string_view text) {
+    for (std::size_t at = text.find(": #"); at != std::string_view::npos;
+         at = text.find(": #", at + 1)) {
+        const std::size_t end = text.find_first_not_of("0123456789abcdefABCDEF", at + 3);
+        if (std::min(end, text.size()) - at - 3 == 6) return true;
+    }
+    return false;
+}
+
+std::string way_out(const std::string& problem, std::string_view text_before) {
     using namespace YAML::ErrorMsg;
+    if (has_bare_color(text_before)) return "`#` begins a comment; put the colour in quotes";
     if (problem == END_OF_MAP_FLOW) return "a `{` is not closed, or a comma is missing";
     if (problem == END_OF_SEQ_FLOW) return "a `[` is not closed, or a comma is missing";
-    if (problem == END_OF_MAP || problem == END_OF_SEQ)
+    if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY)
         return "lines that belong together begin in the same column";
+    if (problem == MAP_VALUE) return "a text with `: ` in it needs quotes";
     if (problem == TAB_IN_INDENTATION) return "indent with spaces, not with tabs";
     if (problem == EOF_IN_SCALAR) return "a quotation mark is not closed";
     return "";
@@ -282,7 +293,8 @@ Node read_yaml(const Source& source, Errors& errors, std::size_t begin) {
         errors.add(source, stop.offset, stop.message, stop.hint);
     } catch (const YAML::Exception& error) {
         const auto offset = begin + static_cast<std::size_t>(std::max(0, error.mark.pos));
-        errors.add(source, offset, "not valid YAML: " + error.msg, way_out(error.msg));
+        errors.add(source, offset, "not valid YAML: " + error.msg,
+                   way_out(error.msg, std::string_view{source.text}.substr(0, offset)));
     }
     return nothing;
 }

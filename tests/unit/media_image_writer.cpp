@@ -1,0 +1,50 @@
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "media/image_writer.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct TemporaryFolder {
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "carom-image-XXXXXX").string();
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        path = name;
+    }
+    ~TemporaryFolder() { fs::remove_all(path); }
+    fs::path path;
+};
+
+}  // namespace
+
+TEST_CASE("a PNG is written whole, in a folder that is made for it") {
+    const TemporaryFolder folder;
+    Canvas canvas({320, 200});
+    canvas.fill_all(rgb(0x123456));
+    const fs::path path = folder.path / "new" / "picture.png";
+    write_png(canvas, path);
+    const std::string bytes = read_file(path, 1 << 20);
+    const std::vector<std::uint8_t> expected = canvas.png();
+    CHECK(bytes == std::string(expected.begin(), expected.end()));
+    CHECK(std::distance(fs::directory_iterator(path.parent_path()), {}) == 1);
+}
+
+TEST_CASE("an unwritable place for a PNG is named") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path / "picture.png";
+    fs::create_directory(path);
+    try {
+        write_png(Canvas({2, 2}), path);
+        FAIL("no error");
+    } catch (const SystemError& error) {
+        CHECK(std::string(error.what()).find(path.string()) != std::string::npos);
+    }
+}

@@ -76,6 +76,21 @@ double half_line_height(const TextStyle& style) {
 
 double gap_to_label(const AxisStyle& style) { return 0.35 * style.label.size; }
 
+// Lines of an axis lie on whole pixels, or they would be grey and as many as three pixels wide.
+double to_whole_width(double width) { return std::max(1.0, std::round(width)); }
+
+void draw_level_line(Canvas& canvas, double from, double to, double y, const AxisStyle& style) {
+    const double width = to_whole_width(style.line_width);
+    const double left = std::round(from), right = std::round(to);
+    canvas.fill({left, std::round(y - 0.5 * width), right - left, width}, style.line);
+}
+
+void draw_upright_line(Canvas& canvas, double x, double from, double to, const AxisStyle& style) {
+    const double width = to_whole_width(style.line_width);
+    const double top = std::round(from), bottom = std::round(to);
+    canvas.fill({std::round(x - 0.5 * width), top, width, bottom - top}, style.line);
+}
+
 // Whether each label keeps half an em to the next one.
 bool fits(const std::vector<TickMark>& marks, const Scale& scale, const TextStyle& style) {
     for (std::size_t i = 1; i < marks.size(); ++i) {
@@ -106,11 +121,11 @@ void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
     const double x = area.x;
     TextStyle label = style.label;
     label.align = Align::right;
-    canvas.stroke_line({x, area.y - 0.5 * style.line_width},
-                       {x, area.bottom() + 0.5 * style.line_width}, style.line_width, style.line);
+    draw_upright_line(canvas, x, area.y - 0.5 * style.line_width,
+                      area.bottom() + 0.5 * style.line_width, style);
     for (const TickMark& mark : marks) {
         const double y = scale(mark.value);
-        canvas.stroke_line({x - style.tick_length, y}, {x, y}, style.line_width, style.line);
+        draw_level_line(canvas, x - style.tick_length, x, y, style);
         draw_text(canvas,
                   {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
                   mark.label, label);
@@ -177,8 +192,8 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
     label.align = Align::center;
     const double baseline =
         y + style.tick_length + gap_to_label(style) + 2 * half_line_height(label);
-    canvas.stroke_line({area.x - 0.5 * style.line_width, y},
-                       {area.right() + 0.5 * style.line_width, y}, style.line_width, style.line);
+    draw_level_line(canvas, area.x - 0.5 * style.line_width, area.right() + 0.5 * style.line_width,
+                    y, style);
     double right = std::numeric_limits<double>::infinity();
     if (!title.empty()) {
         TextStyle words = style.title;
@@ -188,7 +203,7 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
     }
     for (const TickMark& mark : fitting_x_ticks(scale, label)) {
         const double x = scale(mark.value);
-        canvas.stroke_line({x, y}, {x, y + style.tick_length}, style.line_width, style.line);
+        draw_upright_line(canvas, x, y, y + style.tick_length, style);
         if (x + 0.5 * measure_text(mark.label, label).width < right)
             draw_text(canvas, {x, baseline}, mark.label, label);
     }

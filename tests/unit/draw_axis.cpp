@@ -121,3 +121,22 @@ TEST_CASE("an axis keeps to the space it asks for") {
     // The descender of "p" hangs below the space, which ends on a baseline.
     CHECK(bottom <= 210 + x_axis_space(style) + 0.3 * style.title.size);
 }
+
+TEST_CASE("the lines of an axis are crisp wherever they lie") {
+    Canvas canvas({400, 300});
+    AxisStyle style = plain_style(20);
+    style.line_width = 2.7;
+    style.label.color = style.title.color = rgb(0x000000);
+    const Rect area{120.3, 60.6, 220.2, 150.9};
+    draw_x_axis(canvas, area, {0, 3.1, 120.3, 340.5}, "", style);
+    draw_y_axis(canvas, area, {0, 13, 211.5, 60.6}, "", style);
+    const PixelView pixels = canvas.pixels();
+    int grey = 0, bright = 0;
+    for (int i = 0; i < pixels.stride * pixels.height; ++i) {
+        const std::uint32_t level = pixels.data[i] & 0xFF;
+        bright += level == 255;
+        grey += level > 0 && level < 255;
+    }
+    CHECK(grey == 0);
+    CHECK(bright > 3 * (220 + 150));
+}

@@ -16,7 +16,7 @@ struct Theme {
     Color ink;        ///< titles, numbers, the ring of a chosen particle
     Color muted;      ///< subtitles, labels, axes, reference marks
     Color accent;     ///< the theory curve, and nothing else
-    Color bar;        ///< bars of histograms
+    Color bar;        ///< bars of histograms, and words about them
     Color wall;       ///< the line around the gas
     Color trail;      ///< trails, before they fade
     Color highlight;  ///< what the viewer should look at: a caption, a reversal

@@ -1,0 +1,77 @@
+// The frame as a value, the observers that make it in order of time, and the painter that draws it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "panels/gas_panel.h"
+#include "panels/monitors_panel.h"
+#include "panels/panel.h"
+
+namespace carom {
+
+/// Everything one frame shows, complete and immutable.
+struct FrameData {
+    Tick tick;
+    std::vector<std::shared_ptr<const PanelState>>
+        states;  ///< one for each of Observers' panels, in order
+    std::size_t bytes = 0;
+};
+
+/// The panels of a film as observers of the run: see it once in survey(), settle(), then once more
+/// for the frames.
+class Observers {
+  public:
+    /// `start` is the state at t = 0, which fixes the equilibrium that curves show.
+    Observers(const Scene& scene, const Particles& particles, const Sample& start);
+    Observers(const Observers&) = delete;  // its panels refer to its particles
+    Observers& operator=(const Observers&) = delete;
+
+    void survey(const Tick& tick, const Sample& sample, const Passage& passage);
+    void settle();
+    FrameData frame_data(const Tick& tick, const Sample& sample, const Passage& passage);
+
+    bool wants_collisions() const { return gas_->wants_collisions(); }
+
+    /// A panel and its place in the template's grid.
+    struct Placed {
+        Slot slot;
+        std::unique_ptr<Panel> panel;
+    };
+    const std::vector<Placed>& panels() const { return panels_; }
+    const GasPanel& gas() const { return *gas_; }
+
+  private:
+    Particles particles_;
+    std::optional<EquilibriumGas> equilibrium_;
+    std::vector<Placed> panels_;
+    const GasPanel* gas_ = nullptr;  ///< in panels_
+};
+
+/// Draws frames of one film on one thread. After settle(), any number of painters may share the
+/// observers.
+class FramePainter {
+  public:
+    FramePainter(const Scene& scene, const Observers& observers);
+
+    /// The picture of a frame, a pure function of `frame`; valid until the next call.
+    const Canvas& paint(const FrameData& frame);
+
+  private:
+    Rect place(const Slot& slot) const;
+    Page page(const Slot& slot);
+    void draw_title();
+    void draw_announcement(const Tick& tick);
+
+    const Scene& scene_;
+    const Observers& observers_;
+    const Theme& theme_;
+    double unit_;
+    Point origin_;
+    DiskPainter disks_;
+    Canvas ground_;  ///< what is the same in every frame
+    Canvas canvas_;
+};
+
+}  // namespace carom

@@ -1,0 +1,353 @@
+#include "panels/gas_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/histogram.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double default_trail_seconds = 1.0;
+constexpr double label_seconds = 3.0;  // of film, for the name of a chosen particle
+constexpr double least_radius = 1.2;   // pixels: smaller disks are no longer round
+constexpr std::size_t pool_size = 200'000;
+
+struct GasState : PanelState {
+    struct Trail {
+        std::vector<Point> places;  // oldest first, scene units
+        std::vector<float> ages;    // seconds of film
+    };
+    std::vector<float> x, y;           // scene units
+    std::vector<std::uint8_t> shades;  // index into the film's colours
+    std::vector<Trail> trails;         // one for each chosen particle
+    float label_alpha = 0.0F;
+
+    std::size_t bytes() const override {
+        std::size_t sum = x.size() * (2 * sizeof(float) + 1);
+        for (const Trail& trail : trails) sum += trail.places.size() * 20;
+        return sum;
+    }
+};
+
+// From scene units, y up, to pixels, y down.
+struct Mapping {
+    Rect box;
+    double scale;
+    Point operator()(double x, double y) const {
+        return {box.x + x * scale, box.bottom() - y * scale};
+    }
+};
+
+Mapping mapping(const GasPanel& panel, const Page& page, const Box& box) {
+    const Rect rect = panel.box_on(page.area);
+    return {rect, rect.width / box.size[0]};
+}
+
+bool by_kind(ColorBy color_by) {
+    return color_by == ColorBy::species || color_by == ColorBy::speed_class;
+}
+
+// How far away a disk that reaches over a periodic side is seen again; 0 if it is not.
+double image_shift(const Box& box, int axis, double at, double radius) {
+    if (box.walls[static_cast<std::size_t>(axis)] != Wall::periodic) return 0.0;
+    if (at < radius) return box.size[axis];
+    return at > box.size[axis] - radius ? -box.size[axis] : 0.0;
+}
+
+// On a dark ground the slow end is dark, on a light one light: fast disks stand out. Cut where it
+// would fade into the ground.
+ColorMap scale_colors(const Scene& scene, bool dark) {
+    const std::string name = scene.film.palette.value_or("viridis");
+    return dark ? color_map(name, 0.33, 1.0) : color_map(name, 0.58, 0.0);
+}
+
+// A name on a plate of the ground, so that disks behind it do not cut it up.
+void draw_name(Canvas& canvas, const Page& page, Point foot, const std::string& markup,
+               double alpha) {
+    TextStyle style = title_style(page);
+    style.align = Align::center;
+    style.color = with_alpha(page.theme.ink, alpha);
+    const double width = measure_text(markup, style).width + 0.8 * page.unit;
+    canvas.fill({foot.x - width / 2, foot.y - 1.2 * page.unit, width, 1.6 * page.unit},
+                with_alpha(page.theme.ground, 0.8 * alpha));
+    draw_text(canvas, foot, markup, style);
+}
+
+std::string scale_title(ColorBy color_by) {
+    switch (color_by) {
+        case ColorBy::energy:
+            return "energy";
+        case ColorBy::mass:
+            return "mass";
+        default:
+            return "speed";
+    }
+}
+
+}  // namespace
+
+GasPanel::GasPanel(const Cast& cast) : cast_(cast) {
+    choose_particles();
+    trails_.resize(chosen_.size());
+}
+
+// A species that asks for a trail, and a single particle among many, which is what the film is
+// about.
+void GasPanel::choose_particles() {
+    const std::vector<Species>& species = cast_.scene.gas.species;
+    Eigen::Index first = 0;
+    for (std::size_t k = 0; k < species.size(); ++k) {
+        const bool single = species[k].count == 1 && cast_.particles.count() > 10;
+        const double trail =
+            cast_.scene.looks[k].trail.value_or(single ? default_trail_seconds : 0.0);
+        if (trail > 0.0)
+            for (Eigen::Index i = 0; i < species[k].count; ++i)
+                chosen_.push_back({first + i, trail});
+        first += species[k].count;
+    }
+}
+
+double GasPanel::color_value(const Observation& observation, Eigen::Index i) const {
+    switch (cast_.scene.film.color_by) {
+        case ColorBy::energy:
+            return observation.energy[i];
+        case ColorBy::mass:
+            return 1.0 / cast_.particles.inverse_mass[i];
+        default:
+            return observation.speed[i];
+    }
+}
+
+void GasPanel::survey(const Observation& observation) {
+    const Eigen::Index n = cast_.particles.count();
+    const auto stride = std::max<Eigen::Index>(
+        1, static_cast<Eigen::Index>(static_cast<double>(n) * cast_.frames / pool_size));
+    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride) {
+        const double value = color_value(observation, i);
+        if (std::isfinite(value)) pool_.push_back(value);
+    }
+    ++surveyed_;
+}
+
+void GasPanel::settle() {
+    constexpr double share_inside = 0.99;
+    const double top = pool_.empty() ? 0.0 : quantile(pool_, share_inside);
+    scale_top_ = top > 0.0 ? round_up_for_axis(top) : 1.0;
+    pool_ = {};
+}
+
+std::uint8_t GasPanel::shade(const Observation& observation, Eigen::Index i) const {
+    switch (cast_.scene.film.color_by) {
+        case ColorBy::species:
+            return static_cast<std::uint8_t>(cast_.particles.species[i]);
+        case ColorBy::speed_class: {
+            const double ratio = observation.speed[i] / observation.speed.mean();
+            return ratio < 0.5 ? 0 : ratio > 1.5 ? 2 : 1;
+        }
+        default: {
+            const double share = color_value(observation, i) / scale_top_;
+            return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+        }
+    }
+}
+
+std::vector<Color> GasPanel::shades(const Theme& theme) const {
+    std::vector<Color> colors;
+    if (cast_.scene.film.color_by == ColorBy::species) {
+        for (std::size_t k = 0; k < cast_.scene.gas.species.size(); ++k)
+            colors.push_back(species_color(cast_, k, theme));
+        return colors;
+    }
+    const ColorMap map = scale_colors(cast_.scene, theme.dark);
+    if (cast_.scene.film.color_by == ColorBy::speed_class)
+        return {map.at(0.0), map.at(0.5), map.at(1.0)};
+    for (int i = 0; i < 256; ++i) colors.push_back(map.at(i / 255.0));
+    return colors;
+}
+
+void GasPanel::extend_trails(const Observation& observation) {
+    const double elapsed = 1.0 / cast_.scene.film.fps;
+    const bool moves = observation.tick.time > last_time_;
+    if (moves) moving_seconds_ += elapsed;
+    const double pace = moves ? elapsed / (observation.tick.time - last_time_) : 0.0;
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+        std::deque<TrailPoint>& trail = trails_[k];
+        const auto particle = static_cast<std::int32_t>(chosen_[k].particle);
+        for (const Collision& collision : observation.passage.collisions) {
+            if (collision.first != particle && collision.second != particle) continue;
+            const Eigen::Array2d& at =
+                collision.first == particle ? collision.first_position : collision.second_position;
+            trail.push_back({moving_seconds_ - (observation.tick.time - collision.time) * pace,
+                             {at[0], at[1]}});
+        }
+        trail.push_back({moving_seconds_,
+                         {observation.sample.position(chosen_[k].particle, 0),
+                          observation.sample.position(chosen_[k].particle, 1)}});
+        while (trail.front().film_time < moving_seconds_ - chosen_[k].trail_seconds)
+            trail.pop_front();
+    }
+    last_time_ = observation.tick.time;
+}
+
+std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation) {
+    auto state = std::make_shared<GasState>();
+    const Eigen::Index n = cast_.particles.count();
+    for (Eigen::Index i = 0; i < n; ++i) {
+        state->x.push_back(static_cast<float>(observation.sample.position(i, 0)));
+        state->y.push_back(static_cast<float>(observation.sample.position(i, 1)));
+        state->shades.push_back(shade(observation, i));
+    }
+    extend_trails(observation);
+    for (const std::deque<TrailPoint>& trail : trails_) {
+        GasState::Trail& copy = state->trails.emplace_back();
+        for (const TrailPoint& point : trail) {
+            copy.places.push_back(point.place);
+            copy.ages.push_back(static_cast<float>(moving_seconds_ - point.film_time));
+        }
+    }
+    const double seconds = static_cast<double>(observation.tick.frame) / cast_.scene.film.fps;
+    state->label_alpha = static_cast<float>(std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0));
+    return state;
+}
+
+Rect GasPanel::box_on(const Rect& area) const {
+    const Eigen::Array2d& size = cast_.scene.gas.box.size;
+    const double scale = std::min(area.width / size[0], area.height / size[1]);
+    return {area.x, area.y, size[0] * scale, size[1] * scale};
+}
+
+void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    const Rect box = box_on(page.area);
+    canvas.fill(box, page.theme.ground);
+    const double line = 0.11 * page.unit;
+    const Rect edge{box.x - line / 2, box.y - line / 2, box.width + line, box.height + line};
+    canvas.stroke_rect(edge, line, page.theme.wall);
+}
+
+void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    canvas.clip_to(box_on(page.area));
+    draw_trails(canvas, page, state);
+    canvas.release_clip();
+    draw_disks(canvas, page, state);
+    draw_chosen(canvas, page, state);
+}
+
+void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    const Box& box = cast_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, page, box);
+    const std::vector<Color> colors = shades(page.theme);
+    std::vector<std::uint32_t> pixels;
+    for (const Color& color : colors) pixels.push_back(to_pixel(color) & 0xFFFFFF);
+
+    std::vector<Disk> disks;
+    disks.reserve(gas.x.size() + chosen_.size());
+    const auto add = [&](std::size_t i) {
+        const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
+        const auto shown = static_cast<float>(std::max(least_radius, radius * to_pixels.scale));
+        const double x = static_cast<double>(gas.x[i]);
+        const double y = static_cast<double>(gas.y[i]);
+        const double across = image_shift(box, 0, x, radius);
+        const double up = image_shift(box, 1, y, radius);
+        for (int image = 0; image < 4; ++image) {
+            const bool right = (image & 1) != 0;
+            const bool above = (image & 2) != 0;
+            if ((right && across == 0.0) || (above && up == 0.0)) continue;
+            const Point at = to_pixels(x + (right ? across : 0.0), y + (above ? up : 0.0));
+            disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), shown,
+                             pixels[gas.shades[i] % pixels.size()]});
+        }
+    };
+    for (std::size_t i = 0; i < gas.x.size(); ++i) add(i);
+    for (const Chosen& chosen : chosen_) add(static_cast<std::size_t>(chosen.particle));
+    page.disks.draw(canvas, disks, to_pixels.box);
+}
+
+void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    const Box& box = cast_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, page, box);
+    for (std::size_t k = 0; k < gas.trails.size(); ++k) {
+        const GasState::Trail& trail = gas.trails[k];
+        for (std::size_t i = 1; i < trail.places.size(); ++i) {
+            const Point& from = trail.places[i - 1];
+            const Point& to = trail.places[i];
+            const bool jumps = std::abs(from.x - to.x) > box.size[0] / 2 ||
+                               std::abs(from.y - to.y) > box.size[1] / 2;
+            if (jumps) continue;  // through a periodic side
+            const double age = static_cast<double>(trail.ages[i]) / chosen_[k].trail_seconds;
+            const double strength = 1.0 - std::clamp(age, 0.0, 1.0);
+            const Color color = mix(page.theme.ground, page.theme.ink, 0.75 * strength);
+            canvas.stroke_line(to_pixels(from.x, from.y), to_pixels(to.x, to.y),
+                               (0.1 + 0.25 * strength) * page.unit, color);
+        }
+    }
+}
+
+void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
+    for (const Chosen& chosen : chosen_) {
+        const auto i = static_cast<std::size_t>(chosen.particle);
+        const Point at = to_pixels(static_cast<double>(gas.x[i]), static_cast<double>(gas.y[i]));
+        const double radius = cast_.particles.radius[chosen.particle] * to_pixels.scale;
+        const double line = 0.14 * page.unit;
+        canvas.stroke_circle(at, radius + 0.5 * line, line, page.theme.ink);
+
+        const auto kind = static_cast<std::size_t>(cast_.particles.species[chosen.particle]);
+        const SpeciesLook& look = cast_.scene.looks[kind];
+        const std::string& name =
+            look.label.empty() ? cast_.scene.gas.species[kind].name : look.label;
+        if (gas.label_alpha <= 0.0F || cast_.scene.gas.species[kind].count > 1) continue;
+        draw_name(canvas, page, {at.x, at.y - radius - 0.7 * page.unit}, escape_markup(name),
+                  static_cast<double>(gas.label_alpha));
+    }
+}
+
+void GasPanel::draw_color_key(Canvas& canvas, const Page& page) const {
+    if (by_kind(cast_.scene.film.color_by))
+        draw_legend(canvas, page);
+    else
+        draw_scale(canvas, page);
+}
+
+void GasPanel::draw_scale(Canvas& canvas, const Page& page) const {
+    const double u = page.unit;
+    const Rect bar{page.area.x, page.area.y + 1.8 * u, 0.8 * u, page.area.height - 1.8 * u};
+    const ColorMap map = scale_colors(cast_.scene, page.theme.dark);
+    constexpr int steps = 256;
+    for (int i = 0; i < steps; ++i) {
+        const double top = bar.bottom() - bar.height * (i + 1) / steps;
+        canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / steps) + 1.0},
+                    map.at(i / (steps - 1.0)));
+    }
+    draw_text(canvas, {page.area.x, page.area.y + 0.9 * u}, scale_title(cast_.scene.film.color_by),
+              label_style(page));
+    const Scale scale{0.0, scale_top_, bar.bottom(), bar.y};
+    for (const TickMark& tick : ticks(0.0, scale_top_, 3))
+        draw_text(canvas,
+                  {bar.right() + 0.4 * u,
+                   std::clamp(scale(tick.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
+                  tick.label, label_style(page));
+}
+
+void GasPanel::draw_legend(Canvas& canvas, const Page& page) const {
+    const double u = page.unit;
+    std::vector<std::string> names{"slow", "medium", "fast"};
+    if (cast_.scene.film.color_by == ColorBy::species) {
+        names.clear();
+        for (const Species& species : cast_.scene.gas.species) names.push_back(species.name);
+    }
+    const std::vector<Color> colors = shades(page.theme);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const double y = page.area.y + (0.9 + 1.8 * static_cast<double>(k)) * u;
+        canvas.fill_circle({page.area.x + 0.5 * u, y - 0.35 * u}, 0.45 * u, colors[k]);
+        TextStyle style = label_style(page);
+        style.max_width = page.area.width - 1.4 * u;
+        draw_text(canvas, {page.area.x + 1.4 * u, y}, escape_markup(names[k]), style);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,206 @@
+#include "panels/histogram_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct HistogramState : PanelState {
+    Histogram histogram;
+    double mean = 0.0;
+    std::size_t bytes() const override {
+        return histogram.counts.size() * sizeof(histogram.counts.front());
+    }
+};
+
+constexpr std::size_t pool_size = 200'000;  // values kept of the whole run, for ranges and bins
+constexpr int probe_frames = 40;            // frames whose bars decide the height of the axis
+
+}  // namespace
+
+struct HistogramPanel::Scales {
+    Rect area;
+    Scale x, y;
+};
+
+HistogramPanel::HistogramPanel(const Cast& cast, const PanelSpec& spec, HistogramSubject subject)
+    : spec_(spec),
+      subject_(std::move(subject)),
+      particles_(static_cast<double>(cast.particles.count())),
+      frames_(cast.frames) {}
+
+void HistogramPanel::survey(const Observation& observation) {
+    const Eigen::ArrayXd& values = subject_.values(observation);
+    if (surveyed_ == 0) mean_start_ = values.mean();
+    const auto stride = std::max<Eigen::Index>(
+        1, static_cast<Eigen::Index>(particles_ * frames_ / static_cast<double>(pool_size)));
+    for (Eigen::Index i = surveyed_ % stride; i < values.size(); i += stride)
+        pool_.push_back(values[i]);
+    if (surveyed_ % std::max(1, frames_ / probe_frames) == 0) probes_.push_back(values);
+    ++surveyed_;
+}
+
+void HistogramPanel::settle() {
+    choose_bins();
+    if (spec_.theory && subject_.density) {
+        constexpr int points = 200;
+        for (int i = 0; i <= points; ++i) {
+            const double value = bins_.low + (bins_.high - bins_.low) * i / points;
+            curve_.push_back({value, particles_ * bins_.width() * subject_.density(value)});
+        }
+    }
+    choose_height();
+    pool_ = {};
+    probes_ = {};
+}
+
+double HistogramPanel::curve_top() const {
+    double top = 0.0;
+    for (const Point& point : curve_)
+        if (std::isfinite(point.y)) top = std::max(top, point.y);
+    return top;
+}
+
+// The axis holds 99 of a hundred values of the whole run; those beyond are counted at its end.
+void HistogramPanel::choose_bins() {
+    double high = 1.0;
+    double low = 0.0;
+    if (spec_.range) {
+        std::tie(low, high) = *spec_.range;
+    } else {
+        constexpr double share_inside = 0.99;
+        high = quantile(pool_, share_inside);
+        high = high > 0.0 ? round_up_for_axis(high) : 1.0;
+    }
+    const int count =
+        spec_.bins ? *spec_.bins : freedman_diaconis(pool_, particles_, low, high, 12, 60);
+    bins_ = {low, high, count};
+    // Equal values at the start must not lie on an edge, where round-off would deal them out to two
+    // bins.
+    const double place = (mean_start_ - low) / bins_.width();
+    if (!spec_.bins && std::abs(place - std::round(place)) < 1e-6) ++bins_.count;
+}
+
+// Room for the bars of most frames and for the whole curve; a start far from equilibrium, all in
+// one bin, would flatten everything that follows: such bars are cut with a mark.
+void HistogramPanel::choose_height() {
+    std::vector<double> tops;
+    for (const Eigen::ArrayXd& probe : probes_) {
+        const Histogram bars = histogram(probe, bins_);
+        tops.push_back(static_cast<double>(*std::ranges::max_element(bars.counts)));
+    }
+    const double curve = curve_top();
+    const double bars = quantile(tops, curve > 0.0 ? 0.5 : 0.9);
+    const double top = curve > 0.0 ? std::clamp(1.1 * bars, 1.2 * curve, 1.6 * curve) : 1.1 * bars;
+    tallest_ = round_up_for_axis(std::max(1.0, top));
+}
+
+std::shared_ptr<const PanelState> HistogramPanel::state(const Observation& observation) {
+    auto state = std::make_shared<HistogramState>();
+    const Eigen::ArrayXd& values = subject_.values(observation);
+    state->histogram = histogram(values, bins_);
+    state->mean = values.mean();
+    return state;
+}
+
+HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
+    const Rect area = plot_area(page);
+    return {area,
+            {bins_.low, bins_.high, area.x, area.right()},
+            {0.0, tallest_, area.bottom(), area.y}};
+}
+
+void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    const std::string title = escape_markup(spec_.title.value_or(subject_.title));
+    std::string words = fmt::format("{}: {}", title, colored("now", page.theme.bar));
+    if (!curve_.empty()) words += " and " + colored("in equilibrium", page.theme.accent);
+    draw_panel_title(canvas, page, words);
+    const Scales s = scales(page);
+    draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(page));
+    draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
+}
+
+void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const HistogramState&>(state);
+    draw_bars(canvas, page, now.histogram);
+    draw_ends(canvas, page, now.histogram);
+    draw_curve(canvas, page);
+    draw_means(canvas, page, now.mean);
+}
+
+void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, const Histogram& now) const {
+    const Scales s = scales(page);
+    for (int i = 0; i < bins_.count; ++i) {
+        const auto count = static_cast<double>(now.counts[static_cast<std::size_t>(i)]);
+        if (count == 0.0) continue;
+        // Whole pixels sideways: half-covered columns would show as seams between the bars.
+        const double left = std::round(s.x(bins_.edge(i)));
+        const double right = std::round(s.x(bins_.edge(i + 1)));
+        const double top = s.y(std::min(count, tallest_));
+        canvas.fill({left, top, right - left, s.area.bottom() - top}, page.theme.bar);
+    }
+}
+
+// What the axes cannot hold is said: a bar that is cut, with its count, and how many lie beyond the
+// end.
+void HistogramPanel::draw_ends(Canvas& canvas, const Page& page, const Histogram& now) const {
+    const Scales s = scales(page);
+    const double u = page.unit;
+    for (int i = 0; i < bins_.count; ++i) {
+        const std::int64_t count = now.counts[static_cast<std::size_t>(i)];
+        if (static_cast<double>(count) <= tallest_) continue;
+        const double left = s.x(bins_.edge(i));
+        const double right = s.x(bins_.edge(i + 1));
+        for (double y : {0.9 * u, 1.3 * u})
+            canvas.stroke_line({left - 0.15 * u, s.area.y + y + 0.25 * u},
+                               {right + 0.15 * u, s.area.y + y - 0.25 * u}, 0.14 * u,
+                               page.theme.page);
+        TextStyle style = label_style(page);
+        style.color = page.theme.bar;
+        draw_text(canvas, {left, s.area.y - 0.25 * u}, grouped(count), style);
+    }
+    if (now.above == 0) return;
+    TextStyle style = label_style(page);
+    style.align = Align::right;
+    draw_text(canvas, {s.area.right(), s.area.bottom() - 0.5 * u},
+              fmt::format("{} {} →", grouped(now.above), subject_.beyond), style);
+}
+
+void HistogramPanel::draw_curve(Canvas& canvas, const Page& page) const {
+    if (curve_.empty()) return;
+    const Scales s = scales(page);
+    std::vector<Point> path;
+    for (const Point& point : curve_)
+        path.push_back({s.x(point.x), s.y(std::min(point.y, tallest_))});
+    canvas.stroke_path(path, 0.16 * page.unit, page.theme.accent);
+}
+
+// The marks move; their names and numbers stand still at the top right, where a tail leaves room.
+void HistogramPanel::draw_means(Canvas& canvas, const Page& page, double mean_now) const {
+    const Scales s = scales(page);
+    const double u = page.unit;
+    const auto line = [&](Point from, Point to, bool solid) {
+        if (solid) canvas.stroke_line(from, to, 0.12 * u, page.theme.ink);
+        if (!solid) canvas.stroke_dashed(from, to, 0.12 * u, 0.25 * u, page.theme.muted);
+    };
+    const auto mark = [&](double mean, const std::string& words, double row, bool solid) {
+        const double x = s.x(mean);
+        if (x >= s.area.x && x <= s.area.right()) line({x, s.area.bottom()}, {x, s.area.y}, solid);
+        const Point sample{s.area.right() - 10.3 * u, s.area.y + row * u};
+        canvas.fill({sample.x - 0.4 * u, sample.y - 1.05 * u, 10.7 * u, 1.4 * u},
+                    with_alpha(page.theme.page, 0.8));
+        line({sample.x, sample.y + 0.1 * u}, {sample.x, sample.y - 0.85 * u}, solid);
+        TextStyle style = label_style(page);
+        style.color = solid ? page.theme.ink : page.theme.muted;
+        draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words + " " + three_digits(mean), style);
+    };
+    if (spec_.mean_start) mark(mean_start_, "mean at start", 2.2, false);
+    if (spec_.mean_now) mark(mean_now, "mean now", 0.8, true);
+}
+
+}  // namespace carom

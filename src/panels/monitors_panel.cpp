@@ -1,0 +1,117 @@
+#include "panels/monitors_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct MonitorsState : PanelState {
+    double time = 0.0;
+    std::int64_t collisions = 0;
+    double mean_speed = 0.0;
+    double mean_energy = 0.0;
+    std::array<double, 3> shares{};
+    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
+};
+
+struct Column {
+    const char* label;
+    double left;  // share of the row's width
+};
+constexpr std::array columns{Column{"time", 0.0},         Column{"collisions", 0.15},
+                             Column{"mean speed", 0.315}, Column{"mean energy", 0.48},
+                             Column{"slow", 0.67},        Column{"medium", 0.79},
+                             Column{"fast", 0.915}};
+
+// As many decimals as show three digits of the largest value, so that only digits change.
+std::string fixed_digits(double value, double largest) {
+    if (!std::isfinite(value)) return "–";
+    if (largest <= 0.0) return "0";
+    const int before = static_cast<int>(std::floor(std::log10(largest))) + 1;
+    if (before < -3 || before > 6) return three_digits(value);
+    return fmt::format("{:.{}f}", value, std::max(0, 3 - before));
+}
+
+// Whole per cent, one digit padded by a figure space.
+std::string percent(double share) {
+    const auto whole = std::to_string(std::lround(100.0 * share));
+    std::string padding;
+    for (std::size_t i = whole.size(); i < 2; ++i) padding += "\u2007";
+    return padding + whole + "\u2009%";
+}
+
+// A triangle that points along the direction of time; `turn` from 0 (right) to 1 (left).
+void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color color) {
+    std::array<Point, 3> corners;
+    const double angle = turn * std::numbers::pi;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double a = angle + 2.0 * std::numbers::pi * static_cast<double>(i) / 3.0;
+        corners[i] = {center.x + size * std::cos(a), center.y + size * std::sin(a)};
+    }
+    canvas.fill_polygon(corners, color);
+}
+
+}  // namespace
+
+void MonitorsPanel::survey(const Observation& observation) {
+    largest_speed_ = std::max(largest_speed_, observation.speed.mean());
+    largest_energy_ = std::max(largest_energy_, observation.energy.mean());
+}
+
+std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
+    auto state = std::make_shared<MonitorsState>();
+    const auto count = static_cast<double>(observation.speed.size());
+    state->time = folded_time(cast_.scene.run, observation.tick.time);
+    state->collisions = observation.passage.counts.particle;
+    state->mean_speed = observation.speed.mean();
+    state->mean_energy = observation.energy.mean();
+    const double slow = 0.5 * state->mean_speed;
+    const double fast = 1.5 * state->mean_speed;
+    state->shares[0] = static_cast<double>((observation.speed < slow).count()) / count;
+    state->shares[2] = static_cast<double>((observation.speed > fast).count()) / count;
+    state->shares[1] = std::max(0.0, 1.0 - state->shares[0] - state->shares[2]);
+    const bool turning = observation.tick.phase == Phase::reversing;
+    const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
+    const double turned = turning ? observation.tick.progress : 0.0;
+    state->arrow = before + turned * turned * (3.0 - 2.0 * turned);
+    return state;
+}
+
+void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    TextStyle style = label_style(page);
+    style.size = 1.035 * page.unit;
+    for (const Column& column : columns)
+        draw_text(canvas, {page.area.x + column.left * page.area.width, page.area.y + page.unit},
+                  column.label, style);
+}
+
+void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    const std::array<std::string, columns.size()> numbers{
+        fixed_digits(now.time, cast_.scene.run.until),
+        grouped(now.collisions),
+        fixed_digits(now.mean_speed, largest_speed_),
+        fixed_digits(now.mean_energy, largest_energy_),
+        percent(now.shares[0]),
+        percent(now.shares[1]),
+        percent(now.shares[2])};
+    TextStyle style = title_style(page);
+    style.size = 1.53 * page.unit;
+    const double baseline = page.area.y + 2.9 * page.unit;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        draw_text(canvas, {page.area.x + columns[i].left * page.area.width, baseline}, numbers[i],
+                  style);
+    if (cast_.scene.run.events.empty()) return;
+    const double x = page.area.x + 0.11 * page.area.width;
+    draw_arrow(canvas, {x, baseline - 0.55 * page.unit}, 0.6 * page.unit, now.arrow,
+               page.theme.accent);
+}
+
+}  // namespace carom

@@ -1,0 +1,51 @@
+#include "panels/panel.h"
+
+#include <fmt/format.h>
+
+#include "draw/palette.h"
+
+namespace carom {
+
+TextStyle label_style(const Page& page) {
+    return {.size = page.unit, .weight = 400, .color = page.theme.muted};
+}
+
+TextStyle title_style(const Page& page) {
+    return {.size = 1.15 * page.unit, .weight = 500, .color = page.theme.ink};
+}
+
+AxisStyle axis_style(const Page& page) {
+    return {.line_width = 0.07 * page.unit,
+            .tick_length = 0.3 * page.unit,
+            .label = label_style(page),
+            .title = label_style(page),
+            .line = page.theme.muted};
+}
+
+Rect plot_area(const Page& page) {
+    const double left = 3.0 * page.unit;
+    const double top = 2.5 * page.unit;
+    const double bottom = 1.6 * page.unit;
+    return {page.area.x + left, page.area.y + top, page.area.width - left,
+            page.area.height - top - bottom};
+}
+
+void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup) {
+    TextStyle style = title_style(page);
+    style.max_width = page.area.width;
+    draw_text(canvas, {page.area.x, page.area.y + 1.05 * page.unit}, markup, style);
+}
+
+std::string colored(const std::string& text, Color color) {
+    return fmt::format("<span foreground=\"#{:06x}\">{}</span>", to_pixel(color) & 0xFFFFFF,
+                       escape_markup(text));
+}
+
+Color species_color(const Cast& cast, std::size_t species, const Theme& theme) {
+    const std::optional<std::string>& own = cast.scene.looks[species].color;
+    if (own)
+        if (const std::optional<Color> parsed = parse_color(*own)) return *parsed;
+    return kind_color(species, theme.dark);
+}
+
+}  // namespace carom

@@ -1,0 +1,89 @@
+// What a panel is: an observer that turns the run into immutable states, one a frame, and a pure
+// function that draws a state. The run is seen twice: first without drawing, to fix axes and scales
+// for the whole film, then frame by frame.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "draw/axis.h"
+#include "draw/canvas.h"
+#include "draw/disks.h"
+#include "draw/style.h"
+#include "physics/simulation.h"
+#include "physics/theory.h"
+#include "scene/scene.h"
+#include "scene/timeline.h"
+
+namespace carom {
+
+/// What all panels of a film know from the start. Outlives them.
+struct Cast {
+    const Scene& scene;
+    const Particles& particles;
+    int frames;                                        ///< of the film
+    const std::optional<EquilibriumGas>& equilibrium;  ///< of all particles; none: draw no curve
+};
+
+/// The gas at one frame, and what happened since the frame before.
+struct Observation {
+    const Tick& tick;
+    const Sample& sample;
+    const Eigen::ArrayXd& speed;   ///< N
+    const Eigen::ArrayXd& energy;  ///< N
+    const Passage& passage;
+};
+
+/// What one panel shows in one frame: complete and immutable.
+struct PanelState {
+    virtual ~PanelState() = default;
+    virtual std::size_t bytes() const { return 0; }  ///< beyond a small constant
+};
+
+/// Where and how to draw: an area of the canvas, the layout's unit, the theme, and the drawing
+/// thread's own disk masks.
+struct Page {
+    Rect area;
+    double unit;  ///< pixels of one grid unit: the smallest size of text
+    const Theme& theme;
+    DiskPainter& disks;
+};
+
+class Panel {
+  public:
+    virtual ~Panel() = default;
+
+    /// First pass, every frame in order.
+    virtual void survey(const Observation&) {}
+
+    /// Between the passes: fixes axes and scales.
+    virtual void settle() {}
+
+    /// Second pass, every frame in order.
+    virtual std::shared_ptr<const PanelState> state(const Observation& observation) = 0;
+
+    /// Draws what is the same in every frame. Called from any thread after settle().
+    virtual void draw_ground(Canvas& canvas, const Page& page) const = 0;
+
+    /// Draws what changes, over the ground. A pure function of the state.
+    virtual void draw(Canvas& canvas, const Page& page, const PanelState& state) const = 0;
+};
+
+/// Text of the panels: labels at the smallest size, titles a little larger.
+TextStyle label_style(const Page& page);
+TextStyle title_style(const Page& page);
+AxisStyle axis_style(const Page& page);
+
+/// The part of a panel's area that data fill: under the title, left and above the axes' labels.
+Rect plot_area(const Page& page);
+
+/// The panel's title at its top left (markup).
+void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup);
+
+/// `text` in a colour, as markup.
+std::string colored(const std::string& text, Color color);
+
+/// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
+Color species_color(const Cast& cast, std::size_t species, const Theme& theme);
+
+}  // namespace carom

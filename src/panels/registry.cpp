@@ -1,0 +1,38 @@
+#include "panels/registry.h"
+
+#include <array>
+#include <cassert>
+
+namespace carom {
+namespace {
+
+struct Entry {
+    std::string kind;
+    std::unique_ptr<Panel> (*make)(const Cast&, const PanelSpec&);
+};
+
+const std::array entries{
+    Entry{"speed-histogram", make_speed_histogram},
+    Entry{"energy-histogram", make_energy_histogram},
+    Entry{"energy-by-species", make_energy_by_species},
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_panel(const Cast& cast, const PanelSpec& spec) {
+    for (const Entry& entry : entries)
+        if (entry.kind == spec.kind) return entry.make(cast, spec);
+    assert(false && "a validated scene names only registered panels");
+    return nullptr;
+}
+
+std::span<const std::string> registered_panels() {
+    static const std::array<std::string, entries.size()> kinds = [] {
+        std::array<std::string, entries.size()> names;
+        for (std::size_t i = 0; i < entries.size(); ++i) names[i] = entries[i].kind;
+        return names;
+    }();
+    return kinds;
+}
+
+}  // namespace carom

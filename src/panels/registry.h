@@ -1,0 +1,23 @@
+// The panel kinds a film can show: one line each in registry.cpp.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "panels/panel.h"
+
+namespace carom {
+
+/// Makes a panel of `spec.kind`. An unknown kind is a programmer's error: the scene has been
+/// validated.
+std::unique_ptr<Panel> make_panel(const Cast& cast, const PanelSpec& spec);
+
+/// The kinds that make_panel knows.
+std::span<const std::string> registered_panels();
+
+std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_energy_by_species(const Cast& cast, const PanelSpec& spec);
+
+}  // namespace carom

@@ -1,0 +1,10 @@
+// The command line: what it means (parse) and doing it (run).
+#pragma once
+
+namespace carom {
+
+/// Parses the arguments, does the work, reports; returns the exit code: 0 done, 1 the work failed,
+/// 2 wrong input, 130 interrupted.
+int run_command_line(int argc, const char* const* argv);
+
+}  // namespace carom

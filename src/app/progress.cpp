@@ -1,0 +1,76 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace carom {
+
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<long>(std::lround(seconds));
+    if (whole >= 3600)
+        return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+Progress::Form Progress::fitting_form(bool quiet) {
+    if (quiet) return Form::silent;
+    return isatty(STDERR_FILENO) ? Form::bar : Form::lines;
+}
+
+Progress::Progress(Form form, std::string name) : form_(form), name_(std::move(name)) {}
+
+Progress::~Progress() { finish(); }
+
+void Progress::begin(std::string stage, std::int64_t total) {
+    const std::scoped_lock lock(mutex_);
+    stage_ = std::move(stage);
+    total_ = total;
+    done_ = 0;
+    begun_ = shown_ = Clock::now();
+}
+
+void Progress::advance() {
+    if (form_ == Form::silent) return;
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    const auto now = Clock::now();
+    const auto pause =
+        form_ == Form::bar ? std::chrono::milliseconds(100) : std::chrono::seconds(4);
+    if (now - shown_ >= pause) show(now);
+}
+
+std::string Progress::line(double elapsed) const {
+    const double speed = static_cast<double>(done_) / elapsed;
+    const double left = static_cast<double>(total_ - done_) / speed;
+    return fmt::format("{}: {} {}/{} frames, {:.0f} frames/s, {} left", name_, stage_, done_,
+                       total_, speed, clock_text(left));
+}
+
+void Progress::show(Clock::time_point now) {
+    shown_ = now;
+    const std::string text = line(std::chrono::duration<double>(now - begun_).count());
+    if (form_ == Form::lines) {
+        fmt::print(stderr, "{}\n", text);
+        return;
+    }
+    constexpr std::int64_t width = 24;
+    const auto filled = static_cast<std::size_t>(width * done_ / total_);
+    std::string bar;
+    for (std::size_t i = 0; i < width; ++i) bar += i < filled ? "█" : "░";
+    fmt::print(stderr, "\r\033[K{} {}", bar, text);
+    std::fflush(stderr);
+    bar_stands_ = true;
+}
+
+void Progress::finish() {
+    const std::scoped_lock lock(mutex_);
+    if (!bar_stands_) return;
+    fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);
+    bar_stands_ = false;
+}
+
+}  // namespace carom

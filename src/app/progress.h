@@ -1,0 +1,47 @@
+// Tells how far long work has come: a bar on a terminal, a line every few seconds elsewhere, or
+// nothing. Writes to standard error.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace carom {
+
+class Progress {
+  public:
+    enum class Form { bar, lines, silent };
+
+    /// A bar if standard error is a terminal, else lines; nothing if `quiet`.
+    static Form fitting_form(bool quiet);
+
+    Progress(Form form, std::string name);
+    ~Progress();  ///< clears an unfinished bar
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void begin(std::string stage, std::int64_t total);  ///< total of frames in this stage
+    void advance();  ///< one more is done; called from any thread
+    void finish();   ///< clears the bar
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void show(Clock::time_point now);
+    std::string line(double elapsed) const;
+
+    Form form_;
+    std::string name_;
+    std::string stage_;
+    std::int64_t total_ = 0;
+    std::int64_t done_ = 0;
+    bool bar_stands_ = false;
+    Clock::time_point begun_;
+    Clock::time_point shown_;
+    std::mutex mutex_;
+};
+
+/// Seconds as 0:07, 12:34 or 1:02:03.
+std::string clock_text(double seconds);
+
+}  // namespace carom

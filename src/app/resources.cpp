@@ -1,0 +1,19 @@
+#include "app/resources.h"
+
+#include "util/diagnostics.h"
+
+namespace carom {
+
+std::filesystem::path templates_folder() {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    for (fs::path folder = program.parent_path(); !error; folder = folder.parent_path()) {
+        for (const char* place : {"share/carom/templates", "templates"})
+            if (fs::is_directory(folder / place / "films")) return folder / place;
+        if (folder == folder.root_path()) break;
+    }
+    throw SystemError("cannot find carom's templates folder near " + program.string());
+}
+
+}  // namespace carom

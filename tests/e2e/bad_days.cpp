@@ -1,0 +1,131 @@
+// Bad input and bad days: one clear message, the right exit code, no half-written film, no earlier
+// film lost.
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string root = CAROM_TEST_ROOT;
+const std::string program = CAROM_PROGRAM;
+const std::string scene = root + "/scenes/one-hot-particle.yaml";
+
+std::string render_small(const std::string& output, const std::string& more = "") {
+    return "'" + program + "' render '" + scene + "' -o " + output +
+           " --size 320x180 --seconds 8 --quality draft " + more;
+}
+
+}  // namespace
+
+TEST_CASE("a wrong scene is refused with exit code 2 and nothing is written") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "bad.yaml")
+        << "title: T\nbox: {size: [10, 10]}\ngas: [{count: 3, raduis: 1}]\nrun: {until: 1}\n";
+    const Outcome outcome = run({program, "render", "bad.yaml"}, folder.path());
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("bad.yaml:3:18: error:") == 0);
+    CHECK(outcome.err.find("radius") != std::string::npos);
+    CHECK(folder.names() == std::vector<std::string>{"bad.yaml"});
+}
+
+TEST_CASE("a gas that finds no room is refused at its place in the file") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "full.yaml")
+        << "title: T\nbox: {size: [20, 20]}\ngas:\n  - {name: small, count: 420, radius: "
+           "0.45}\nrun: {until: 1}\nfilm: {seconds: 1}\n";
+    const Outcome outcome = run({program, "render", "full.yaml"}, folder.path());
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("full.yaml:4:") == 0);
+    CHECK(outcome.err.find("of 420") != std::string::npos);
+    CHECK(folder.names() == std::vector<std::string>{"full.yaml"});
+}
+
+TEST_CASE("missing scenes, wrong options and wrong endings are told with exit code 2") {
+    const TemporaryFolder folder;
+    for (const std::string& arguments :
+         {std::string("render missing.yaml"), std::string("render"), std::string("paint x"),
+          std::string("render . "), "render '" + scene + "' -o film.avi",
+          "render '" + scene + "' --fps fast", "render '" + scene + "' --quality best",
+          "render '" + scene + "' --set gas", "render '" + scene + "' '" + scene + "'",
+          "render '" + scene + "' --size 1x1", "render '" + scene + "' --seconds -1",
+          "render '" + scene + "' --template none"}) {
+        CAPTURE(arguments);
+        const Outcome outcome = shell("'" + program + "' " + arguments, folder.path());
+        CHECK(outcome.exit_code == 2);
+        CHECK_FALSE(outcome.err.empty());
+        CHECK(outcome.out.empty());
+        CHECK(folder.names().empty());
+    }
+}
+
+TEST_CASE("a folder that cannot be written is exit code 1 with its name") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "file") << "x";
+    const Outcome outcome = shell(render_small("file/film.mp4"), folder.path());
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.err.find("file") != std::string::npos);
+    CHECK(contents(folder.path() / "file") == "x");
+}
+
+TEST_CASE("a full disk is exit code 1; the earlier film stays and no part is left") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "film.mp4") << "earlier";
+    // A limit on file sizes fails as a full disk does, one buffer late, and needs no rights.
+    const Outcome limited = shell("ulimit -f 40; " + render_small("film.mp4"), folder.path());
+    CAPTURE(limited.err);
+    CHECK(limited.exit_code == 1);
+    CHECK(limited.err.find("film.mp4") != std::string::npos);
+    CHECK(contents(folder.path() / "film.mp4") == "earlier");
+    CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
+
+    if (geteuid() != 0) return;
+    const fs::path disk = folder.path() / "disk";
+    fs::create_directory(disk);
+    if (run({"mount", "-t", "tmpfs", "-o", "size=96k", "tmpfs", disk.string()}).exit_code != 0) {
+        MESSAGE("no tmpfs may be mounted here: a full disk is tested by a limit only");
+        return;
+    }
+    std::ofstream(disk / "film.mp4") << "earlier";
+    const Outcome full = shell(render_small("disk/film.mp4"), folder.path());
+    const std::string kept = contents(disk / "film.mp4");
+    const auto entries = std::distance(fs::directory_iterator(disk), {});
+    run({"umount", disk.string()});
+    CHECK(full.exit_code == 1);
+    CHECK(full.err.find("No space left on device") != std::string::npos);
+    CHECK(kept == "earlier");
+    CHECK(entries == 1);
+}
+
+TEST_CASE("Ctrl-C ends at once with exit code 130; the earlier film stays and no part is left") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "film.mp4") << "earlier";
+    const Outcome outcome = shell("timeout -s INT 1 '" + program + "' render '" + scene +
+                                      "' -o film.mp4; code=$?; "
+                                      "[ $code -eq 124 ] && exit 130; exit $code",
+                                  folder.path());
+    CHECK(outcome.exit_code == 130);
+    CHECK(outcome.err.find("interrupted") != std::string::npos);
+    CHECK(contents(folder.path() / "film.mp4") == "earlier");
+    CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
+}
+
+TEST_CASE(
+    "with --quiet nothing is said, without it progress goes to standard error and results to "
+    "standard output") {
+    const TemporaryFolder folder;
+    const Outcome quiet = shell(render_small("a.mp4", "--quiet"), folder.path());
+    CHECK(quiet.exit_code == 0);
+    CHECK(quiet.out.empty());
+    CHECK(quiet.err.empty());
+    const Outcome timed = shell(render_small("b.mp4", "--timings"), folder.path());
+    CHECK(timed.out.find("b.mp4: 240 frames, 0:08") == 0);
+    CHECK(timed.out.find("events/s") != std::string::npos);
+}

@@ -1,0 +1,202 @@
+// A film from a scene file, by the program itself, read by independent programs: ffprobe and
+// ffmpeg.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string root = CAROM_TEST_ROOT;
+const std::string program = CAROM_PROGRAM;
+
+Outcome run_carom(std::vector<std::string> arguments, const fs::path& folder = ".") {
+    arguments.insert(arguments.begin(), program);
+    return run(arguments, folder);
+}
+
+// A box with one large disk at rest: what is drawn where is known by arithmetic.
+const std::string still_life = R"(title: One disk at rest
+box: {size: [40, 30]}
+gas:
+  - {name: a, count: 1, radius: 6, position: [10, 20], color: "#56b4e9"}
+run: {until: 1}
+film: {seconds: 2, fps: 25, size: [640, 360], theme: light, color_by: species, panels: []}
+)";
+
+fs::path write_scene(const TemporaryFolder& folder, const std::string& text,
+                     const std::string& name = "scene.yaml") {
+    const fs::path path = folder.path() / name;
+    std::ofstream(path) << text;
+    return path;
+}
+
+struct Rgb {
+    int red, green, blue;
+};
+
+// One frame of a film as RGB, decoded by ffmpeg.
+class Decoded {
+  public:
+    Decoded(const fs::path& film, int frame, int width, int height) : width_(width) {
+        const Outcome outcome =
+            run({"ffmpeg", "-v", "error", "-i", film.string(), "-vf",
+                 "select=eq(n\\," + std::to_string(frame) +
+                     "),scale=out_color_matrix=bt709:flags=accurate_rnd+full_chroma_int",
+                 "-frames:v", "1", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"});
+        REQUIRE(outcome.exit_code == 0);
+        bytes_ = outcome.out;
+        REQUIRE(bytes_.size() == static_cast<std::size_t>(3 * width * height));
+    }
+    Rgb at(int x, int y) const {
+        const auto i = static_cast<std::size_t>(3 * (y * width_ + x));
+        const auto byte = [&](std::size_t k) {
+            return int(static_cast<std::uint8_t>(bytes_[i + k]));
+        };
+        return {byte(0), byte(1), byte(2)};
+    }
+
+  private:
+    int width_;
+    std::string bytes_;
+};
+
+// 8-bit YCbCr of limited range rounds each channel by up to 2; the encoder's quantiser adds as much
+// on flat ground.
+void check_color(Rgb found, Rgb expected) {
+    constexpr int tolerance = 4;
+    CAPTURE(found.red);
+    CAPTURE(found.green);
+    CAPTURE(found.blue);
+    CHECK(std::abs(found.red - expected.red) <= tolerance);
+    CHECK(std::abs(found.green - expected.green) <= tolerance);
+    CHECK(std::abs(found.blue - expected.blue) <= tolerance);
+}
+
+nlohmann::json probe(const fs::path& film) {
+    const Outcome outcome = run({"ffprobe", "-v", "error", "-count_frames", "-show_streams",
+                                 "-show_format", "-of", "json", film.string()});
+    REQUIRE(outcome.exit_code == 0);
+    return nlohmann::json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("a scene becomes a film of the promised format, length and words") {
+    const TemporaryFolder folder;
+    const fs::path scene = write_scene(folder, still_life);
+    const Outcome outcome = run_carom({"render", scene.string()}, folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const fs::path film = folder.path() / "out" / "scene.mp4";
+    REQUIRE(fs::exists(film));
+
+    const nlohmann::json found = probe(film);
+    const nlohmann::json& stream = found["streams"][0];
+    CHECK(found["streams"].size() == 1);
+    CHECK(stream["codec_name"] == "h264");
+    CHECK(stream["profile"] == "High");
+    CHECK(stream["pix_fmt"] == "yuv420p");
+    CHECK(stream["width"] == 640);
+    CHECK(stream["height"] == 360);
+    CHECK(stream["color_space"] == "bt709");
+    CHECK(stream["color_primaries"] == "bt709");
+    CHECK(stream["color_transfer"] == "bt709");
+    CHECK(stream["color_range"] == "tv");
+    CHECK(stream["r_frame_rate"] == "25/1");
+    CHECK(stream["avg_frame_rate"] == "25/1");
+    CHECK(stream["nb_read_frames"] == "50");
+    CHECK(std::stod(found["format"]["duration"].get<std::string>()) ==
+          doctest::Approx(2.0).epsilon(1e-6));
+    const nlohmann::json& tags = found["format"]["tags"];
+    CHECK(tags["title"] == "One disk at rest");
+    CHECK(tags["comment"].get<std::string>().find("seed: 1") != std::string::npos);
+    CHECK(tags["comment"].get<std::string>().find(still_life) != std::string::npos);
+    CHECK_FALSE(tags["description"].get<std::string>().empty());
+
+    const std::string bytes = contents(film);
+    CHECK(bytes.find("moov") < bytes.find("mdat"));
+}
+
+TEST_CASE("the decoded colours are those that were drawn") {
+    const TemporaryFolder folder;
+    const fs::path scene = write_scene(folder, still_life);
+    REQUIRE(run_carom({"render", scene.string(), "-o", "film.mp4"}, folder.path()).exit_code == 0);
+    const Decoded frame(folder.path() / "film.mp4", 30, 640, 360);
+    check_color(frame.at(4, 4), {0xFB, 0xFA, 0xF7});  // page
+    // lecture's gas slot begins at (1.8, 6.4) units of 8 pixels and is 42.6 by 32: the box is 40 :
+    // 30, 341 by 256 pixels.
+    const double scale = std::min(42.6 * 8 / 40, 32.0 * 8 / 30);
+    const double left = 1.8 * 8, top = 6.4 * 8;
+    const auto pixel = [&](double x, double y) {
+        return frame.at(static_cast<int>(left + x * scale),
+                        static_cast<int>(top + (30 - y) * scale));
+    };
+    check_color(pixel(10, 20), {0x56, 0xB4, 0xE9});  // centre of the disk
+    check_color(pixel(14.5, 20),
+                {0x56, 0xB4, 0xE9});                // inside, a quarter of the radius from its rim
+    check_color(pixel(30, 8), {0xFF, 0xFF, 0xFF});  // ground
+    check_color(pixel(10, 28.5), {0xFF, 0xFF, 0xFF});  // ground, above the disk
+}
+
+TEST_CASE(
+    "the film is the same, byte for byte, on any number of threads, and another with another "
+    "seed") {
+    const TemporaryFolder folder;
+    const std::string scene = root + "/scenes/one-hot-particle.yaml";
+    const auto render = [&](const std::string& name, const std::string& threads,
+                            const std::string& seed) {
+        const Outcome outcome =
+            run_carom({"render", scene, "-o", name, "--size", "320x180", "--seconds", "9",
+                       "--threads", threads, "--seed", seed, "--quality", "draft"},
+                      folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return contents(folder.path() / name);
+    };
+    const std::string one = render("one.mp4", "1", "1");
+    CHECK(one.size() > 10'000);
+    CHECK(render("two.mp4", "2", "1") == one);
+    CHECK(render("five.mp4", "5", "1") == one);
+    CHECK(render("other.mp4", "2", "2") != one);
+}
+
+TEST_CASE("the last picture of a reversed film is its first") {
+    const TemporaryFolder folder;
+    const std::string scene = root + "/scenes/time-reversal.yaml";
+    const std::vector<std::string> common{"still",   scene,   "--size",        "640x360",
+                                          "--quiet", "--set", "film.panels=[]"};
+    const auto still = [&](const std::string& at) {
+        std::vector<std::string> arguments = common;
+        arguments.insert(arguments.end(), {"--at", at, "-o", at + ".png"});
+        const Outcome outcome = run_carom(arguments, folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        // The gas alone: the monitors count collisions on.
+        return run({"ffmpeg", "-v", "error", "-i", at + ".png", "-vf", "crop=340:256:15:52", "-f",
+                    "rawvideo", "-pix_fmt", "rgb24", "-"},
+                   folder.path())
+            .out;
+    };
+    const std::string first = still("0");
+    const std::string last = still("24");
+    const std::string middle = still("12");
+    REQUIRE(first.size() == 340 * 256 * 3);
+    REQUIRE(last.size() == first.size());
+    int largest = 0;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        largest = std::max(largest, std::abs(int(static_cast<std::uint8_t>(first[i])) -
+                                             int(static_cast<std::uint8_t>(last[i]))));
+    CHECK(largest <=
+          24);  // a miss of 1e-2 pixel changes a rim by less than a tenth of its contrast
+    CHECK(middle != first);
+}

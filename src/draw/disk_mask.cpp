@@ -11,13 +11,13 @@ constexpr int x_steps = 256;  // of an edge within a pixel
 // Small disks are whole rows of groups: as many in each row, which is quicker than counting.
 constexpr float largest_of_whole_rows = 8.0F;
 
-// Lines a row of pixels is cut into, a multiple of the phases: the lines of a radius then lie at
-// the same heights for every phase. More for small disks, whose area hangs on few of them.
-int lines_per_pixel(float radius) { return (radius < 2.0F ? 4 : 1) * DiskShape::phases; }
+// Lines a row of pixels is cut into: as many as phases, so that the lines of a radius lie at the
+// same heights for every phase.
+constexpr int lines = DiskShape::phases;
 
 // Half the length of the chord on each line from the equator to a pole.
-void find_half_chords(std::vector<float>& chords, float radius, int lines) {
-    const auto scale = static_cast<float>(lines);
+void find_half_chords(std::vector<float>& chords, float radius) {
+    constexpr float scale = lines;
     chords.resize(static_cast<std::size_t>(std::ceil(radius * scale + 0.5F)));
     float height = 0.5F / scale;
     for (float& chord : chords) {
@@ -41,7 +41,8 @@ int groups_for(int pixels) { return (pixels + group_size - 1) / group_size; }
 
 }  // namespace
 
-void MaskStore::sum_changes(int width, int full_sum) {
+void MaskStore::sum_changes(int width) {
+    constexpr int full_sum = lines * x_steps;
     row_.assign(static_cast<std::size_t>(width + group_size), 0);
     std::int32_t sum = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
@@ -72,6 +73,17 @@ void MaskStore::add_row(int left, int width, bool is_whole) {
                      static_cast<std::uint16_t>(right_groups)});
 }
 
+void MaskStore::find_changes(int width, float middle, int first_line) {
+    changes_.assign(static_cast<std::size_t>(width + 2), 0);
+    for (int line = first_line; line < first_line + lines; ++line) {
+        const auto from_equator = static_cast<std::size_t>(line < 0 ? -line - 1 : line);
+        if (from_equator >= half_chords_.size()) continue;
+        const float half = half_chords_[from_equator] * x_steps;
+        add_edge(changes_.data(), static_cast<int>(middle - half + 0.5F), 1);
+        add_edge(changes_.data(), static_cast<int>(middle + half + 0.5F), -1);
+    }
+}
+
 DiskMask MaskStore::add(const DiskShape& shape) {
     const float radius = static_cast<float>(shape.radius) / DiskShape::radius_steps;
     const float center_x = static_cast<float>(shape.phase_x) / DiskShape::phases;
@@ -80,23 +92,13 @@ DiskMask MaskStore::add(const DiskShape& shape) {
     const int width = static_cast<int>(std::floor(center_x + radius)) - left + 1;
     const int top = static_cast<int>(std::floor(center_y - radius));
     const int bottom = static_cast<int>(std::floor(center_y + radius));
-    const int lines = lines_per_pixel(radius);
-    find_half_chords(half_chords_, radius, lines);
-
     const DiskMask mask{
         left, top, width + group_size, bottom - top + 1, rows_.size(), coverages_.size()};
-    const float middle = (center_x - static_cast<float>(left)) * x_steps + 0.5F;
-    const int center_line = shape.phase_y * (lines / DiskShape::phases);
+    find_half_chords(half_chords_, radius);
+    const float middle = (center_x - static_cast<float>(left)) * x_steps;
     for (int y = top; y <= bottom; ++y) {
-        changes_.assign(static_cast<std::size_t>(width + 2), 0);
-        for (int line = y * lines - center_line; line < (y + 1) * lines - center_line; ++line) {
-            const auto from_equator = static_cast<std::size_t>(line < 0 ? -line - 1 : line);
-            if (from_equator >= half_chords_.size()) continue;
-            const float half = half_chords_[from_equator] * x_steps;
-            add_edge(changes_.data(), static_cast<int>(middle - half), 1);
-            add_edge(changes_.data(), static_cast<int>(middle + half), -1);
-        }
-        sum_changes(width, lines * x_steps);
+        find_changes(width, middle, y * lines - shape.phase_y);
+        sum_changes(width);
         add_row(left, width, radius <= largest_of_whole_rows);
     }
     return mask;

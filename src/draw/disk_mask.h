@@ -53,7 +53,8 @@ class MaskStore {
     std::size_t bytes() const { return rows_.size() * sizeof(MaskRow) + coverages_.size(); }
 
   private:
-    void sum_changes(int width, int full_sum);
+    void find_changes(int width, float middle, int first_line);
+    void sum_changes(int width);
     void add_row(int left, int width, bool is_whole);
     void append(int first, int groups);
 

@@ -166,15 +166,19 @@ PlacedDisk place(const Disk& disk) {
 
 }  // namespace
 
+// Asks for the pixels of a disk that will be drawn soon. Disks come in no order of place: without
+// this, waiting for memory takes half of the time.
 void fetch_ahead(const PixelView& pixels, const PixelBounds& bounds, const Disk& disk) {
+    constexpr int step = 64 / sizeof *pixels.data;  // a line of the processor's cache
     if (!is_visible(disk, bounds)) return;
-    const int first = std::max(bounds.top, static_cast<int>(disk.y - disk.radius));
-    const int last = std::min(bounds.bottom - 1, static_cast<int>(disk.y + disk.radius));
+    const int top = std::max(bounds.top, static_cast<int>(disk.y - disk.radius));
+    const int bottom = std::min(bounds.bottom - 1, static_cast<int>(disk.y + disk.radius));
     const int left = std::max(bounds.left, static_cast<int>(disk.x - disk.radius));
     const int right = std::min(bounds.right - 1, static_cast<int>(disk.x + disk.radius));
-    for (int line = first; line <= last; ++line) {
+    for (int line = top; line <= bottom; ++line) {
         const std::uint32_t* row = pixels.data + static_cast<std::ptrdiff_t>(line) * pixels.stride;
-        for (int x = left; x < right + 16; x += 16) __builtin_prefetch(row + std::min(x, right), 1);
+        for (int x = left; x < right + step; x += step)
+            __builtin_prefetch(row + std::min(x, right), 1);
     }
 }
 
@@ -251,9 +255,10 @@ void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
     implementation_->forget_if_full();
     const PixelView pixels = canvas.pixels();
     const PixelBounds bounds = bounds_of(pixels, clip);
+    constexpr std::size_t ahead = 4;
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const Disk& disk = disks[i];
-        if (i + 4 < disks.size()) fetch_ahead(pixels, bounds, disks[i + 4]);
+        if (i + ahead < disks.size()) fetch_ahead(pixels, bounds, disks[i + ahead]);
         if (!is_visible(disk, bounds)) continue;
         const Stamp stamp(pixels, bounds, disk.color);
         implementation_->draw_one(stamp, place(disk));

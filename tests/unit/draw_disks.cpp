@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "draw/disk_mask.h"
 #include "draw/disks.h"
 #include "util/random.h"
 
@@ -204,4 +205,15 @@ TEST_CASE("disks that make no sense are left out") {
     painter.draw(canvas, {&huge, 1}, everywhere);
     CHECK(level(canvas, 25, 28) == 255);
     CHECK(level(canvas, 25, 31) == 0);
+}
+
+TEST_CASE("a mask that is dropped leaves no trace in its store") {
+    MaskStore store;
+    const DiskMask kept = store.add({.phase_x = 3, .phase_y = 9, .radius = 2000});
+    const std::size_t bytes = store.bytes();
+    const DiskMask dropped = store.add({.phase_x = 1, .phase_y = 2, .radius = 7000});
+    CHECK(store.bytes() > bytes);
+    store.truncate_to(dropped);
+    CHECK(store.bytes() == bytes);
+    CHECK(store.rows(kept)[kept.height / 2].left_groups > 0);
 }

@@ -76,7 +76,8 @@ void check_number(Node& node, double value, const Form& form, const std::vector<
     if (in_range(value, form)) return;
     std::string hint;
     if (value > form.range.high && !form.range.ceiling.empty())
-        hint = fmt::format("the ceiling is {} {}", form.range.high, form.range.ceiling);
+        hint =
+            fmt::format("the ceiling is {} {}", number_text(form.range.high), form.range.ceiling);
     else if (value > 0.0 && value < form.range.low && form.range.low == smallest_quantity.value)
         hint = fmt::format("the smallest is {}", smallest_quantity.value);
     mismatch(node, forms, hint, context);
@@ -113,6 +114,17 @@ void check_text(Node& node, const Form& form, Context context) {
     }
 }
 
+std::vector<std::string> key_names(const Section& section) {
+    std::vector<std::string> names;
+    for (const Key& key : section.keys) names.push_back(key.name);
+    return names;
+}
+
+std::string keys_hint(const Section& section) {
+    const std::vector<std::string> names = key_names(section);
+    return (names.size() == 1 ? "its key is " : "its keys are ") + listed(names, "and");
+}
+
 std::string word_hint(const Node& node, const std::vector<Form>& forms) {
     std::vector<std::string> words;
     for (const Form& form : forms) words.insert(words.end(), form.words.begin(), form.words.end());
@@ -131,6 +143,7 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
             names += (names.empty() ? "" : ", ") + word;
         return "names: " + names;
     }
+    if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     return "";
 }
 
@@ -186,6 +199,15 @@ void check_list(Node& node, const std::vector<Form>& forms, Context context) {
     }
 }
 
+std::string structure_hint(const Node& node, const std::vector<Form>& forms) {
+    if (node.kind == Node::Kind::null && is_comment_behind(node))
+        return "`#` begins a comment; put the value in quotes";
+    const Form* list = form_of(forms, Shape::list);
+    if (node.is_mapping() && list && form_of(list->items, Shape::mapping))
+        return "begin each item of the list with `- `";
+    return "";
+}
+
 void check_value(Node& node, const std::vector<Form>& forms, Context context) {
     switch (node.kind) {
         case Node::Kind::scalar:
@@ -195,19 +217,10 @@ void check_value(Node& node, const std::vector<Form>& forms, Context context) {
         case Node::Kind::mapping:
             if (const Form* form = form_of(forms, Shape::mapping))
                 return check_mapping(node, *form->section, context.errors);
-            return mismatch(node, forms, "", context);
+            return mismatch(node, forms, structure_hint(node, forms), context);
         case Node::Kind::null:
-            return mismatch(
-                node, forms,
-                is_comment_behind(node) ? "`#` begins a comment; put the value in quotes" : "",
-                context);
+            return mismatch(node, forms, structure_hint(node, forms), context);
     }
-}
-
-std::vector<std::string> key_names(const Section& section) {
-    std::vector<std::string> names;
-    for (const Key& key : section.keys) names.push_back(key.name);
-    return names;
 }
 
 void unknown_key(const Node& key, const Section& section, Errors& errors) {
@@ -215,9 +228,8 @@ void unknown_key(const Node& key, const Section& section, Errors& errors) {
         if (refused.name == key.text) return errors.add(key, refused.reason, refused.hint);
     const std::vector<std::string> names = key_names(section);
     const auto near = nearest_spelling(key.text, names);
-    errors.add(
-        key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),
-        near ? fmt::format("did you mean `{}`?", *near) : "its keys are " + listed(names, "and"));
+    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),
+               near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section));
 }
 
 // Where several are given, those of the latest origin count; two of these are one too many.
@@ -240,23 +252,30 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
             value.valid = false;
         }
     }
-    if (choice.required && kept == nullptr)
+    const bool all_known = std::all_of(node.keys.begin(), node.keys.end(), [&](const Node& key) {
+        return section.index(key.text) < section.keys.size();
+    });
+    if (choice.required && kept == nullptr && all_known)
         errors.add(node,
                    fmt::format("{} needs {}", section.name, names_listed(choice.names, "or")));
 }
 
-// A key that is there in another spelling, or refused with a reason, has been reported.
-bool is_misspelt(const Node& node, const Section& section, const std::string& name) {
+// A key that seems to be meant by an unknown one, which has been reported.
+bool is_meant(const Node& node, const Section& section, const std::string& name) {
     const std::vector<std::string> names = key_names(section);
     return std::any_of(node.keys.begin(), node.keys.end(), [&](const Node& key) {
-        return section.index(key.text) == names.size() && nearest_spelling(key.text, names) == name;
+        if (section.index(key.text) < names.size()) return false;
+        const bool refused =
+            std::any_of(section.refused.begin(), section.refused.end(),
+                        [&](const Refused& entry) { return entry.name == key.text; });
+        return refused || names.size() == 1 || nearest_spelling(key.text, names) == name;
     });
 }
 
 void check_presence(const Node& node, const Section& section, Errors& errors) {
     for (const Key& key : section.keys) {
         const bool missing = key.required && find(node, key.name) == nullptr;
-        if (missing && !is_misspelt(node, section, key.name))
+        if (missing && !is_meant(node, section, key.name))
             errors.add(node, fmt::format("{} needs `{}`", section.name, key.name),
                        fmt::format("`{}`: {}", key.name, key.meaning));
     }

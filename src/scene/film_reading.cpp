@@ -83,8 +83,7 @@ PanelSpec read_options(const Fields& fields, Errors& errors) {
     return panel;
 }
 
-std::vector<PanelSpec> read_panels(const Fields& film, std::size_t slots,
-                                   const std::string& template_name, Errors& errors) {
+std::vector<PanelSpec> read_panels(const Fields& film, Errors& errors) {
     std::vector<PanelSpec> panels;
     const Node* list = film.given("panels");
     if (list == nullptr) return panels;
@@ -98,11 +97,16 @@ std::vector<PanelSpec> read_panels(const Fields& film, std::size_t slots,
             panels.back().kind = item.text;
         }
     }
-    if (list->items.size() > slots)
-        errors.add(list->items[slots],
-                   fmt::format("{} panels, but the template `{}` has room for {}",
-                               list->items.size(), template_name, slots));
     return panels;
+}
+
+void check_slots(const Fields& fields, const Film& film, Errors& errors) {
+    const Node* list = fields.given("panels");
+    const std::size_t slots = film.layout.panels.size();
+    if (list == nullptr || list->items.size() <= slots) return;
+    errors.add(list->items[slots],
+               fmt::format("the template `{}` has {} places for panels, found {} panels",
+                           film.template_name, slots, list->items.size()));
 }
 
 double read_seconds(const Fields& film, const Run& run) {
@@ -128,8 +132,8 @@ void check_frames(const Film& film, const Fields& fields, const Fields& scene, E
                      : fmt::format("the ceiling is {} {}", most_frames.value, most_frames.meaning);
     if (!given) hint += "; give `film.seconds`, or another `film.pace`";
     errors.add(place_of_length(fields, scene),
-               fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} frames",
-                           film.seconds, film.fps, frames),
+               fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} {}",
+                           film.seconds, film.fps, frames, frames == 1.0 ? "frame" : "frames"),
                hint);
 }
 
@@ -151,15 +155,13 @@ Run read_run(const Fields& scene, Errors& errors) {
     return run;
 }
 
-LayoutSpec read_layout(const Fields& template_file, Errors& errors) {
-    LayoutSpec layout;
+std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors) {
     const auto fields = template_file.inner("layout");
-    if (!fields) return layout;
-    if (const Node* grid = fields->given("grid")) {
-        const Eigen::Array2d sides = pair(*grid);
-        layout.grid_width = sides[0];
-        layout.grid_height = sides[1];
-    }
+    if (!fields || fields->given("grid") == nullptr) return std::nullopt;
+    LayoutSpec layout;
+    const Eigen::Array2d sides = pair(*fields->given("grid"));
+    layout.grid_width = sides[0];
+    layout.grid_height = sides[1];
     const auto slot = [&](const char* key, Slot& place) {
         if (const Node* node = fields->given(key)) place = read_slot(*node, layout, errors);
     };
@@ -167,17 +169,18 @@ LayoutSpec read_layout(const Fields& template_file, Errors& errors) {
     slot("gas", layout.gas);
     slot("color_bar", layout.color_bar);
     if (fields->given("monitors")) slot("monitors", layout.monitors.emplace());
-    if (const Node* panels = fields->given("panels"))
-        for (const Node& item : panels->items)
-            layout.panels.push_back(read_slot(item, layout, errors));
+    const Node* panels = fields->given("panels");
+    if (panels == nullptr && fields->mentions("panels")) return std::nullopt;
+    if (panels == nullptr) return layout;
+    for (const Node& item : panels->items) layout.panels.push_back(read_slot(item, layout, errors));
     return layout;
 }
 
-Film read_film(const Fields& fields, const Fields& scene, const Run& run, const LayoutSpec& layout,
-               Errors& errors) {
+Film read_film(const Fields& fields, const Fields& scene, const Run& run,
+               const std::optional<LayoutSpec>& layout, Errors& errors) {
     Film film;
     film.template_name = fields.text("template").value_or("");
-    film.layout = layout;
+    film.layout = layout.value_or(LayoutSpec{});
     film.fps = static_cast<int>(fields.integer("fps").value_or(30));
     film.size = read_size(fields, errors);
     film.theme = read_theme(fields.text("theme").value());
@@ -185,7 +188,8 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.palette = fields.text("palette");
     film.seconds = read_seconds(fields, run);
     if (film.seconds > 0.0) check_frames(film, fields, scene, errors);
-    film.panels = read_panels(fields, layout.panels.size(), film.template_name, errors);
+    film.panels = read_panels(fields, errors);
+    if (layout) check_slots(fields, film, errors);
     return film;
 }
 

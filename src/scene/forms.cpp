@@ -30,8 +30,8 @@ std::string range_phrase(std::string_view what, const Range& range) {
     if (range.low == smallest_quantity.value && open_above)
         return fmt::format("a positive {}", what);
     if (open_below && open_above) return fmt::format("a {}", what);
-    if (open_above) return fmt::format("a {} of at least {}", what, range.low);
-    return fmt::format("a {} from {} to {}", what, range.low, range.high);
+    if (open_above) return fmt::format("a {} of at least {}", what, number_text(range.low));
+    return fmt::format("a {} from {} to {}", what, number_text(range.low), number_text(range.high));
 }
 
 Section law(Range range) {
@@ -180,6 +180,13 @@ std::string phrase(const Form& form) {
             return "a mapping";
     }
     return "a value";
+}
+
+std::string number_text(double value) {
+    std::string text = fmt::format("{}", value);
+    if (value >= 1e9 && text.ends_with("000000000")) text = fmt::format("{:g}", value);
+    std::erase(text, '+');
+    return text;
 }
 
 std::string color_hex(std::string_view name) {

@@ -92,6 +92,9 @@ inline constexpr int scene_format = 1;
 /// How a message calls a form: "a positive number", "`light`, `dark` or `print`".
 std::string phrase(const Form& form);
 
+/// A bound as a message writes it: 2000000, 1e12.
+std::string number_text(double value);
+
 /// The colour names of CSS 2.1 as #rrggbb; `name` itself if it is #rrggbb; empty otherwise.
 std::string color_hex(std::string_view name);
 

@@ -61,7 +61,7 @@ void refuse_newer_format(const Node& root) {
     Errors errors;
     errors.add(*version,
                fmt::format("the scene is written for format {}, this carom reads format {}",
-                           in_quotes(version->text), scene_format),
+                           version->text, scene_format),
                "a newer carom reads it");
     errors.throw_if_any();
 }
@@ -93,7 +93,9 @@ void read_template(Tree& tree, const fs::path& scene, const fs::path& templates,
     auto text = file_text(file->path, source, errors);
     if (!text) return;
     source.text = std::move(*text);
-    tree.template_file = read_yaml(source, errors);
+    auto root = read_yaml(source, errors);
+    if (!root) return;
+    tree.template_file = std::move(*root);
     tree.template_name = file->name;
     if (!tree.template_file.is_mapping()) {
         errors.add(tree.template_file, "expected a template (a mapping with `layout`), found " +
@@ -124,7 +126,7 @@ Scene read_scene(const Tree& tree, Errors& errors) {
     }
     scene.run = read_run(fields, errors);
     if (tree.template_file.is_mapping()) {
-        const LayoutSpec layout = read_layout({tree.template_file, template_section()}, errors);
+        const auto layout = read_layout({tree.template_file, template_section()}, errors);
         scene.film = read_film({tree.film, section_of(scene_section(), "film")}, fields, scene.run,
                                layout, errors);
         scene.film.template_name = tree.template_name;
@@ -139,11 +141,10 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     const Source& source = sources.front();
     Errors errors;
     Tree tree;
-    tree.root = read_yaml(source, errors);
-    if (tree.root.kind == Node::Kind::null) {
-        if (errors.empty()) errors.add(source, "the scene is empty");
-        errors.throw_if_any();
-    }
+    auto root = read_yaml(source, errors);
+    if (root && root->kind == Node::Kind::null) errors.add(source, "the scene is empty");
+    if (!root || root->kind == Node::Kind::null) errors.throw_if_any();
+    tree.root = std::move(root.value());
     if (tree.root.is_mapping()) apply_overrides(overrides, tree.root, sources, errors);
     if (!tree.root.is_mapping()) {
         errors.add(tree.root,

@@ -13,6 +13,9 @@
 namespace carom {
 namespace {
 
+// More are counted, not kept: a list of a hundred thousand wrong numbers is one mistake.
+constexpr std::size_t most_listed = 1000;
+
 std::size_t end_of_line(std::string_view text, std::size_t offset) {
     const std::size_t end = std::min(text.find('\n', offset), text.size());
     return end > offset && text[end - 1] == '\r' ? end - 1 : end;
@@ -30,7 +33,10 @@ std::size_t enclosed_bytes(std::string_view line) {
         const char c = line[i];
         if (quote != 0) {
             if (c == '\\' && quote == '"') ++i;
-            if (c == quote) quote = 0;
+            if (c == quote && c == '\'' && line.substr(i + 1).starts_with('\''))
+                ++i;
+            else if (c == quote)
+                quote = 0;
         } else if (c == '"' || c == '\'') {
             quote = c;
         } else if (c == '[' || c == '{') {
@@ -56,6 +62,25 @@ std::size_t marked_bytes(const Node& node) {
     return std::max<std::size_t>(1, std::min(line.find_first_of(":,]}# \t"), line.size()));
 }
 
+bool is_control(std::string_view code_point) {
+    const auto lead = static_cast<unsigned char>(code_point[0]);
+    if (code_point.size() == 1) return lead < 0x20 || lead >= 0x7F;
+    return lead == 0xC2 && static_cast<unsigned char>(code_point[1]) < 0xA0;
+}
+
+// What a terminal would obey, or could not show, replaced.
+std::string harmless(std::string_view text) {
+    std::string shown;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t next = next_code_point(text, i);
+        const std::string_view letter = text.substr(i, next - i);
+        const bool good = letter == "\t" || (is_utf8(letter) && !is_control(letter));
+        shown += good ? letter : std::string_view{"\uFFFD"};
+        i = next;
+    }
+    return shown;
+}
+
 // `offset` npos is the whole source. A text from the command line has no lines.
 Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes) {
     Diagnostic place;
@@ -70,19 +95,13 @@ Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes)
     }
     place.span.column = 1 + code_points(text.substr(start, offset - start));
     place.span.length = std::max(1, code_points(text.substr(offset, bytes)));
-    place.source_line = text.substr(start, end_of_line(text, start) - start);
+    place.source_line = harmless(text.substr(start, end_of_line(text, start) - start));
     return place;
 }
 
 // The scene's own errors first, then the template's, then the command line's.
 int rank(Origin origin) {
     return origin == Origin::scene ? 0 : origin == Origin::template_file ? 1 : 2;
-}
-
-bool is_control(std::string_view code_point) {
-    const auto lead = static_cast<unsigned char>(code_point[0]);
-    if (code_point.size() == 1) return lead < 0x20 || lead >= 0x7F;
-    return lead == 0xC2 && static_cast<unsigned char>(code_point[1]) < 0xA0;
 }
 
 }  // namespace
@@ -99,19 +118,10 @@ Node* find(Node& mapping, std::string_view key) {
 
 std::string in_quotes(std::string_view text) {
     constexpr int most_shown = 40;
-    std::string shown;
-    int length = 0;
-    for (std::size_t i = 0; i < text.size();) {
-        if (length++ == most_shown) {
-            shown += "…";
-            break;
-        }
-        const std::size_t next = next_code_point(text, i);
-        const std::string_view letter = text.substr(i, next - i);
-        shown += is_control(letter) ? "\uFFFD" : std::string{letter};
-        i = next;
-    }
-    return "`" + shown + "`";
+    std::size_t end = 0;
+    for (int length = 0; end < text.size() && length < most_shown; ++length)
+        end = next_code_point(text, end);
+    return "`" + harmless(text.substr(0, end)) + (end < text.size() ? "…`" : "`");
 }
 
 std::string described(const Node& node) {
@@ -130,7 +140,8 @@ std::string described(const Node& node) {
 }
 
 void Errors::add(const Node& node, std::string message, std::string hint) {
-    add({node.source, node.offset, marked_bytes(node), std::move(message), std::move(hint)});
+    const std::size_t bytes = found_.size() < most_listed ? marked_bytes(node) : 1;
+    add({node.source, node.offset, bytes, std::move(message), std::move(hint)});
 }
 
 void Errors::add(const Source& source, std::size_t offset, std::string message, std::string hint) {
@@ -138,7 +149,6 @@ void Errors::add(const Source& source, std::size_t offset, std::string message, 
 }
 
 void Errors::add(Found found) {
-    constexpr std::size_t most_listed = 1000;
     if (found_.size() < most_listed)
         found_.push_back(std::move(found));
     else

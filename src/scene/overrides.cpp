@@ -76,7 +76,7 @@ Node* enter(Node& node, const Source& source, const Step& step, Errors& errors) 
 }
 
 // A colour may be given as it is: on the command line `#` begins no comment.
-Node read_value(const Source& source, std::size_t begin, Errors& errors) {
+std::optional<Node> read_value(const Source& source, std::size_t begin, Errors& errors) {
     if (begin >= source.text.size() || source.text[begin] != '#')
         return read_yaml(source, errors, begin);
     return key_node(source, {source.text.substr(begin), begin});
@@ -84,14 +84,15 @@ Node read_value(const Source& source, std::size_t begin, Errors& errors) {
 
 void apply(const Source& source, const std::string& path, std::size_t path_at, Node& scene,
            Errors& errors) {
-    Node value = read_value(source, path_at + path.size() + 1, errors);
-    if (value.kind == Node::Kind::null) value.offset = path_at;
+    std::optional<Node> value = read_value(source, path_at + path.size() + 1, errors);
+    if (!value) return;
+    if (value->kind == Node::Kind::null) value->offset = path_at;
     Node* place = &scene;
     for (const Step& step : steps_of(path, path_at)) {
         place = enter(*place, source, step, errors);
         if (place == nullptr) return;
     }
-    *place = std::move(value);
+    *place = std::move(*value);
 }
 
 }  // namespace

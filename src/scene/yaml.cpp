@@ -30,6 +30,20 @@ std::size_t count_nodes(const Node& node) {
     return count;
 }
 
+// Where the quotation that begins at `start` ends; npos if it does not.
+std::size_t end_of_quotation(std::string_view text, std::size_t start) {
+    const char quote = text[start];
+    for (std::size_t i = start + 1; i < text.size(); ++i) {
+        if (quote == '"' && text[i] == '\\')
+            ++i;
+        else if (text[i] == quote && quote == '\'' && i + 1 < text.size() && text[i + 1] == quote)
+            ++i;
+        else if (text[i] == quote)
+            return i;
+    }
+    return std::string_view::npos;
+}
+
 class TreeBuilder : public YAML::EventHandler {
   public:
     TreeBuilder(const Source& source, Errors& errors, std::size_t begin)
@@ -60,6 +74,7 @@ class TreeBuilder : public YAML::EventHandler {
         Node node = make(Node::Kind::scalar, mark);
         node.quoted = tag == "!";
         node.text = value;
+        refuse_open_quote(node);
         finish(std::move(node), anchor);
     }
 
@@ -119,11 +134,22 @@ class TreeBuilder : public YAML::EventHandler {
                        fmt::format("the ceiling is {} {}", most_values.value, most_values.meaning)};
     }
 
-    // An empty value has no place of its own: its key's, or its list's.
+    // An empty value has no place of its own: it takes its key's, or that of its dash.
     std::size_t place_of_nothing(std::size_t offset) const {
         if (open_.empty()) return offset;
         const Node& parent = open_.back().node;
-        return parent.keys.size() > parent.items.size() ? parent.keys.back().offset : parent.offset;
+        if (parent.keys.size() > parent.items.size()) return parent.keys.back().offset;
+        const std::size_t before = source_.text.find_last_of("-,[", offset > 0 ? offset - 1 : 0);
+        return before == std::string::npos ? parent.offset : before;
+    }
+
+    // yaml-cpp takes the end of the file for the end of a quotation.
+    void refuse_open_quote(const Node& node) const {
+        const std::string_view text = source_.text;
+        const char quote = node.offset < text.size() ? text[node.offset] : ' ';
+        if (!node.quoted || (quote != '"' && quote != '\'')) return;
+        if (end_of_quotation(text, node.offset) != text.npos) return;
+        throw Stop{node.offset, "not valid YAML: this quotation mark is not closed", ""};
     }
 
     void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
@@ -252,17 +278,58 @@ bool has_bare_color(std::string_view text) {
     return false;
 }
 
-std::string way_out(const std::string& problem, std::string_view text_before) {
+// The quotation mark or else the innermost bracket that is open at the end of `text`; npos if
+// there is none.
+std::size_t open_mark(std::string_view text) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const bool first = i == 0 || std::string_view{" \t\n,:[{"}.find(text[i - 1]) != text.npos;
+        if (first && (c == '"' || c == '\'')) {
+            const std::size_t end = end_of_quotation(text, i);
+            if (end == text.npos) return i;
+            i = end;
+        } else if (first && c == '#') {
+            i = std::min(text.find('\n', i), text.size());
+        } else if (c == '[' || c == '{') {
+            open.push_back(i);
+        } else if ((c == ']' || c == '}') && !open.empty()) {
+            open.pop_back();
+        }
+    }
+    return open.empty() ? std::string_view::npos : open.back();
+}
+
+std::string way_out(const std::string& problem, std::string_view before, std::string_view line) {
     using namespace YAML::ErrorMsg;
-    if (has_bare_color(text_before)) return "`#` begins a comment; put the colour in quotes";
-    if (problem == END_OF_MAP_FLOW) return "a `{` is not closed, or a comma is missing";
-    if (problem == END_OF_SEQ_FLOW) return "a `[` is not closed, or a comma is missing";
+    if (has_bare_color(before)) return "`#` begins a comment; put the colour in quotes";
+    if (line.starts_with('\t') || problem == TAB_IN_INDENTATION)
+        return "indent with spaces, not with tabs";
     if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY)
         return "lines that belong together begin in the same column";
     if (problem == MAP_VALUE) return "a text with `: ` in it needs quotes";
-    if (problem == TAB_IN_INDENTATION) return "indent with spaces, not with tabs";
-    if (problem == EOF_IN_SCALAR) return "a quotation mark is not closed";
     return "";
+}
+
+void report_syntax(const Source& source, const YAML::Exception& error, std::size_t begin,
+                   Errors& errors) {
+    const std::string_view text = source.text;
+    const std::size_t offset =
+        std::min(begin + static_cast<std::size_t>(std::max(0, error.mark.pos)), text.size());
+    const std::string_view before = text.substr(0, offset);
+    const std::string hint = way_out(error.msg, before, text.substr(before.rfind('\n') + 1));
+    const bool open_end = error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ||
+                          error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW ||
+                          error.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
+    const std::size_t mark = open_end ? open_mark(before) : std::string_view::npos;
+    if (mark == std::string_view::npos)
+        return errors.add(source, offset, "not valid YAML: " + error.msg, hint);
+    const bool quote = text[mark] == '"' || text[mark] == '\'';
+    if (quote) return errors.add(source, mark, "not valid YAML: this quotation mark is not closed");
+    errors.add(source, mark,
+               fmt::format("not valid YAML: this `{}` is not closed, or a comma is missing in it",
+                           text[mark]),
+               hint);
 }
 
 Node parse(const Source& source, Errors& errors, std::size_t begin) {
@@ -276,27 +343,23 @@ Node parse(const Source& source, Errors& errors, std::size_t begin) {
 
 }  // namespace
 
-Node read_yaml(const Source& source, Errors& errors, std::size_t begin) {
+std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t begin) {
     if (std::string_view{source.text}.substr(begin).starts_with("\xEF\xBB\xBF")) begin += 3;
-    Node nothing;
-    nothing.source = &source;
     try {
         if (source.text.size() > most_file_bytes.count()) {
             errors.add(source, fmt::format("the file has {} bytes", source.text.size()),
                        fmt::format("the ceiling is {} {}", most_file_bytes.value,
                                    most_file_bytes.meaning));
-            return nothing;
+            return std::nullopt;
         }
         if (const auto stop = unreadable_byte(source.text, begin)) throw *stop;
         return parse(source, errors, begin);
     } catch (const Stop& stop) {
         errors.add(source, stop.offset, stop.message, stop.hint);
     } catch (const YAML::Exception& error) {
-        const auto offset = begin + static_cast<std::size_t>(std::max(0, error.mark.pos));
-        errors.add(source, offset, "not valid YAML: " + error.msg,
-                   way_out(error.msg, std::string_view{source.text}.substr(0, offset)));
+        report_syntax(source, error, begin, errors);
     }
-    return nothing;
+    return std::nullopt;
 }
 
 }  // namespace carom

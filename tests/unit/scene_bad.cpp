@@ -1,0 +1,71 @@
+// Every bad scene with its whole message: tests/scenes_bad/NAME.yaml gives exactly NAME.txt.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "scene/load.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::string message_of(const fs::path& scene) {
+    try {
+        carom::load_scene(scene, "templates");
+    } catch (const carom::SceneError& error) {
+        return std::string{error.what()} + "\n";
+    }
+    return "no error\n";
+}
+
+// Files that only other scenes ask for, as templates.
+bool is_part(const fs::path& path) { return path.stem().string().starts_with("with_"); }
+
+std::vector<fs::path> bad_scenes() {
+    std::vector<fs::path> scenes;
+    for (const auto& entry : fs::directory_iterator("tests/scenes_bad"))
+        if (entry.path().extension() == ".yaml" && !is_part(entry.path()))
+            scenes.push_back(entry.path());
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+}  // namespace
+
+TEST_CASE("a bad scene is refused with its whole message") {
+    fs::current_path(CAROM_TEST_ROOT);
+    const std::vector<fs::path> scenes = bad_scenes();
+    CHECK(scenes.size() >= 60);
+    for (const fs::path& scene : scenes) {
+        CAPTURE(scene.string());
+        CHECK(message_of(scene) == content(fs::path{scene}.replace_extension(".txt")));
+    }
+}
+
+TEST_CASE("every expected message has its scene") {
+    fs::current_path(CAROM_TEST_ROOT);
+    for (const auto& entry : fs::directory_iterator("tests/scenes_bad")) {
+        CAPTURE(entry.path().string());
+        CHECK(fs::exists(fs::path{entry.path()}.replace_extension(".yaml")));
+    }
+}
+
+TEST_CASE("what cannot be read is named with the cause") {
+    fs::current_path(CAROM_TEST_ROOT);
+    CHECK(message_of("scenes/none.yaml") ==
+          "scenes/none.yaml: error: cannot be read: No such file or directory\n");
+    CHECK(message_of("scenes") == "scenes: error: cannot be read: it is a folder\n");
+    CHECK(message_of("/dev/zero") == "/dev/zero: error: cannot be read: it is no ordinary file\n");
+}

@@ -1,0 +1,257 @@
+// Good scenes, their defaults, and what the command line lays over them.
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "scene/load.h"
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = CAROM_TEST_ROOT;
+
+Scene load(const std::string& text, const Overrides& overrides = {}) {
+    return load_scene_text(text, "test.yaml", root / "templates", overrides);
+}
+
+std::string scene_with(const std::string& gas, const std::string& rest = "run: {until: 10}\n") {
+    return "title: A gas\nbox: {size: [64, 48]}\ngas:\n  - " + gas + "\n" + rest;
+}
+
+std::string message(const std::string& text, const Overrides& overrides) {
+    try {
+        load(text, overrides);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+// A folder that goes when the test ends.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("carom_scene_" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream{path / name} << text;
+        return path / name;
+    }
+};
+
+const std::string small_layout =
+    "layout: {grid: [40, 20], title: [0, 0, 40, 2], gas: [0, 2, 30, 18], "
+    "color_bar: [31, 2, 4, 18], panels: [[36, 2, 4, 18]]}\n";
+
+}  // namespace
+
+TEST_CASE("the first scene of the book") {
+    const Scene scene = load_scene(root / "scenes/one-hot-particle.yaml", root / "templates");
+    CHECK(scene.title == "One hot particle among cold ones");
+    CHECK(scene.seed == 1);
+    CHECK(scene.gas.seed == 1);
+    CHECK((scene.gas.box.size == Eigen::Array2d(64, 48)).all());
+    CHECK(scene.gas.box.walls[0] == Wall::solid);
+    REQUIRE(scene.gas.species.size() == 2);
+    const Species& cold = scene.gas.species[0];
+    CHECK(cold.name == "cold");
+    CHECK(cold.count == 200);
+    CHECK(std::get<double>(cold.radius) == 0.7);
+    CHECK(std::get<double>(std::get<Quantity>(cold.mass)) == 1.0);
+    CHECK(std::get<double>(std::get<Speed>(cold.velocity).value) == 0.05);
+    CHECK(std::holds_alternative<RandomPlaces>(cold.position));
+    const Species& hot = scene.gas.species[1];
+    CHECK(std::get<double>(std::get<Speed>(hot.velocity).value) == 30.0);
+    CHECK((std::get<Places>(hot.position).values.at(0) == Eigen::Array2d(32, 24)).all());
+    CHECK(scene.run.until > 0.0);
+    CHECK(scene.film.template_name == "lecture");
+    CHECK(scene.film.seconds == 30.0);
+    CHECK(scene.film.fps == 30);
+    CHECK(scene.film.size == PictureSize{1920, 1080});
+    CHECK(scene.film.theme == ThemeName::dark);
+    REQUIRE(scene.film.panels.size() == 3);
+    CHECK(scene.film.panels[1].kind == "energy-histogram");
+    CHECK(scene.film.panels[1].theory);
+    CHECK(scene.film.layout.panels.size() == 3);
+    CHECK(scene.film.layout.gas.width > 0.0);
+    CHECK(scene.film.layout.monitors.has_value());
+    CHECK(scene.species_spans.at(1).span.column == 5);
+    CHECK(scene.species_spans.at(1).source_line.find("hot") != std::string::npos);
+    CHECK(scene.source.text.starts_with("title: One hot"));
+    CHECK(scene.looks.size() == 2);
+}
+
+TEST_CASE("every scene of the library loads") {
+    for (const auto& entry : fs::directory_iterator(root / "scenes")) {
+        if (entry.path().extension() != ".yaml") continue;
+        CAPTURE(entry.path().string());
+        CHECK_NOTHROW(load_scene(entry.path(), root / "templates"));
+    }
+}
+
+TEST_CASE("what is left out is chosen") {
+    const Scene scene = load(scene_with("{count: 20}"));
+    CHECK(scene.gas.species[0].name == "gas");
+    CHECK(std::get<double>(scene.gas.species[0].radius) == 0.5);
+    CHECK(std::holds_alternative<AtRest>(scene.gas.species[0].velocity));
+    CHECK(scene.film.seconds == 10.0);  // pace 1
+    CHECK(scene.film.color_by == ColorBy::speed);
+    CHECK(!scene.film.palette);
+    CHECK(scene.run.equilibrate == 0.0);
+    CHECK(scene.description ==
+          "20 disks, at rest, start in a box of 64 by 48 with solid walls and "
+          "collide elastically.");
+}
+
+TEST_CASE("numbers in all their forms") {
+    const Scene scene = load(scene_with(
+        "{name: a, count: 2, radius: [0.5, 1], mass: infinite, velocity: [[1, 0], [0, 1]]}\n"
+        "  - {name: b, count: 9, radius: {uniform: [0.5, 1]}, density: {normal: [2, 0.1]},\n"
+        "     temperature: 3, position: {within: [0, 0, 20, 20]}, color: navy, label: B, trail: "
+        "2}\n"
+        "  - {name: c, position: [[30, 30], [40, 40]], mass: [1, 2], velocity: [1, -2]}\n"
+        "  - {name: d, count: 3, speed: {uniform: [0, 1]}, position: lattice}"));
+    const auto& species = scene.gas.species;
+    CHECK(std::get<std::vector<double>>(species[0].radius) == std::vector<double>{0.5, 1.0});
+    CHECK(std::holds_alternative<Infinite>(species[0].mass));
+    CHECK(std::get<Velocity>(species[0].velocity).values.at(1)[1] == 1.0);
+    CHECK(std::get<UniformLaw>(species[1].radius).high == 1.0);
+    CHECK(std::get<NormalLaw>(std::get<Density>(species[1].mass).value).deviation == 0.1);
+    CHECK(std::get<Temperature>(species[1].velocity).value == 3.0);
+    CHECK(std::get<WithinRegion>(species[1].position).region.high[0] == 20.0);
+    CHECK(scene.looks[1].color == "#000080");
+    CHECK(scene.looks[1].label == "B");
+    CHECK(scene.looks[1].trail == 2.0);
+    CHECK(species[2].count == 2);
+    CHECK(std::get<Velocity>(species[2].velocity).values.size() == 1);
+    CHECK(std::holds_alternative<LatticePlaces>(species[3].position));
+}
+
+TEST_CASE("walls, events and panels with options") {
+    const Scene scene = load(
+        "title: >\n  A gas in\n  two lines\nseed: 9007199254740991\n"
+        "box: {size: [64, 48], walls: {left: periodic, right: periodic}}\n"
+        "gas: [{count: 20, speed: 1}]\n"
+        "run:\n  until: 40\n  equilibrate: 5\n"
+        "  events: [{at: 30, reverse: velocities}, {at: 20, reverse: velocities}]\n"
+        "film:\n  pace: 4\n  size: [640, 480]\n  palette: magma\n  theme: light\n"
+        "  panels: [{kind: speed-histogram, bins: 20, range: [0, 3], theory: false, title: "
+        "Speeds}]\n");
+    CHECK(scene.title == "A gas in two lines");
+    CHECK(scene.seed == 9007199254740991U);
+    CHECK(scene.gas.box.walls == std::array{Wall::periodic, Wall::solid});
+    REQUIRE(scene.run.events.size() == 2);
+    CHECK(scene.run.events[0].at == 20.0);
+    CHECK(scene.film.seconds == 10.0);
+    CHECK(scene.film.size == PictureSize{640, 480});
+    CHECK(scene.film.theme == ThemeName::light);
+    CHECK(scene.film.palette == "magma");
+    REQUIRE(scene.film.panels.size() == 1);
+    CHECK(scene.film.panels[0].bins == 20);
+    CHECK(scene.film.panels[0].range->second == 3.0);
+    CHECK(!scene.film.panels[0].theory);
+    CHECK(scene.film.panels[0].mean_now);
+    CHECK(scene.film.panels[0].title == "Speeds");
+    CHECK(scene.description.find("At time 20 and 30 every velocity") != std::string::npos);
+}
+
+TEST_CASE("the command line lays its values over the scene") {
+    const std::string text =
+        scene_with("{count: 20, color: red}", "run: {until: 10}\nfilm: {seconds: 5}\n");
+    const Scene scene = load(text, {{{"gas.0.count", "50"},
+                                     {"gas.0.color", "#00ff00"},
+                                     {"film.size", "[640, 480]"},
+                                     {"film.pace", "2"},
+                                     {"seed", "6"},
+                                     {"seed", "7"},
+                                     {"box.walls.left", "periodic"},
+                                     {"box.walls.right", "periodic"}}});
+    CHECK(scene.gas.species[0].count == 50);
+    CHECK(scene.looks[0].color == "#00ff00");
+    CHECK(scene.film.size == PictureSize{640, 480});
+    CHECK(scene.film.seconds == 5.0);  // of pace 2: the later origin wins over the file's seconds
+    CHECK(scene.seed == 7);
+    CHECK(scene.gas.box.walls[0] == Wall::periodic);
+    CHECK(load(text, {{{"film.pace", "1"}}}).film.seconds == 10.0);
+}
+
+TEST_CASE("an error of the command line points into what was typed") {
+    const std::string text = scene_with("{count: 20}");
+    CHECK(
+        message(text, {{{"film.fps", "abc"}}}) ==
+        "--set film.fps=abc: error: expected a whole number from 1 to 120 for `fps`, found `abc`\n"
+        "      | --set film.fps=abc\n"
+        "      |                ^^^");
+    CHECK(message(text, {{{"gas.0.cuont", "3"}}}) ==
+          "--set gas.0.cuont=3: error: `cuont` is not a key of an item of `gas`\n"
+          "      | --set gas.0.cuont=3\n"
+          "      |             ^^^^^\n"
+          "  hint: did you mean `count`?");
+    CHECK(message(text, {{{"gas.1.count", "3"}}}) ==
+          "--set gas.1.count=3: error: expected an item of a list of 1, found `1`\n"
+          "      | --set gas.1.count=3\n"
+          "      |           ^\n"
+          "  hint: items are counted from 0");
+    CHECK(message(text, {{{"title.words", "3"}}}) ==
+          "--set title.words=3: error: `words` is set inside `A gas`, which is no mapping\n"
+          "      | --set title.words=3\n"
+          "      |             ^^^^^");
+    CHECK(message(text, {{{"film.size", "[1, 2"}}}).starts_with("--set film.size=[1, 2: error: "));
+    CHECK(message(text, {{{"", ""}}}).starts_with("--set =: error: `` is not a key of a scene"));
+    CHECK(
+        message(text, {{{"seed", ""}}}).starts_with("--set seed=: error: expected a whole number"));
+}
+
+TEST_CASE("a template is looked for beside the scene, then in carom's own folder") {
+    const Folder folder;
+    folder.write("small.yaml", "fps: 12\npace: 2\npanels: [energy-histogram]\n" + small_layout);
+    const std::string text =
+        scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: small}\n");
+    const Scene scene = load_scene(folder.write("scene.yaml", text), root / "templates");
+    CHECK(scene.film.template_name == "small");
+    CHECK(scene.film.fps == 12);
+    CHECK(scene.film.seconds == 5.0);
+    CHECK(scene.film.layout.grid_width == 40.0);
+    CHECK(!scene.film.layout.monitors);
+    REQUIRE(scene.film.panels.size() == 1);
+    CHECK(scene.film.panels[0].kind == "energy-histogram");
+
+    const std::string longer =
+        scene_with("{count: 20}",
+                   "run: {until: 10}\nfilm: {template: small, seconds: 3, fps: 24, panels: []}\n");
+    const Scene own = load_scene(folder.write("scene.yaml", longer), root / "templates");
+    CHECK(own.film.seconds == 3.0);
+    CHECK(own.film.fps == 24);
+    CHECK(own.film.panels.empty());
+
+    const fs::path typed = folder.path / "small.yaml";
+    const Scene by_path = load(scene_with("{count: 20}"), {{{"film.template", typed.string()}}});
+    CHECK(by_path.film.fps == 12);
+}
+
+TEST_CASE("a scene may be called like its template") {
+    const Folder folder;
+    const fs::path path = folder.write("lecture.yaml", scene_with("{count: 20}"));
+    CHECK(load_scene(path, root / "templates").film.layout.panels.size() == 3);
+}
+
+TEST_CASE("a template that links out of the scene's folder is refused") {
+    const Folder folder;
+    const fs::path inner = folder.path / "inner";
+    fs::create_directories(inner);
+    const fs::path outside = folder.write("outside.yaml", small_layout);
+    fs::create_symlink(outside, inner / "linked.yaml");
+    std::ofstream{inner / "scene.yaml"}
+        << scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: linked}\n");
+    try {
+        load_scene(inner / "scene.yaml", root / "templates");
+        FAIL("the scene was loaded");
+    } catch (const SceneError& error) {
+        CHECK(error.diagnostics().at(0).message ==
+              "the template `linked` is a link out of the scene's folder");
+    }
+}

@@ -1,0 +1,88 @@
+// Broken scenes of every sort: they load or are refused, they never crash or hang.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "scene/load.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+const std::string templates = std::string{CAROM_TEST_ROOT} + "/templates";
+
+const std::string good =
+    "title: \"A gas\"\nseed: 7\nbox: {size: [64, 48], walls: solid}\n"
+    "gas:\n  - &a {name: a, count: 20, radius: {uniform: [0.5, 0.7]}, speed: 1}\n"
+    "  - {name: b, radius: 0.7, position: [[10, 10], [20, 20]], velocity: [1, 0], color: "
+    "'#ff0000'}\n"
+    "run:\n  until: 60\n  events: [{at: 30, reverse: velocities}]\n"
+    "film: {seconds: 30, size: 720p, panels: [speed-histogram, {kind: energy-histogram, bins: "
+    "9}]}\n";
+
+// True when it loads; a SceneError is the only other end.
+bool loads(const std::string& text) {
+    try {
+        load_scene_text(text, "test.yaml", templates);
+        return true;
+    } catch (const SceneError& error) {
+        CHECK(!error.diagnostics().empty());
+        CHECK(error.diagnostics().size() <= 51);
+        return false;
+    }
+}
+
+std::string mutated(Random& random) {
+    static const std::vector<std::string> pieces{
+        "[",    "]",    "{",  "}",    ":",       "-",  ",", "\n",      " ",   "\t",
+        "'",    "\"",   "#",  "*a",   "&a ",     "!",  "|", ">",       "? ",  "---\n",
+        "...",  "<<",   "~",  ".nan", "1e308",   "-1", "0", "\xFF",    "\\x", "%",
+        "null", "true", "[]", "{}",   "2000000", "@",  "`", "\\u0000", "ä",   "1e-308"};
+    std::string text = good;
+    const auto edits = 1 + random.below(4);
+    for (std::uint64_t i = 0; i < edits; ++i) {
+        const auto at = static_cast<std::size_t>(random.below(text.size() + 1));
+        const auto length = static_cast<std::size_t>(random.below(6));
+        const auto piece = static_cast<std::size_t>(random.below(pieces.size()));
+        text.replace(at, random.below(2) == 0 ? length : 0, pieces[piece]);
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("a scene cut off anywhere loads or is refused") {
+    CHECK(loads(good));
+    for (std::size_t length = 0; length < good.size(); ++length) loads(good.substr(0, length));
+}
+
+TEST_CASE("a scene with random errors loads or is refused") {
+    Random random(1, "mutations");
+    int loaded = 0;
+    for (int i = 0; i < 4000; ++i) loaded += loads(mutated(random)) ? 1 : 0;
+    CHECK(loaded > 0);
+    CHECK(loaded < 4000);
+}
+
+TEST_CASE("large hostile files are refused within seconds") {
+    const auto start = std::chrono::steady_clock::now();
+    std::string listed = "gas: [";
+    for (int i = 0; i < 300'000; ++i) listed += "x, ";
+    std::string keys;
+    for (int i = 0; i < 100'000; ++i) keys += "k" + std::to_string(i) + ": [1, 2\n";
+    std::string wrong =
+        "title: x\nbox: {size: [64, 48]}\nrun: {until: 1}\ngas: [{count: 2, radius: [";
+    for (int i = 0; i < 200'000; ++i) wrong += "-1, ";
+    for (const std::string& text :
+         {listed + "]", keys, wrong + "1]}]", std::string(1 << 20, '-'), std::string(1 << 20, '{'),
+          "a: " + std::string(1 << 20, '&'), "a: " + std::string(1 << 20, '"'),
+          std::string(1 << 20, '?') + "\n", "\"" + std::string(1 << 20, '\\')})
+        CHECK(!loads(text));
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    CHECK(taken.count() < 60.0);  // a hang, not a slow machine
+}

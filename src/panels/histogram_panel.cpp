@@ -19,6 +19,7 @@ struct HistogramState : PanelState {
 };
 
 constexpr std::size_t pool_size = 200'000;  // values kept of the whole run, for ranges and bins
+constexpr double names_width = 10.3;        // of the means' names and numbers, in units
 constexpr int probe_frames = 40;            // frames whose bars decide the height of the axis
 
 }  // namespace
@@ -48,7 +49,7 @@ void HistogramPanel::survey(const Observation& observation) {
 void HistogramPanel::settle() {
     choose_bins();
     if (spec_.theory && subject_.density) {
-        constexpr int points = 200;
+        constexpr int points = 80;
         for (int i = 0; i <= points; ++i) {
             const double value = bins_.low + (bins_.high - bins_.low) * i / points;
             curve_.push_back({value, particles_ * bins_.width() * subject_.density(value)});
@@ -165,10 +166,8 @@ void HistogramPanel::draw_ends(Canvas& canvas, const Page& page, const Histogram
         draw_text(canvas, {left, s.area.y - 0.25 * u}, grouped(count), style);
     }
     if (now.above == 0) return;
-    TextStyle style = label_style(page);
-    style.align = Align::right;
-    draw_text(canvas, {s.area.right(), s.area.bottom() - 0.5 * u},
-              fmt::format("{} {} →", grouped(now.above), subject_.beyond), style);
+    draw_text(canvas, {s.area.right() - names_width * u + 0.6 * u, s.area.y + 3.6 * u},
+              fmt::format("{} {} →", grouped(now.above), subject_.beyond), label_style(page));
 }
 
 void HistogramPanel::draw_curve(Canvas& canvas, const Page& page) const {
@@ -191,8 +190,8 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page, double mean_no
     const auto mark = [&](double mean, const std::string& words, double row, bool solid) {
         const double x = s.x(mean);
         if (x >= s.area.x && x <= s.area.right()) line({x, s.area.bottom()}, {x, s.area.y}, solid);
-        const Point sample{s.area.right() - 10.3 * u, s.area.y + row * u};
-        canvas.fill({sample.x - 0.4 * u, sample.y - 1.05 * u, 10.7 * u, 1.4 * u},
+        const Point sample{s.area.right() - names_width * u, s.area.y + row * u};
+        canvas.fill({sample.x - 0.4 * u, sample.y - 1.05 * u, (names_width + 0.4) * u, 1.4 * u},
                     with_alpha(page.theme.page, 0.8));
         line({sample.x, sample.y + 0.1 * u}, {sample.x, sample.y - 0.85 * u}, solid);
         TextStyle style = label_style(page);

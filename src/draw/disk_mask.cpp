@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-constexpr int x_steps = 256;  // of an edge within a pixel
+constexpr std::uint32_t x_steps = 256;  // of an edge within a pixel
 
 // Small disks are whole rows of groups: as many in each row, which is quicker than counting.
 constexpr float largest_of_whole_rows = 8.0F;
@@ -15,14 +15,15 @@ constexpr float largest_of_whole_rows = 8.0F;
 // same heights for every phase.
 constexpr int lines = DiskShape::phases;
 
-// Half the length of the chord on each line from the equator to a pole.
-void find_half_chords(std::vector<float>& chords, float radius) {
+// Half the length of the chord on each line from the equator to a pole, in 1/x_steps of a pixel.
+void find_half_chords(std::vector<std::uint32_t>& chords, float radius) {
     constexpr float scale = lines;
     chords.resize(static_cast<std::size_t>(std::ceil(radius * scale + 0.5F)));
     float height = 0.5F / scale;
-    for (float& chord : chords) {
+    for (std::uint32_t& chord : chords) {
         // The product keeps the digits that a difference of squares would lose at the pole.
-        chord = std::sqrt(std::max(0.0F, (radius - height) * (radius + height)));
+        const float half = std::sqrt(std::max(0.0F, (radius - height) * (radius + height)));
+        chord = static_cast<std::uint32_t>(static_cast<int>(half * x_steps + 0.5F));
         height += 1.0F / scale;
     }
 }
@@ -30,10 +31,10 @@ void find_half_chords(std::vector<float>& chords, float radius) {
 // An edge at `position` (in 1/x_steps of a pixel from the row's start), right of which the coverage
 // is larger by `sign` lines: shared between its pixel and the next so that the running sum of the
 // changes is the exact area.
-void add_edge(std::int32_t* changes, int position, int sign) {
-    const int pixel = position / x_steps;
-    const int beyond = position % x_steps;
-    changes[pixel] += sign * (x_steps - beyond);
+void add_edge(std::int32_t* changes, std::uint32_t position, int sign) {
+    const std::uint32_t pixel = position / x_steps;
+    const int beyond = static_cast<int>(position % x_steps);
+    changes[pixel] += sign * (static_cast<int>(x_steps) - beyond);
     changes[pixel + 1] += sign * beyond;
 }
 
@@ -42,7 +43,7 @@ int groups_for(int pixels) { return (pixels + group_size - 1) / group_size; }
 }  // namespace
 
 void MaskStore::sum_changes(int width) {
-    constexpr int full_sum = lines * x_steps;
+    constexpr int full_sum = lines * static_cast<int>(x_steps);
     row_.assign(static_cast<std::size_t>(width + group_size), 0);
     std::int32_t sum = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
@@ -73,14 +74,14 @@ void MaskStore::add_row(int left, int width, bool is_whole) {
                      static_cast<std::uint16_t>(right_groups)});
 }
 
-void MaskStore::find_changes(int width, float middle, int first_line) {
+void MaskStore::find_changes(int width, std::uint32_t middle, int first_line) {
     changes_.assign(static_cast<std::size_t>(width + 2), 0);
     for (int line = first_line; line < first_line + lines; ++line) {
         const auto from_equator = static_cast<std::size_t>(line < 0 ? -line - 1 : line);
         if (from_equator >= half_chords_.size()) continue;
-        const float half = half_chords_[from_equator] * x_steps;
-        add_edge(changes_.data(), static_cast<int>(middle - half + 0.5F), 1);
-        add_edge(changes_.data(), static_cast<int>(middle + half + 0.5F), -1);
+        const std::uint32_t half = half_chords_[from_equator];
+        add_edge(changes_.data(), middle - half, 1);
+        add_edge(changes_.data(), middle + half, -1);
     }
 }
 
@@ -95,7 +96,8 @@ DiskMask MaskStore::add(const DiskShape& shape) {
     const DiskMask mask{
         left, top, width + group_size, bottom - top + 1, rows_.size(), coverages_.size()};
     find_half_chords(half_chords_, radius);
-    const float middle = (center_x - static_cast<float>(left)) * x_steps;
+    const auto middle = static_cast<std::uint32_t>(shape.phase_x - left * DiskShape::phases) *
+                        (x_steps / DiskShape::phases);
     for (int y = top; y <= bottom; ++y) {
         find_changes(width, middle, y * lines - shape.phase_y);
         sum_changes(width);

@@ -53,14 +53,15 @@ class MaskStore {
     std::size_t bytes() const { return rows_.size() * sizeof(MaskRow) + coverages_.size(); }
 
   private:
-    void find_changes(int width, float middle, int first_line);
+    void find_changes(int width, std::uint32_t middle, int first_line);
     void sum_changes(int width);
     void add_row(int left, int width, bool is_whole);
     void append(int first, int groups);
 
     std::vector<MaskRow> rows_;
     std::vector<std::uint8_t> coverages_;
-    std::vector<float> half_chords_;     ///< of the disk being added, from its equator to a pole
+    std::vector<std::uint32_t>
+        half_chords_;                    ///< of the disk being added, from its equator to a pole
     std::vector<std::int32_t> changes_;  ///< of coverage from one pixel to the next, in one row
     std::vector<std::uint8_t> row_;      ///< coverages of one row, and a group of zeros
 };

@@ -83,14 +83,16 @@ void check_number(Node& node, double value, const Form& form, const std::vector<
     mismatch(node, forms, hint, context);
 }
 
-bool is_comment_behind(const Node& key_of_nothing) {
-    const std::string& text = key_of_nothing.source->text;
-    const std::size_t end = std::min(text.find('\n', key_of_nothing.offset), text.size());
-    const std::string line = text.substr(key_of_nothing.offset, end - key_of_nothing.offset);
+// Whether a comment follows where the value of a key should stand.
+bool is_comment_behind(const Node& nothing) {
+    constexpr std::size_t far_enough = 200;
+    std::string_view line =
+        std::string_view{nothing.source->text}.substr(nothing.offset, far_enough);
+    line = line.substr(0, line.find('\n'));
     const std::size_t colon = line.find(':');
-    return colon != std::string::npos &&
-           line.find_first_not_of(' ', colon + 1) == line.find('#', colon + 1) &&
-           line.find('#', colon + 1) != std::string::npos;
+    if (colon == std::string_view::npos) return false;
+    const std::size_t next = line.find_first_not_of(' ', colon + 1);
+    return next != std::string_view::npos && line[next] == '#';
 }
 
 void check_text(Node& node, const Form& form, Context context) {
@@ -98,19 +100,18 @@ void check_text(Node& node, const Form& form, Context context) {
     if (static_cast<std::size_t>(length) > form.longest)
         return refuse(node, fmt::format("{} has {} characters", context.what, length),
                       fmt::format("the ceiling is {}", form.longest), context.errors);
-    if (node.text.find_first_not_of(" \t\n") == std::string::npos && form.shortest > 0)
-        return mismatch(node, {form}, "", context);
-    for (std::size_t i = 0; i < node.text.size(); i = next_code_point(node.text, i)) {
-        const auto code = static_cast<unsigned char>(node.text[i]);
-        const bool c1 = code == 0xC2 && i + 1 < node.text.size() &&
-                        static_cast<unsigned char>(node.text[i + 1]) < 0xA0;
-        const bool end = i + 1 == node.text.size();  // folded texts end in a line break
-        const bool line_break = code == '\n' && (form.lines || end);
-        if ((code < 0x20 && !line_break) || code == 0x7F || c1)
-            return refuse(node,
-                          code == '\n' ? fmt::format("{} is one line, found several", context.what)
-                                       : fmt::format("{} holds a control character", context.what),
-                          "", context.errors);
+    const std::size_t end = node.text.find_last_not_of(" \t\n") + 1;
+    if (end == 0 && form.shortest > 0) return mismatch(node, {form}, "", context);
+    for (std::size_t i = 0; i < end;) {
+        const std::size_t next = next_code_point(node.text, i);
+        const std::string_view letter = std::string_view{node.text}.substr(i, next - i);
+        if (letter == "\n" && !form.lines)
+            return refuse(node, fmt::format("{} is one line, found several", context.what), "",
+                          context.errors);
+        if (is_control(letter) && letter != "\n")
+            return refuse(node, fmt::format("{} holds a control character", context.what), "",
+                          context.errors);
+        i = next;
     }
 }
 
@@ -232,6 +233,12 @@ void unknown_key(const Node& key, const Section& section, Errors& errors) {
                near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section));
 }
 
+bool knows_all(const Section& section, const Node& mapping) {
+    return std::all_of(mapping.keys.begin(), mapping.keys.end(), [&](const Node& key) {
+        return section.index(key.text) < section.keys.size();
+    });
+}
+
 // Where several are given, those of the latest origin count; two of these are one too many.
 void check_choice(Node& node, const Choice& choice, const Section& section, Errors& errors) {
     Node* kept = nullptr;
@@ -252,10 +259,7 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
             value.valid = false;
         }
     }
-    const bool all_known = std::all_of(node.keys.begin(), node.keys.end(), [&](const Node& key) {
-        return section.index(key.text) < section.keys.size();
-    });
-    if (choice.required && kept == nullptr && all_known)
+    if (choice.required && kept == nullptr && knows_all(section, node))
         errors.add(node,
                    fmt::format("{} needs {}", section.name, names_listed(choice.names, "or")));
 }

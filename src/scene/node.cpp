@@ -62,12 +62,6 @@ std::size_t marked_bytes(const Node& node) {
     return std::max<std::size_t>(1, std::min(line.find_first_of(":,]}# \t"), line.size()));
 }
 
-bool is_control(std::string_view code_point) {
-    const auto lead = static_cast<unsigned char>(code_point[0]);
-    if (code_point.size() == 1) return lead < 0x20 || lead >= 0x7F;
-    return lead == 0xC2 && static_cast<unsigned char>(code_point[1]) < 0xA0;
-}
-
 // What a terminal would obey, or could not show, replaced.
 std::string harmless(std::string_view text) {
     std::string shown;

@@ -156,14 +156,16 @@ double distance(const Box& box, const Disk& a, const Disk& b) {
     return apart.matrix().norm();
 }
 
-void check_pair(const Box& box, const Disk& a, const Disk& b, Errors& errors) {
+// Whether the pair overlaps, which is reported.
+bool overlap(const Box& box, const Disk& a, const Disk& b, Errors& errors) {
     const double needed = a.radius + b.radius;
     const double apart = distance(box, a, b);
-    if (apart >= needed * (1.0 - rounding) && apart > 0.0) return;
+    if (apart >= needed * (1.0 - rounding) && apart > 0.0) return false;
     const Disk& first = a.particle < b.particle ? a : b;
     const Disk& second = a.particle < b.particle ? b : a;
     errors.add(*second.node, fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
                                          called(second), called(first), apart, needed));
+    return true;
 }
 
 // Sorted by x, only neighbours within two radii are compared; what lies beyond the ceiling is left
@@ -176,6 +178,7 @@ void check_overlaps(const Box& box, std::vector<Disk> disks, Errors& errors) {
     for (const Disk& disk : disks) reach = std::max(reach, 2.0 * disk.radius);
     const bool around = box.walls[0] == Wall::periodic;
     std::size_t compared = 0;
+    std::size_t overlaps = 0;
     for (std::size_t i = 0; i < disks.size(); ++i)
         for (std::size_t step = 1; step < disks.size(); ++step) {
             const std::size_t j = (i + step) % disks.size();
@@ -183,7 +186,8 @@ void check_overlaps(const Box& box, std::vector<Disk> disks, Errors& errors) {
             const double turn = j < i ? box.size[0] : 0.0;
             if (disks[j].center[0] + turn - disks[i].center[0] > reach) break;
             if (++compared > most_pairs_compared.count()) return;
-            check_pair(box, disks[i], disks[j], errors);
+            if (overlap(box, disks[i], disks[j], errors) && ++overlaps == most_errors_shown.count())
+                return;
         }
 }
 

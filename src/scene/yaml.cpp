@@ -252,17 +252,11 @@ std::optional<Stop> unreadable_byte(std::string_view text, std::size_t begin) {
             return Stop{
                 i, fmt::format("byte 0x{:02X} is not UTF-8", static_cast<unsigned char>(text[i])),
                 "save the file as UTF-8"};
-        const auto code = static_cast<unsigned char>(letter.size() == 1 ? letter[0] : '\0');
         const bool line_end = letter == "\n" || text.substr(i, 2) == "\r\n";
-        const bool control = letter.size() == 1 && (code < 0x20 || code == 0x7F);
-        if (control && letter != "\t" && !line_end)
-            return Stop{i, fmt::format("a control character (U+{:04X}) stands here", code),
-                        "remove it"};
-        if (letter.size() == 2 && letter[0] == '\xC2' &&
-            static_cast<unsigned char>(letter[1]) < 0xA0)
+        if (is_control(letter) && letter != "\t" && !line_end)
             return Stop{i,
                         fmt::format("a control character (U+{:04X}) stands here",
-                                    static_cast<unsigned char>(letter[1])),
+                                    static_cast<unsigned char>(letter.back())),
                         "remove it"};
         i = next;
     }

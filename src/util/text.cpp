@@ -67,6 +67,12 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+bool is_control(std::string_view code_point) {
+    const auto lead = static_cast<unsigned char>(code_point[0]);
+    if (code_point.size() == 1) return lead < 0x20 || lead == 0x7F;
+    return lead == 0xC2 && static_cast<unsigned char>(code_point[1]) < 0xA0;
+}
+
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates) {
     constexpr std::size_t longest_compared = 64;  // a longer word is no misspelt key

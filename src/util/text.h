@@ -20,6 +20,9 @@ int code_points(std::string_view text);
 /// U+10FFFF).
 bool is_utf8(std::string_view text);
 
+/// Whether a code point (its UTF-8 bytes) is a control character: C0, delete or C1.
+bool is_control(std::string_view code_point);
+
 /// The candidate with the smallest Damerau-Levenshtein distance (optimal string alignment) to
 /// `word`, if at most a third of its length.
 std::optional<std::string> nearest_spelling(std::string_view word,

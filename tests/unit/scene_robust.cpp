@@ -78,10 +78,17 @@ TEST_CASE("large hostile files are refused within seconds") {
     std::string wrong =
         "title: x\nbox: {size: [64, 48]}\nrun: {until: 1}\ngas: [{count: 2, radius: [";
     for (int i = 0; i < 200'000; ++i) wrong += "-1, ";
+    std::string nulls = "title: x\nbox: {size: [64, 48]}\nrun: {until: 1}\ngas: [{position: [";
+    std::string same = nulls;
+    for (int i = 0; i < 150'000; ++i) nulls += "~, ";
+    for (int i = 0; i < 100'000; ++i) same += "[1, 1], ";
+    std::string unknown;
+    for (int i = 0; i < 100'000; ++i) unknown += "k" + std::to_string(i) + ": 1\n";
     for (const std::string& text :
-         {listed + "]", keys, wrong + "1]}]", std::string(1 << 20, '-'), std::string(1 << 20, '{'),
-          "a: " + std::string(1 << 20, '&'), "a: " + std::string(1 << 20, '"'),
-          std::string(1 << 20, '?') + "\n", "\"" + std::string(1 << 20, '\\')})
+         {listed + "]", keys, nulls + "~]}]", same + "[1, 1]]}]", unknown, wrong + "1]}]",
+          std::string(1 << 20, '-'), std::string(1 << 20, '{'), "a: " + std::string(1 << 20, '&'),
+          "a: " + std::string(1 << 20, '"'), std::string(1 << 20, '?') + "\n",
+          "\"" + std::string(1 << 20, '\\')})
         CHECK(!loads(text));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     CHECK(taken.count() < 60.0);  // a hang, not a slow machine

@@ -39,3 +39,15 @@ TEST_CASE("integers are grouped by thin spaces") {
     CHECK(grouped(1234567) == "1\u2009234\u2009567");
     CHECK(grouped(-1000) == "\u22121\u2009000");
 }
+
+TEST_CASE("control characters are C0, delete and C1") {
+    using carom::is_control;
+    CHECK(is_control("\n"));
+    CHECK(is_control(std::string_view{"\0", 1}));
+    CHECK(is_control("\x7F"));
+    CHECK(is_control("\xC2\x80"));
+    CHECK(is_control("\xC2\x9F"));
+    CHECK(!is_control("\xC2\xA0"));
+    CHECK(!is_control(" "));
+    CHECK(!is_control("é"));
+}

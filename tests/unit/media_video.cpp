@@ -263,6 +263,14 @@ TEST_CASE("the index stands before the pictures") {
     CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("the encoder's own record of its settings names one thread and no cuts inside a group") {
+    const Folder folder;
+    write_film(folder.film(), small_film());
+    const std::string bytes = contents(folder.film());
+    for (const char* setting : {" threads=1 ", " lookahead_threads=1 ", " scenecut=0 "})
+        CHECK(bytes.find(setting) != std::string::npos);
+}
+
 TEST_CASE("ffmpeg decodes every frame, in order, with the colours that were drawn") {
     const Folder folder;
     VideoSettings settings = small_film();

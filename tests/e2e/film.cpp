@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "e2e/still_life.h"
 #include "support/process.h"
 
 using namespace carom::test;
@@ -23,15 +24,6 @@ Outcome run_carom(std::vector<std::string> arguments, const fs::path& folder = "
     arguments.insert(arguments.begin(), program);
     return run(arguments, folder);
 }
-
-// A box with one large disk at rest: what is drawn where is known by arithmetic.
-const std::string still_life = R"(title: One disk at rest
-box: {size: [40, 30]}
-gas:
-  - {name: a, count: 1, radius: 6, position: [10, 20], color: "#56b4e9"}
-run: {until: 1}
-film: {seconds: 2, fps: 25, size: [640, 360], theme: light, color_by: species, panels: []}
-)";
 
 fs::path write_scene(const TemporaryFolder& folder, const std::string& text,
                      const std::string& name = "scene.yaml") {

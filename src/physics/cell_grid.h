@@ -49,6 +49,11 @@ class CellGrid {
     template <typename Function>
     void for_each_near(double radius, Cell cell, Function&& f) const;
 
+    /// As for_each_near, but, of a small disk without large ones about, only those that came near
+    /// when it crossed `side` (left 0, right 1, bottom 2, top 3) of a cell into `cell`.
+    template <typename Function>
+    void for_each_newly_near(double radius, Cell cell, int side, Function&& f) const;
+
   private:
     struct Links {
         std::int32_t previous, next;
@@ -119,6 +124,16 @@ template <typename Function>
 void CellGrid::for_each_around(const std::vector<std::int32_t>& heads,
                                const std::array<Axis, 2>& axes, std::int32_t column,
                                std::int32_t row, Function&& f) const {
+    if (column > 0 && column < axes[0].cells - 1 && row > 0 && row < axes[1].cells - 1) {
+        const std::int32_t* middle =
+            heads.data() + static_cast<std::ptrdiff_t>(row) * axes[0].cells + column;
+        for (std::ptrdiff_t dy = -axes[0].cells; dy <= axes[0].cells; dy += axes[0].cells)
+            for (std::ptrdiff_t dx = -1; dx <= 1; ++dx)
+                for (std::int32_t i = middle[dy + dx]; i >= 0;
+                     i = links_[static_cast<std::size_t>(i)].next)
+                    f(i, 0.0, 0.0);
+        return;
+    }
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
         const Wrapped y = wrap(row + dy, axes[1]);
         if (y.cell < 0) continue;
@@ -162,6 +177,20 @@ void CellGrid::for_each_near(double radius, Cell cell, Function&& f) const {
         for_each_at_rim(radius, cell, f);
     else
         for_each_around(fine_heads_, fine_, cell.column, cell.row, f);
+}
+
+template <typename Function>
+void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&& f) const {
+    if (has_large_) {
+        for_each_near(radius, cell, f);
+        return;
+    }
+    const int ahead = side % 2 == 0 ? -1 : 1;
+    for (int across = -1; across <= 1; ++across) {
+        const Wrapped x = wrap(cell.column + (side < 2 ? ahead : across), fine_[0]);
+        const Wrapped y = wrap(cell.row + (side < 2 ? across : ahead), fine_[1]);
+        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_heads_, columns_, x, y, f);
+    }
 }
 
 }  // namespace carom

@@ -175,6 +175,7 @@ void EventQueue::begin_lap(double shift) {
         node.previous = unlisted;
         node.next = -1;
         node.event.time -= shift;
+        node.event.contact_time -= shift;
         insert(particle);
         particle = next;
     }

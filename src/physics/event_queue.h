@@ -14,11 +14,15 @@
 
 namespace carom {
 
-/// What happens next to a particle. `partner` and `partner_collisions` are for the owner's use.
+/// What happens next to a particle: at `time`, the earlier of a contact with another and of
+/// reaching a border. The queue orders the times; the rest is for the owner's use.
 struct Event {
-    double time = std::numeric_limits<double>::infinity();  ///< local; infinity: nothing
-    std::int32_t partner = 0;
-    std::uint32_t partner_collisions = 0;
+    static constexpr double never = std::numeric_limits<double>::infinity();
+    double time = never;          ///< local
+    double contact_time = never;  ///< of the contact foreseen, which may come after the border
+    std::int32_t partner = 0;     ///< in that contact
+    std::uint32_t partner_collisions : 29 = 0;
+    std::uint32_t border : 3 = 0;
 };
 
 class EventQueue {

@@ -9,14 +9,39 @@
 #include <limits>
 #include <stdexcept>
 
-#include "physics/pair_collision.h"
 #include "util/interrupt.h"
+
+// Only GCC takes the attribute at the definition; its resolver would run before the address
+// sanitizer is ready.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define CAROM_FOR_EACH_PROCESSOR
+#endif
 
 namespace carom {
 namespace {
 
-// Partners that are no particles: the sides of the box are -1 to -4, the sides of a cell -5 to -8.
-constexpr std::int32_t first_cell_side = -5;
+// Borders: the sides of the box are 0 to 3, those of a cell 4 to 7.
+constexpr unsigned first_cell_side = 4;
+
+// Collision counts are compared modulo 2^29: an event has that many bits for them.
+constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
+
+// Below this number the disks fit into the processor's nearest caches in any order.
+constexpr std::size_t least_sorted = 4096;
+
+// A lap is one or two collisions of each disk; it takes some tens for neighbours to part.
+constexpr int laps_between_sorts = 20;
+
+// The bits of a number, with a zero between each two.
+constexpr std::uint64_t spread_bits(std::uint64_t bits) {
+    bits = (bits | bits << 8) & 0x00FF00FFU;
+    bits = (bits | bits << 4) & 0x0F0F0F0FU;
+    bits = (bits | bits << 2) & 0x33333333U;
+    return (bits | bits << 1) & 0x55555555U;
+}
 
 double wrapped(double x, double length) {
     const double inside = x - length * std::floor(x / length);
@@ -31,6 +56,7 @@ HardDisks::HardDisks(const Box& box, const Particles& particles)
       grid_(box, particles.radius),
       queue_(static_cast<std::int32_t>(particles.count())) {
     for (std::size_t i = 0; i < disks_.size(); ++i) {
+        number_.push_back(static_cast<std::int32_t>(i));
         disks_[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
         disks_[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
     }
@@ -43,28 +69,70 @@ HardDisks::HardDisks(const Box& box, const Particles& particles)
 void HardDisks::start(const Sample& state) {
     clock_ = LocalClock(state.time);
     now_ = 0.0;
-    last_collision_ = -1.0;
-    at_one_instant_ = 0;
-    grid_.clear();
     const auto inside = [this](double x, int axis) {
         return box_.walls[static_cast<std::size_t>(axis)] == Wall::periodic
                    ? wrapped(x, box_.size[axis])
                    : x;
     };
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(disks_.size()); ++i) {
-        Disk& d = disk(i);
-        d.x = inside(state.position(i, 0), 0);
-        d.y = inside(state.position(i, 1), 1);
-        d.vx = state.velocity(i, 0);
-        d.vy = state.velocity(i, 1);
+    for (std::size_t k = 0; k < disks_.size(); ++k) {
+        Disk& d = disks_[k];
+        d.x = inside(state.position(number_[k], 0), 0);
+        d.y = inside(state.position(number_[k], 1), 1);
+        d.vx = state.velocity(number_[k], 0);
+        d.vy = state.velocity(number_[k], 1);
         d.time = 0.0;
-        d.collisions = 0;
         d.cell = grid_.cell_at(d.x, d.y);
-        grid_.add(i, d.radius, d.cell);
+    }
+    sort_along_curve();
+    foresee_all();
+}
+
+// Disks near each other in the box come near each other in memory, along a Z-curve through the
+// cells. Few disks stay in the order in which they are listed: they fit into the cache anyhow.
+void HardDisks::sort_along_curve() {
+    laps_since_sorted_ = 0;
+    if (disks_.size() < least_sorted) return;
+    std::vector<std::uint64_t> keys(disks_.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const Cell cell = disks_[k].cell;
+        keys[k] = (spread_bits(cell.column) | spread_bits(cell.row) << 1) << 32 | k;
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<Disk> disks(disks_.size());
+    std::vector<std::int32_t> number(number_.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        disks[k] = disks_[keys[k] & 0xFFFFFFFFU];
+        number[k] = number_[keys[k] & 0xFFFFFFFFU];
+    }
+    disks_.swap(disks);
+    number_.swap(number);
+}
+
+// All disks are at local time 0.
+void HardDisks::foresee_all() {
+    last_collision_ = -1.0;
+    at_one_instant_ = 0;
+    grid_.clear();
+    const auto count = static_cast<std::int32_t>(disks_.size());
+    for (std::int32_t i = 0; i < count; ++i) {
+        disk(i).collisions = 0;
+        grid_.add(i, disk(i).radius, disk(i).cell);
     }
     std::vector<Event> events(disks_.size());
-    for (std::size_t i = 0; i < events.size(); ++i) events[i] = foresee(static_cast<int>(i));
+    for (std::int32_t i = 0; i < count; ++i) events[static_cast<std::size_t>(i)] = foresee(i);
     queue_.reset(events);
+}
+
+// At the time of the last event, which becomes the epoch.
+void HardDisks::sort_again() {
+    for (Disk& d : disks_) {
+        fly_to_now(d);
+        d.time = 0.0;
+    }
+    clock_.advance(now_);
+    now_ = 0.0;
+    sort_along_curve();
+    foresee_all();
 }
 
 void HardDisks::advance(double time, std::vector<Collision>* record) {
@@ -97,8 +165,9 @@ void HardDisks::sample(double time, Sample& state) const {
     state.position.resize(count, 2);
     state.velocity.resize(count, 2);
     const double local = clock_.local(time);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Disk& d = disks_[static_cast<std::size_t>(i)];
+    for (std::size_t k = 0; k < disks_.size(); ++k) {
+        const Disk& d = disks_[k];
+        const Eigen::Index i = number_[k];
         state.position(i, 0) = d.x + d.vx * (local - d.time);
         state.position(i, 1) = d.y + d.vy * (local - d.time);
         state.velocity(i, 0) = d.vx;
@@ -122,6 +191,8 @@ std::int32_t HardDisks::next_particle() {
         now_ -= shift;
         last_collision_ -= shift;
         for (Disk& d : disks_) d.time -= shift;
+        if (++laps_since_sorted_ == laps_between_sorts && disks_.size() >= least_sorted)
+            sort_again();
     }
 }
 
@@ -133,8 +204,8 @@ bool HardDisks::process(std::int32_t particle, Collision* collision) {
     else
         refuse_to_stall();
     now_ = event.time;
-    if (event.partner >= 0) {
-        if (disk(event.partner).collisions == event.partner_collisions &&
+    if (event.contact_time <= event.time) {
+        if ((disk(event.partner).collisions & most_collisions) == event.partner_collisions &&
             collide(particle, event.partner, collision)) {
             queue_.schedule(particle, foresee(particle));
             queue_.schedule(event.partner, foresee(event.partner));
@@ -143,13 +214,15 @@ bool HardDisks::process(std::int32_t particle, Collision* collision) {
         queue_.schedule(particle, foresee(particle));
         return false;
     }
-    const bool wall = event.partner > first_cell_side;
-    if (wall)
-        bounce(particle, -1 - event.partner, collision);
-    else
-        cross(particle, first_cell_side - event.partner);
-    queue_.schedule(particle, foresee(particle));
-    return wall;
+    if (event.border < first_cell_side) {
+        bounce(particle, static_cast<int>(event.border), collision);
+        queue_.schedule(particle, foresee(particle));
+        return true;
+    }
+    const int side = static_cast<int>(event.border - first_cell_side);
+    cross(particle, side);
+    queue_.schedule(particle, foresee_after_crossing(particle, side, event));
+    return false;
 }
 
 // Touching starts take some events at time 0, but far fewer than this.
@@ -185,7 +258,11 @@ bool HardDisks::collide(std::int32_t first, std::int32_t second, Collision* coll
     ++counts_.particle;
     count_tie(first, second);
     if (collision)
-        *collision = {clock_.absolute(now_), first, second, {a.x, a.y}, {a.x + m.x, a.y + m.y}};
+        *collision = {clock_.absolute(now_),
+                      number_of(first),
+                      number_of(second),
+                      {a.x, a.y},
+                      {a.x + m.x, a.y + m.y}};
     return true;
 }
 
@@ -196,9 +273,10 @@ bool HardDisks::separation_at_contact(const Disk& a, const Disk& b, double& x, d
     const std::array<double, 2> plain{b.x - a.x, b.y - a.y};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
-        const bool periodic = box_.walls[axis] == Wall::periodic;
-        const double nearest =
-            periodic ? plain[axis] - size * std::round(plain[axis] / size) : plain[axis];
+        const double half = box_.walls[axis] == Wall::periodic ? 0.5 * size : Event::never;
+        const double nearest = plain[axis] > half    ? plain[axis] - size
+                               : plain[axis] < -half ? plain[axis] + size
+                                                     : plain[axis];
         along[axis] = {nearest, nearest > 0.0 ? nearest - size : nearest + size};
     }
     const double sigma = a.radius + b.radius;
@@ -238,7 +316,7 @@ void HardDisks::bounce(std::int32_t particle, std::int32_t side, Collision* coll
     if (!collision) return;
     Eigen::Array2d contact(d.x, d.y);
     contact[side / 2] = side % 2 == 0 ? 0.0 : box_.size[side / 2];
-    *collision = {clock_.absolute(now_), particle, -1 - side, {d.x, d.y}, contact};
+    *collision = {clock_.absolute(now_), number_of(particle), -1 - side, {d.x, d.y}, contact};
 }
 
 void HardDisks::cross(std::int32_t particle, std::int32_t side) {
@@ -258,52 +336,95 @@ void HardDisks::cross(std::int32_t particle, std::int32_t side) {
     grid_.move(particle, d.radius, from, d.cell);
 }
 
-// The first of the borders ahead on each axis, of the cell or of the box. A large disk touches the
-// wall from several cells away.
-Event HardDisks::next_border(const Disk& d, double x, double y) const {
-    Event first;
+// The first of the borders ahead on each axis, of the cell or of the box; it becomes the event
+// unless a contact comes first. A large disk touches the wall from several cells away.
+[[gnu::always_inline]] inline void HardDisks::foresee_border(const Disk& d, double x, double y,
+                                                             Event& first) const {
     const std::array<double, 2> position{x, y}, velocity{d.vx, d.vy};
     const std::array<double, 2> cell{grid_.cell_width(), grid_.cell_height()};
     const std::array<int, 2> at{d.cell.column, d.cell.row}, cells{grid_.columns(), grid_.rows()};
+    double earliest = Event::never;
     for (std::size_t a = 0; a < 2; ++a) {
         const double v = velocity[a];
         if (v == 0.0) continue;
         const int up = v > 0.0 ? 1 : 0;
-        const auto side = 2 * static_cast<std::int32_t>(a) + up;
-        const double size = box_.size[static_cast<Eigen::Index>(a)];
+        const unsigned side = 2U * static_cast<unsigned>(a) + static_cast<unsigned>(up);
         double border = cell[a] * (at[a] + up);
-        std::int32_t partner = first_cell_side - side;
+        unsigned kind = first_cell_side + side;
         if (box_.walls[a] == Wall::solid) {
+            const double size = box_.size[static_cast<Eigen::Index>(a)];
             const double wall = up ? size - d.radius : d.radius;
             if (at[a] == (up ? cells[a] - 1 : 0) || (up ? wall <= border : wall >= border)) {
                 border = wall;
-                partner = -1 - side;
+                kind = side;
             }
         }
         const double time = now_ + wall_time(position[a], v, border, border);
-        if (time < first.time) first = {time, partner, 0};
+        if (time >= earliest) continue;
+        earliest = time;
+        first.border = kind & 7U;
     }
-    return first;
+    first.time = std::min(earliest, first.contact_time);
 }
 
-Event HardDisks::foresee(std::int32_t particle) const {
+Event HardDisks::foresee(std::int32_t particle) {
     const Disk& a = disk(particle);
+    near_.clear();
+    grid_.for_each_near(a.radius, a.cell, [&](std::int32_t other, double sx, double sy) {
+        note_near(particle, other, sx, sy);
+    });
+    return first_event(a, Event{});
+}
+
+Event HardDisks::foresee_after_crossing(std::int32_t particle, int side, const Event& before) {
+    const Disk& a = disk(particle);
+    near_.clear();
+    grid_.for_each_newly_near(
+        a.radius, a.cell, side,
+        [&](std::int32_t other, double sx, double sy) { note_near(particle, other, sx, sy); });
+    return first_event(a, before);
+}
+
+// Fetched while the others are listed.
+inline void HardDisks::note_near(std::int32_t particle, std::int32_t other, double sx, double sy) {
+    if (other == particle) return;
+    __builtin_prefetch(&disk(other));
+    near_.push_back({other, sx, sy});
+    if (near_.size() > suitors_.size()) suitors_.resize(2 * near_.size());
+}
+
+// Of equal times the lowest number counts.
+[[gnu::always_inline]] inline void HardDisks::consider(const Disk& a, const Suitor& s,
+                                                       Event& first) const {
+    if (touch_after(s.motion, s.sigma, first.contact_time - now_)) return;
+    const double time = now_ + time_of_contact(s.motion, s.sigma);
+    if (time > first.contact_time || (time == first.contact_time && s.other >= first.partner))
+        return;
+    const Disk& b = disk(s.other);
+    if (!(a.inverse_mass + b.inverse_mass > 0.0) || !(s.sigma > 0.0)) return;
+    first.contact_time = time;
+    first.partner = s.other;
+    first.partner_collisions = b.collisions & most_collisions;
+}
+
+// Most of the disks near are told off without a branch that the processor could not foretell.
+CAROM_FOR_EACH_PROCESSOR
+Event HardDisks::first_event(const Disk& a, Event first) {
     const double x = a.x + a.vx * (now_ - a.time);
     const double y = a.y + a.vy * (now_ - a.time);
-    Event first = next_border(a, x, y);
-    grid_.for_each_near(a.radius, a.cell, [&](std::int32_t other, double sx, double sy) {
-        const Disk& b = disk(other);
-        const double sigma = a.radius + b.radius;
-        if (other == particle || !(a.inverse_mass + b.inverse_mass > 0.0) || !(sigma > 0.0)) return;
-        const RelativeMotion<double> m{(b.x + b.vx * (now_ - b.time)) + sx - x,
-                                       (b.y + b.vy * (now_ - b.time)) + sy - y, b.vx - a.vx,
+    Suitor* last = suitors_.data();
+    for (const Near& near : near_) {
+        const Disk& b = disk(near.other);
+        const double age = now_ - b.time;
+        const RelativeMotion<double> m{(b.x + b.vx * age) + near.shift_x - x,
+                                       (b.y + b.vy * age) + near.shift_y - y, b.vx - a.vx,
                                        b.vy - a.vy};
-        const double time =
-            now_ + contact_time(m, sigma, approach_round_off(m, a.vx, a.vy, b.vx, b.vy));
-        if (time < first.time ||
-            (time == first.time && first.partner >= 0 && other < first.partner))
-            first = {time, other, b.collisions};
-    });
+        const double sigma = a.radius + b.radius;
+        *last = {m, sigma, near.other};
+        last += may_touch(m, sigma, approach_round_off(m, a.vx, a.vy, b.vx, b.vy)) ? 1 : 0;
+    }
+    for (const Suitor* s = suitors_.data(); s != last; ++s) consider(a, *s, first);
+    foresee_border(a, x, y, first);
     return first;
 }
 

@@ -16,6 +16,7 @@
 #include "physics/event_queue.h"
 #include "physics/gas.h"
 #include "physics/local_clock.h"
+#include "physics/pair_collision.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 
@@ -57,27 +58,51 @@ class HardDisks {
     };
     static_assert(sizeof(Disk) == 64);
 
+    struct Near {
+        std::int32_t other;
+        double shift_x, shift_y;
+    };
+    /// A disk that may be touched.
+    struct Suitor {
+        RelativeMotion<double> motion;
+        double sigma;
+        std::int32_t other;
+    };
+
     Disk& disk(std::int32_t i) { return disks_[static_cast<std::size_t>(i)]; }
     const Disk& disk(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)]; }
 
+    std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
+
+    void sort_along_curve();
+    void sort_again();
+    void foresee_all();
     std::int32_t next_particle();
     bool process(std::int32_t particle, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t particle, std::int32_t side, Collision* collision);
     void cross(std::int32_t particle, std::int32_t side);
     void fly_to_now(Disk& d) const;
-    Event foresee(std::int32_t particle) const;
-    Event next_border(const Disk& d, double x, double y) const;
+    Event foresee(std::int32_t particle);
+    Event foresee_after_crossing(std::int32_t particle, int side, const Event& before);
+    void note_near(std::int32_t particle, std::int32_t other, double shift_x, double shift_y);
+    Event first_event(const Disk& a, Event first);
+    void consider(const Disk& a, const Suitor& s, Event& first) const;
+    void foresee_border(const Disk& d, double x, double y, Event& first) const;
     bool separation_at_contact(const Disk& a, const Disk& b, double& x, double& y) const;
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
 
     Box box_;
     std::vector<Disk> disks_;
+    std::vector<std::int32_t> number_;  ///< of each disk as listed by the user
+    std::vector<Near> near_;            ///< scratch: the disks to be looked at
+    std::vector<Suitor> suitors_;       ///< scratch, as many as near_
     CellGrid grid_;
     EventQueue queue_;
     LocalClock clock_;
-    double now_ = 0.0;                 ///< local
+    double now_ = 0.0;  ///< local
+    int laps_since_sorted_ = 0;
     bool narrow_[2] = {false, false};  ///< periodic and so narrow that two images may touch
     CollisionCounts counts_;
     double last_collision_ = -1.0;

@@ -20,7 +20,8 @@ inline constexpr Scalar never = std::numeric_limits<Scalar>::infinity();
 
 /// a b - c d to within 1.5 ulp (Kahan; proof: Jeannerod, Louvet and Muller 2013).
 template <typename Scalar>
-Scalar difference_of_products(const Scalar& a, const Scalar& b, const Scalar& c, const Scalar& d) {
+[[gnu::always_inline]] inline Scalar difference_of_products(const Scalar& a, const Scalar& b,
+                                                            const Scalar& c, const Scalar& d) {
     using std::fma;
     const Scalar cd = c * d;
     const Scalar error = fma(-c, d, cd);
@@ -30,7 +31,8 @@ Scalar difference_of_products(const Scalar& a, const Scalar& b, const Scalar& c,
 /// |r|^2 - sigma^2 without the cancellation of the rounded squares: each square is carried as its
 /// rounded value and its exact rounding error (two-product by fma).
 template <typename Scalar>
-Scalar contact_gap(const RelativeMotion<Scalar>& m, const Scalar& sigma) {
+[[gnu::always_inline]] inline Scalar contact_gap(const RelativeMotion<Scalar>& m,
+                                                 const Scalar& sigma) {
     using std::fma;
     const Scalar xx = m.x * m.x;
     const Scalar yy = m.y * m.y;
@@ -45,38 +47,63 @@ Scalar contact_gap(const RelativeMotion<Scalar>& m, const Scalar& sigma) {
 /// Bound on the rounding error of r . (v2 - v1), 4 epsilon sum |r_a| (|v1_a| + |v2_a|): an approach
 /// slower than that cannot be told from none, and its impulse may round to nothing for ever.
 template <typename Scalar>
-Scalar approach_round_off(const RelativeMotion<Scalar>& m, const Scalar& first_vx,
-                          const Scalar& first_vy, const Scalar& second_vx,
-                          const Scalar& second_vy) {
+[[gnu::always_inline]] inline Scalar approach_round_off(const RelativeMotion<Scalar>& m,
+                                                        const Scalar& first_vx,
+                                                        const Scalar& first_vy,
+                                                        const Scalar& second_vx,
+                                                        const Scalar& second_vy) {
     using std::abs;
     return 4 * std::numeric_limits<Scalar>::epsilon() *
            (abs(m.x) * (abs(first_vx) + abs(second_vx)) +
             abs(m.y) * (abs(first_vy) + abs(second_vy)));
 }
 
-/// Time until two disks with sum of radii `sigma` touch: 0 when they overlap while approaching,
-/// `never` when they recede, pass each other, or approach by no more than `round_off` in r . v.
+/// Whether two disks might touch at all: false only when they recede (or approach by no more than
+/// `round_off` in r . v) or pass wide of each other. Plain arithmetic without branches; the margin
+/// of 1e-4 sigma |v| is above the rounding error of the cross product for pairs less than 1e10
+/// diameters apart.
 template <typename Scalar>
-Scalar contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, const Scalar& round_off) {
+[[gnu::always_inline]] inline bool may_touch(const RelativeMotion<Scalar>& m, const Scalar& sigma,
+                                             const Scalar& round_off) {
+    const Scalar miss = m.x * m.vy - m.y * m.vx;
+    const Scalar square_speed = m.vx * m.vx + m.vy * m.vy;
+    const bool approaching = m.x * m.vx + m.y * m.vy < -round_off;
+    const bool near = miss * miss <= Scalar(1.0001) * (sigma * sigma * square_speed);
+    return static_cast<bool>(static_cast<unsigned>(approaching) & static_cast<unsigned>(near));
+}
+
+/// Whether two approaching disks touch after `time` for certain: t >= c / -2b, with a margin far
+/// above the rounding error of c = |r|^2 - sigma^2, some 1e-15 (r^2 + sigma^2).
+template <typename Scalar>
+[[gnu::always_inline]] inline bool touch_after(const RelativeMotion<Scalar>& m, const Scalar& sigma,
+                                               const Scalar& time) {
+    const Scalar square_sigma = sigma * sigma;
+    const Scalar rough_gap = m.x * m.x + m.y * m.y - square_sigma;
+    return Scalar(0.999) * rough_gap - Scalar(1e-10) * square_sigma >
+           -2 * (m.x * m.vx + m.y * m.vy) * time;
+}
+
+/// Time until two approaching disks with sum of radii `sigma` touch: 0 when they overlap, `never`
+/// when they miss each other. t = c / (-b + sqrt(disc)) with b = r . v < 0 and c = |r|^2 - sigma^2.
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar time_of_contact(const RelativeMotion<Scalar>& m,
+                                                     const Scalar& sigma) {
     using std::abs;
     using std::sqrt;
-    const Scalar approach = m.x * m.vx + m.y * m.vy;
-    if (!(approach < -round_off)) return never<Scalar>;
-
-    // Most pairs pass wide of each other: told by plain arithmetic, with a margin far above its
-    // rounding error for pairs less than 1e10 diameters apart.
-    const Scalar square_speed = m.vx * m.vx + m.vy * m.vy;
-    const Scalar rough_miss = m.x * m.vy - m.y * m.vx;
-    if (rough_miss * rough_miss > Scalar(1.0001) * (sigma * sigma * square_speed))
-        return never<Scalar>;
-
     const Scalar gap = contact_gap(m, sigma);
     if (!(gap > 0)) return Scalar(0);
     const Scalar miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
-    const Scalar reach = sigma * sqrt(square_speed);
+    const Scalar reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
     if (!(miss < reach)) return never<Scalar>;
     const Scalar root = sqrt((reach - miss) * (reach + miss));
     return gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
+}
+
+/// Time until two disks touch: as time_of_contact(), and `never` when they recede or approach by no
+/// more than `round_off` in r . v.
+template <typename Scalar>
+Scalar contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, const Scalar& round_off) {
+    return may_touch(m, sigma, round_off) ? time_of_contact(m, sigma) : never<Scalar>;
 }
 
 /// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2

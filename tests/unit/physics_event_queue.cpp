@@ -56,10 +56,11 @@ TEST_CASE("an empty queue is a valid state") {
     queue.reset(std::vector<Event>(3));
     CHECK(queue.earliest() == -1);
     CHECK(std::isinf(queue.next_lap()));
-    queue.schedule(1, {2.5, 7, 1});
+    queue.schedule(1, {.time = 2.5, .contact_time = 3.0, .partner = 7});
     while (queue.earliest() < 0) queue.begin_lap(queue.next_lap());
     CHECK(queue.earliest() == 1);
     CHECK(queue.event(1).partner == 7);
+    CHECK(queue.event(1).contact_time - queue.event(1).time == 0.5);
 }
 
 TEST_CASE("a clock keeps short times exact at late epochs") {

@@ -110,6 +110,27 @@ TEST_CASE("gap and cross product keep the digits that plain arithmetic loses") {
     CHECK(difference_of_products(1.0 + e, 1.0 - e, 1.0, 1.0) == -e * e);
 }
 
+TEST_CASE("the quick refusals never refuse a contact") {
+    Random random(11, "refusals");
+    int contacts = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const double angle = random.uniform(0.0, 6.28);
+        const double distance = 1.0 + std::exp(random.uniform(-35.0, 8.0));
+        // Mostly aimed at the rim, within a part in 1e0 to 1e15 of the sum of radii.
+        const double offset = 1.0 - std::exp(random.uniform(-35.0, 0.0));
+        const double along = std::sqrt((distance - offset) * (distance + offset));
+        const double nx = std::cos(angle), ny = std::sin(angle);
+        const Motion m{along * nx - offset * ny, along * ny + offset * nx, -nx, -ny};
+        const double time = time_of_contact(m, 1.0);
+        if (!(m.x * m.vx + m.y * m.vy < 0.0) || !std::isfinite(time)) continue;
+        ++contacts;
+        REQUIRE(may_touch(m, 1.0, 0.0));
+        REQUIRE_FALSE(touch_after(m, 1.0, time));
+        if (distance > 2.0) REQUIRE(touch_after(m, 1.0, 0.2 * time));  // and do refuse
+    }
+    CHECK(contacts > 50'000);
+}
+
 TEST_CASE("an infinite mass is not moved, and a heavy one hardly") {
     const Motion m{1.0, 0.0, -2.0, 0.0};
     CHECK(impulse_factor(m, 1.0, 0.0) == -4.0);  // v1 += 1 * -4: the wall's law, twice its speed

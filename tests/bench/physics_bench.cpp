@@ -1,0 +1,78 @@
+// Million collisions between particles per CPU second, after melting, for the table of speeds; and
+// a fixed loop of the same kind of arithmetic, since machines differ and are noisy: compare ratios.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <numbers>
+
+#include "physics/simulation.h"
+
+using namespace carom;
+
+namespace {
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Million steps per CPU second of a chain of multiplications, divisions and roots.
+double reference_speed() {
+    constexpr int steps = 10'000'000;
+    const double begin = cpu_seconds();
+    double x = 1.5;
+    for (int i = 0; i < steps; ++i) x = std::sqrt(x * 1.25 + 1.0 / x);
+    const double taken = cpu_seconds() - begin;
+    return x > 0.0 ? steps / taken / 1e6 : 0.0;
+}
+
+Gas equal_disks(double packing, int count, Wall wall) {
+    Gas gas;
+    // The shape of a hexagonal lattice, so that dense gases fit.
+    const double area = count * std::numbers::pi * 0.25 / packing;
+    const double shape = std::sqrt(std::sqrt(0.75));
+    gas.box.size = {std::sqrt(area) / shape, std::sqrt(area) * shape};
+    gas.box.walls = {wall, wall};
+    gas.species = {{.name = "",
+                    .count = count,
+                    .radius = 0.5,
+                    .mass = Quantity{1.0},
+                    .velocity = Temperature{1.0},
+                    .position = LatticePlaces{}}};
+    return gas;
+}
+
+double million_collisions_per_second(double packing, int count, Wall wall, double seconds) {
+    Run run;
+    run.equilibrate = packing > 0.5 ? 3.0 : 10.0;
+    Simulation simulation(equal_disks(packing, count, wall), run);
+    const double step = packing > 0.5 ? 0.2 : 1.0;
+    double time = 0.0;
+    std::int64_t collisions = 0;
+    const double begin = cpu_seconds();
+    double taken = 0.0;
+    while (taken < seconds) {
+        time += step;
+        collisions = simulation.advance_to(time).counts.particle;
+        taken = cpu_seconds() - begin;
+    }
+    return static_cast<double>(collisions) / taken / 1e6;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const double seconds = argc > 1 ? std::atof(argv[1]) : 1.0;
+    fmt::print(
+        "packing  particles  walls     million collisions/s   per million reference steps\n");
+    for (const double packing : {0.20, 0.65}) {
+        for (const int count : {1'000, 10'000, 100'000}) {
+            for (const Wall wall : {Wall::periodic, Wall::solid}) {
+                const double before = reference_speed();
+                const double speed = million_collisions_per_second(packing, count, wall, seconds);
+                const double reference = 0.5 * (before + reference_speed());
+                fmt::print("{:7.2f} {:10} {:>9} {:22.2f} {:29.4f}\n", packing, count,
+                           wall == Wall::periodic ? "periodic" : "solid", speed, speed / reference);
+            }
+        }
+    }
+}

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <new>
 #include <set>
 #include <thread>
@@ -122,26 +123,43 @@ void report_timings(const RenderReport& report) {
                frames / report.wall_seconds);
 }
 
+// All scenes before any work: a mistake in the last one must not cost the hours of the first.
+std::vector<Scene> load_all(const Arguments& arguments) {
+    const fs::path templates = templates_folder();
+    const Overrides overrides = overrides_of(arguments);
+    std::vector<Scene> scenes;
+    std::vector<Diagnostic> diagnostics;
+    for (const std::string& name : arguments.scenes) {
+        try {
+            scenes.push_back(load_scene(name, templates, overrides));
+        } catch (const SceneError& error) {
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
+        }
+    }
+    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+    return scenes;
+}
+
+void report(const Arguments& arguments, const Scene& scene, const RenderReport& report) {
+    if (arguments.quiet && !arguments.timings) return;
+    fmt::print("{}: {} frames, {}, {:.1f} MB, {} collisions between particles, made in {:.1f} s\n",
+               report.path.string(), report.frames, clock_text(scene.film.seconds),
+               1e-6 * static_cast<double>(report.bytes), report.collisions.particle,
+               report.wall_seconds);
+    if (arguments.timings) report_timings(report);
+}
+
 void render_scenes(const Arguments& arguments) {
     refuse_same_outputs(arguments);
     require_font();
-    const fs::path templates = templates_folder();
-    const Overrides overrides = overrides_of(arguments);
-    for (const std::string& name : arguments.scenes) {
-        const Scene scene = load_scene(name, templates, overrides);
-        Progress progress(Progress::fitting_form(arguments.quiet), fs::path(name).stem().string());
-        const RenderReport report = render(scene,
-                                           {.output = output_path(arguments, name, ".mp4"),
-                                            .quality = quality_of(arguments.quality),
-                                            .threads = threads_of(arguments)},
-                                           progress);
-        if (arguments.quiet && !arguments.timings) continue;
-        fmt::print(
-            "{}: {} frames, {}, {:.1f} MB, {} collisions between particles, made in {:.1f} s\n",
-            report.path.string(), report.frames, clock_text(scene.film.seconds),
-            1e-6 * static_cast<double>(report.bytes), report.collisions.particle,
-            report.wall_seconds);
-        if (arguments.timings) report_timings(report);
+    for (const Scene& scene : load_all(arguments)) {
+        Progress progress(Progress::fitting_form(arguments.quiet),
+                          fs::path(scene.source.path).stem().string());
+        const RenderOptions options{.output = output_path(arguments, scene.source.path, ".mp4"),
+                                    .quality = quality_of(arguments.quality),
+                                    .threads = threads_of(arguments)};
+        report(arguments, scene, render(scene, options, progress));
     }
 }
 
@@ -180,6 +198,19 @@ void add_still(CLI::App& app, Arguments& arguments) {
     add_common_options(command, arguments);
 }
 
+void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (argc < 2) throw UsageError("a command is needed\n\n" + app.help());
+    const std::string word = argv[1];
+    if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
+    const std::optional<std::string> meant = nearest_spelling(word, names);
+    throw UsageError(fmt::format("there is no command `{}`; {}", word,
+                                 meant
+                                     ? fmt::format("did you mean `{}`?", *meant)
+                                     : fmt::format("the commands are {}", fmt::join(names, ", "))));
+}
+
 int parse_and_run(int argc, const char* const* argv) {
     Arguments arguments;
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
@@ -187,6 +218,7 @@ int parse_and_run(int argc, const char* const* argv) {
     app.require_subcommand(1);
     add_render(app, arguments);
     add_still(app, arguments);
+    refuse_unknown_command(app, argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

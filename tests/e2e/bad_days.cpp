@@ -66,6 +66,24 @@ TEST_CASE("missing scenes, wrong options and wrong endings are told with exit co
     }
 }
 
+TEST_CASE("an unknown command is told with the nearest one") {
+    const Outcome outcome = run({program, "rendr", scene});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err == "carom: there is no command `rendr`; did you mean `render`?\n");
+}
+
+TEST_CASE("of several scenes none is rendered when one is wrong, and all their errors are told") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "bad.yaml") << "title: T\nbox: {size: [10, 10]}\ngas: []\n";
+    std::ofstream(folder.path() / "worse.yaml") << "title: T\n";
+    const Outcome outcome =
+        run({program, "render", scene, "bad.yaml", "worse.yaml", "-o", "films"}, folder.path());
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("bad.yaml:") != std::string::npos);
+    CHECK(outcome.err.find("worse.yaml") != std::string::npos);
+    CHECK(folder.names() == std::vector<std::string>{"bad.yaml", "worse.yaml"});
+}
+
 TEST_CASE("a folder that cannot be written is exit code 1 with its name") {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "file") << "x";

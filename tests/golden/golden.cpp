@@ -1,0 +1,92 @@
+// Small pictures of every scene against those kept here. On a difference of more than 2 in a
+// channel, the picture and a map of the difference are left in build/golden/. CAROM_UPDATE_GOLDEN=1
+// makes the kept ones anew.
+#include <cairo.h>
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int tolerance =
+    2;  // letters and rims may be rounded otherwise by another machine's pixman
+
+struct Picture {
+    std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface;
+    int width, height, stride;
+    unsigned char* data;
+
+    explicit Picture(const fs::path& path)
+        : surface(cairo_image_surface_create_from_png(path.c_str()), cairo_surface_destroy) {
+        REQUIRE(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS);
+        width = cairo_image_surface_get_width(surface.get());
+        height = cairo_image_surface_get_height(surface.get());
+        stride = cairo_image_surface_get_stride(surface.get());
+        data = cairo_image_surface_get_data(surface.get());
+    }
+};
+
+// The largest difference of any channel; where it is more than the tolerance, `map` is written with
+// those channels white.
+int difference(const Picture& expected, const Picture& found, const fs::path& map) {
+    const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, found.width, found.height),
+        cairo_surface_destroy);
+    unsigned char* white = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    int largest = 0;
+    for (int y = 0; y < found.height; ++y)
+        for (int x = 0; x < 4 * found.width; ++x) {
+            if (x % 4 == 3) continue;  // the unused byte
+            const int apart =
+                std::abs(expected.data[y * expected.stride + x] - found.data[y * found.stride + x]);
+            white[y * stride + x] = apart > tolerance ? 255 : 0;
+            largest = std::max(largest, apart);
+        }
+    cairo_surface_mark_dirty(surface.get());
+    if (largest > tolerance) cairo_surface_write_to_png(surface.get(), map.c_str());
+    return largest;
+}
+
+void compare(const std::string& scene, const std::string& at, const std::string& theme) {
+    const std::string name = scene + "-" + at + "-" + theme + ".png";
+    CAPTURE(name);
+    const fs::path kept = fs::path(CAROM_TEST_ROOT) / "tests/golden" / name;
+    const fs::path drawn = fs::path(CAROM_GOLDEN_OUTPUT) / name;
+    const Outcome outcome =
+        run({CAROM_PROGRAM, "still", CAROM_TEST_ROOT "/scenes/" + scene + ".yaml", "--at", at,
+             "--theme", theme, "--size", "480x270", "-o", drawn.string(), "--quiet"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr) {
+        fs::copy_file(drawn, kept, fs::copy_options::overwrite_existing);
+        return;
+    }
+    REQUIRE(fs::exists(kept));
+    const Picture expected(kept);
+    const Picture found(drawn);
+    REQUIRE(expected.width == found.width);
+    REQUIRE(expected.height == found.height);
+    const int largest = difference(expected, found, drawn.string() + ".difference.png");
+    CHECK(largest <= tolerance);
+    if (largest <= tolerance) fs::remove(drawn);
+}
+
+}  // namespace
+
+TEST_CASE("small pictures of the scenes are as they were") {
+    compare("one-hot-particle", "1", "dark");
+    compare("one-hot-particle", "24", "light");
+    compare("mixed-masses", "30", "dark");
+    compare("time-reversal", "3", "dark");
+    compare("time-reversal", "24", "print");
+}

@@ -1,0 +1,153 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "panels/frame.h"
+#include "panels/registry.h"
+#include "scene/keys.h"
+#include "scene/load.h"
+
+using namespace carom;
+
+namespace {
+
+const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
+
+Scene scene_of(const std::string& film,
+               const std::string& gas = "{count: 40, radius: 0.5, speed: 1}") {
+    return load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: [" + gas +
+                               "]\nrun: {until: 4}\nfilm: {" + film + "}\n",
+                           "test", templates);
+}
+
+// A whole film's frames, and what draws them.
+struct Shot {
+    Scene scene;
+    std::unique_ptr<Observers> observers;
+    std::vector<FrameData> frames;
+
+    explicit Shot(Scene loaded) : scene(std::move(loaded)) {
+        Simulation survey(scene.gas, scene.run);
+        Simulation simulation(scene.gas, scene.run);
+        observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
+        const std::vector<Tick> ticks = timeline(scene);
+        for (const Tick& tick : ticks) {
+            const Passage passage = survey.advance_to(tick.time);
+            observers->survey(tick, survey.sample(), passage);
+        }
+        observers->settle();
+        simulation.record_collisions(observers->wants_collisions());
+        for (const Tick& tick : ticks) {
+            const Passage passage = simulation.advance_to(tick.time);
+            frames.push_back(observers->frame_data(tick, simulation.sample(), passage));
+        }
+    }
+};
+
+std::vector<std::uint32_t> pixels_of(const Canvas& canvas) {
+    const PixelView view = canvas.pixels();
+    std::vector<std::uint32_t> pixels;
+    for (int y = 0; y < view.height; ++y)
+        pixels.insert(pixels.end(), view.data + y * view.stride,
+                      view.data + y * view.stride + view.width);
+    return pixels;
+}
+
+}  // namespace
+
+TEST_CASE("every panel kind of the scene language is registered, and no other") {
+    const std::vector<std::string> kinds(panel_kinds().begin(), panel_kinds().end());
+    const std::vector<std::string> registered(registered_panels().begin(),
+                                              registered_panels().end());
+    CHECK(kinds == registered);
+}
+
+TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any thread") {
+    const Shot film(
+        scene_of("seconds: 1, size: [320, 180]",
+                 "{name: a, count: 30, radius: 0.5, speed: 1}, {name: b, count: 1, speed: 9}"));
+    FramePainter painter(film.scene, *film.observers);
+    std::vector<std::vector<std::uint32_t>> forward;
+    for (const FrameData& frame : film.frames) forward.push_back(pixels_of(painter.paint(frame)));
+    CHECK(forward.front() != forward.back());
+
+    std::vector<std::thread> threads;
+    std::vector<int> differences(3, 0);
+    for (std::size_t k = 0; k < differences.size(); ++k)
+        threads.emplace_back([&, k] {
+            FramePainter other(film.scene, *film.observers);
+            for (std::size_t i = film.frames.size(); i-- > 0;)
+                differences[k] += pixels_of(other.paint(film.frames[i])) != forward[i];
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(differences == std::vector<int>{0, 0, 0});
+}
+
+TEST_CASE("a disk is drawn where it is, to an eighth of a pixel") {
+    const Shot film(
+        scene_of("seconds: 1, size: [1280, 720], theme: dark, color_by: species, panels: []",
+                 "{count: 1, radius: 2, position: [13.37, 17.91], color: \"#ffffff\"}"));
+    FramePainter painter(film.scene, *film.observers);
+    const Canvas& canvas = painter.paint(film.frames.front());
+    // lecture's gas slot begins at (1.8, 6.4) units of 16 pixels and is 42.6 by 32 units: a box of
+    // 40 : 30 fills its height.
+    const double scale = std::min(42.6 * 16 / 40, 32.0 * 16 / 30);
+    const double x = 1.8 * 16 + 13.37 * scale;
+    const double y = 6.4 * 16 + (30 - 17.91) * scale;
+    const PixelView view = canvas.pixels();
+    double weight = 0.0, sum_x = 0.0, sum_y = 0.0;
+    const double ground = 0x1B;  // green of the dark theme's ground
+    for (int row = int(y) - 50; row < int(y) + 50; ++row)
+        for (int column = int(x) - 50; column < int(x) + 50; ++column) {
+            const double green = (view.data[row * view.stride + column] >> 8) & 0xFF;
+            const double share = (green - ground) / (255.0 - ground);
+            weight += share;
+            sum_x += share * (column + 0.5);
+            sum_y += share * (row + 0.5);
+        }
+    CHECK(std::abs(sum_x / weight - x) < 0.125);
+    CHECK(std::abs(sum_y / weight - y) < 0.125);
+    const double area = 3.14159265358979 * 4.0 * scale * scale;
+    CHECK(weight == doctest::Approx(area).epsilon(
+                        0.01));  // 0.5 % of coverage, and the 8-bit steps of the rim
+}
+
+TEST_CASE("fewer panels than places share the height of the whole column") {
+    const Scene two = scene_of("seconds: 1, panels: [speed-histogram, energy-histogram]");
+    const Simulation simulation(two.gas, two.run);
+    Simulation copy(two.gas, two.run);
+    const Observers observers(two, simulation.particles(), copy.sample());
+    const Slot& first = observers.panels()[2].slot;
+    const Slot& second = observers.panels()[3].slot;
+    CHECK(first.y == doctest::Approx(6.4));
+    CHECK(first.height == doctest::Approx(second.height));
+    CHECK(second.y + second.height == doctest::Approx(43.2));
+    CHECK(second.y - (first.y + first.height) == doctest::Approx(1.0));
+}
+
+TEST_CASE("every frame of every theme and colouring can be drawn, tall, wide and tiny pictures too") {
+    for (const std::string theme : {"light", "dark", "print"})
+        for (const std::string color : {"speed", "speed-class", "energy", "species", "mass"})
+            for (const std::string size : {"[66, 132]", "[334, 78]"}) {
+                const Shot film(scene_of("seconds: 0.2, theme: " + theme + ", color_by: " + color +
+                                         ", size: " + size));
+                FramePainter painter(film.scene, *film.observers);
+                for (const FrameData& frame : film.frames) painter.paint(frame);
+                CHECK(film.frames.size() == 6);
+            }
+}
+
+TEST_CASE("a gas at rest, one particle, and infinite masses make a film without a curve") {
+    for (const std::string gas : {"{count: 5}", "{count: 1, speed: 1}",
+                                  "{name: a, count: 5, speed: 1}, {name: wall, count: 1, mass: "
+                                  "infinite, radius: 3, velocity: [0.1, 0]}"}) {
+        CAPTURE(gas);
+        const Shot film(scene_of("seconds: 0.5, size: [320, 180]", gas));
+        FramePainter painter(film.scene, *film.observers);
+        for (const FrameData& frame : film.frames) painter.paint(frame);
+    }
+}

@@ -66,7 +66,8 @@ MassRule read_mass(const Fields& item, Errors& errors) {
     if (item.given("density"))
         if (auto density = read_quantity(item, "density", errors)) return Density{*density};
     if (item.text("mass") == "infinite") return Infinite{};
-    return read_quantity(item, "mass", errors).value_or(Quantity{1.0});
+    if (const auto mass = read_quantity(item, "mass", errors)) return *mass;
+    return Quantity{1.0};
 }
 
 VelocityRule read_velocity(const Fields& item, Errors& errors) {

@@ -103,6 +103,16 @@ TEST_CASE("an empty document is no error of its own") {
     }
 }
 
+TEST_CASE("of two keys of one name the first stays") {
+    const Source source{"text", "a: 1\nb: 2\na: 3\n", Origin::scene};
+    Errors errors;
+    const auto root = read_yaml(source, errors);
+    REQUIRE(root);
+    CHECK(!errors.empty());
+    CHECK(root->keys.size() == 2);
+    CHECK(find(*root, "a")->text == "1");
+}
+
 TEST_CASE("many duplicates of a key cost no more than one") {
     std::string text;
     for (int i = 0; i < 100'000; ++i) text += "a: 1\n";

@@ -99,7 +99,8 @@ void check_text(Node& node, const Form& form, Context context) {
     const int length = code_points(node.text);
     if (static_cast<std::size_t>(length) > form.longest)
         return refuse(node, fmt::format("{} has {} characters", context.what, length),
-                      fmt::format("the ceiling is {}", form.longest), context.errors);
+                      fmt::format("the ceiling is {} {}", form.longest, form.ceiling),
+                      context.errors);
     const std::size_t end = node.text.find_last_not_of(" \t\n") + 1;
     if (end == 0 && form.shortest > 0) return mismatch(node, {form}, "", context);
     for (std::size_t i = 0; i < end;) {

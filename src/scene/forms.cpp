@@ -99,12 +99,17 @@ Form color() {
     return form;
 }
 
-Form text(std::size_t shortest, std::size_t longest) {
-    return {.shape = Shape::text, .shortest = shortest, .longest = longest};
+Form text(std::size_t shortest, Limit most) {
+    return {.shape = Shape::text,
+            .shortest = shortest,
+            .longest = most.count(),
+            .ceiling = most.meaning};
 }
 
 Form lines(std::size_t shortest, Limit most) {
-    return {.shape = Shape::text, .lines = true, .shortest = shortest, .longest = most.count()};
+    Form form = text(shortest, most);
+    form.lines = true;
+    return form;
 }
 
 Form list_of(std::vector<Form> items, std::size_t shortest, std::size_t longest,
@@ -132,6 +137,26 @@ std::vector<Form> quantity(Range range) {
     Form list = list_of({number(range)}, 1, most_particles, "a list of numbers");
     Form drawn = mapping(law(range), "{uniform: [low, high]} or {normal: [mean, deviation]}");
     return {number(range), std::move(list), std::move(drawn)};
+}
+
+Key required(Key key) {
+    key.required = true;
+    return key;
+}
+
+Key otherwise(std::string preset, Key key) {
+    key.preset = std::move(preset);
+    return key;
+}
+
+Key left_to(std::string note, Key key) {
+    key.preset_note = std::move(note);
+    return key;
+}
+
+Key only_with(std::vector<std::string> kinds, Key key) {
+    key.with = std::move(kinds);
+    return key;
 }
 
 Section complete(Section section) {

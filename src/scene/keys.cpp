@@ -21,54 +21,45 @@ const vector<string>& histograms() {
 
 Section box() {
     const Form side = one_of({"solid", "periodic"});
-    const Section walls =
-        complete({.name = "`walls`",
-                  .keys = {{"left", "The wall at x = 0.", {side}, false, "solid"},
-                           {"right",
-                            "The wall at x = width; periodic together with the left one.",
-                            {side},
-                            false,
-                            "solid"},
-                           {"bottom", "The wall at y = 0.", {side}, false, "solid"},
-                           {"top",
-                            "The wall at y = height; periodic together with the bottom one.",
-                            {side},
-                            false,
-                            "solid"}}});
+    const Section walls = complete(
+        {.name = "`walls`",
+         .keys = {
+             otherwise("solid", {"left", "The wall at x = 0.", {side}}),
+             otherwise(
+                 "solid",
+                 {"right", "The wall at x = width; periodic together with the left one.", {side}}),
+             otherwise("solid", {"bottom", "The wall at y = 0.", {side}}),
+             otherwise("solid", {"top",
+                                 "The wall at y = height; periodic together with the bottom one.",
+                                 {side}})}});
     return complete(
         {.name = "`box`",
-         .keys = {{"size",
-                   "Width and height of the box, x from 0 to the width, y from 0 to the "
-                   "height.",
-                   {list_of({number(positive)}, 2, 2, "[width, height]")},
-                   true},
-                  {"walls",
-                   "What a disk meets at the edge of the box: a wall, or the opposite "
-                   "side.",
-                   {side, mapping(walls)},
-                   false,
-                   "solid"}},
-         .refused = {{"length",
-                      "`length` asks for a one-dimensional box; this version draws "
-                      "two-dimensional boxes",
-                      "give `size: [width, height]`"}}});
+         .keys =
+             {required(
+                  {"size",
+                   "Width and height of the box, x from 0 to the width, y from 0 to the height.",
+                   {list_of({number(positive)}, 2, 2, "[width, height]")}}),
+              otherwise("solid",
+                        {"walls",
+                         "What a disk meets at the edge of the box: a wall, or the opposite side.",
+                         {side, mapping(walls)}})},
+         .refused = {
+             {"length",
+              "`length` asks for a one-dimensional box; this version draws two-dimensional boxes",
+              "give `size: [width, height]`"}}});
 }
 
 vector<Key> look_keys() {
-    return {{"color",
-             "The colour of this species where species are told apart: a name or "
-             "\"#rrggbb\".",
-             {color()},
-             false,
-             "",
-             "chosen by the film"},
-            {"label", "A word drawn beside the disks.", {text(0, 40)}, false, "", "none"},
-            {"trail",
-             "How long a trail the disks leave, in seconds of film.",
-             {number({0.0, 3600.0, "seconds of a trail"})},
-             false,
-             "",
-             "by the film"}};
+    return {
+        left_to("chosen by the film",
+                {"color",
+                 "The colour of this species where species are told apart: a name or \"#rrggbb\".",
+                 {color()}}),
+        left_to("none", {"label", "A word drawn beside the disks.", {text(0, most_name_letters)}}),
+        left_to("by the film",
+                {"trail",
+                 "How long a trail the disks leave, in seconds of film.",
+                 {number({0.0, most_trail_seconds.value, most_trail_seconds.meaning})}})};
 }
 
 vector<Key> matter_keys() {
@@ -77,43 +68,34 @@ vector<Key> matter_keys() {
                                       most_particles, "a list of [x, y]")};
     const Section within =
         complete({.name = "`position`",
-                  .keys = {{"within",
-                            "Random places in a part of the box, disks wholly inside.",
-                            {list_of({number(any_number)}, 4, 4, "[x0, y0, x1, y1]")},
-                            true}}});
+                  .keys = {required({"within",
+                                     "Random places in a part of the box, disks wholly inside.",
+                                     {list_of({number(any_number)}, 4, 4, "[x0, y0, x1, y1]")}})}});
     vector<Form> mass = quantity(positive);
     mass.push_back(one_of({"infinite"}));
     vector<Form> places{one_of({"random", "lattice"}),
                         mapping(within, "{within: [x0, y0, x1, y1]}")};
     places.insert(places.end(), points.begin(), points.end());
-    return {{"name",
-             "The name of the species, shown in legends.",
-             {text(1, 40)},
-             false,
-             "",
-             "required when there are several species"},
-            {"count",
-             "How many particles.",
-             {integer(1, most_particles)},
-             false,
-             "",
-             "the number of positions listed"},
-            {"radius", "The radius of each disk.", quantity(positive), false, "0.5"},
-            {"mass", "The mass of each disk; `infinite` is never moved by a collision.", mass,
-             false, "1"},
-            {"density", "Instead of a mass: mass = density * pi * radius^2.", quantity(positive)},
-            {"speed", "The speed of each disk, in a random direction.", quantity(not_negative)},
-            {"velocity", "One velocity for all, or a list of one for each particle.", points},
-            {"temperature",
-             "Maxwell-Boltzmann velocities at this temperature.",
-             {number(not_negative)},
-             false,
-             "",
-             "at rest"},
+    return {
+        left_to(
+            "required when there are several species",
+            {"name", "The name of the species, shown in legends.", {text(1, most_name_letters)}}),
+        left_to("the number of positions listed",
+                {"count", "How many particles.", {integer(1, most_particles)}}),
+        otherwise("0.5", {"radius", "The radius of each disk.", quantity(positive)}),
+        otherwise("1", {"mass", "The mass of each disk; `infinite` is never moved by a collision.",
+                        mass}),
+        {"density", "Instead of a mass: mass = density * pi * radius^2.", quantity(positive)},
+        {"speed", "The speed of each disk, in a random direction.", quantity(not_negative)},
+        {"velocity", "One velocity for all, or a list of one for each particle.", points},
+        left_to("at rest", {"temperature",
+                            "Maxwell-Boltzmann velocities at this temperature.",
+                            {number(not_negative)}}),
+        otherwise(
+            "random",
             {"position",
-             "Where the disks begin: anywhere, in rows, in a part of the box, or in "
-             "listed places.",
-             places, false, "random"}};
+             "Where the disks begin: anywhere, in rows, in a part of the box, or in listed places.",
+             places})};
 }
 
 Section gas_item() {
@@ -127,118 +109,90 @@ Section gas_item() {
 Section run() {
     const Section event =
         complete({.name = "an item of `events`",
-                  .keys = {{"at", "When, in simulated time.", {number(positive)}, true},
+                  .keys = {required({"at", "When, in simulated time.", {number(positive)}}),
                            {"reverse", "Turns every velocity round.", {one_of({"velocities"})}}},
                   .choices = {{{"reverse"}, true}}});
     return complete(
         {.name = "`run`",
-         .keys = {{"until", "The end of the run, in simulated time.", {number(positive)}, true},
-                  {"equilibrate",
-                   "Simulated time before time 0, neither shown nor counted.",
-                   {number(not_negative)},
-                   false,
-                   "0"},
-                  {"events",
-                   "What happens on the way, a list of {at: time, action}.",
-                   {list_of({mapping(event)}, 0, most_events, "a list of events")},
-                   false,
-                   "",
-                   "none"}}});
+         .keys = {
+             required({"until", "The end of the run, in simulated time.", {number(positive)}}),
+             otherwise("0", {"equilibrate",
+                             "Simulated time before time 0, neither shown nor counted.",
+                             {number(not_negative)}}),
+             left_to("none", {"events",
+                              "What happens on the way, a list of {at: time, action}.",
+                              {list_of({mapping(event)}, 0, most_events, "a list of events")}})}});
 }
 
 Section panel() {
     const vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
     return complete(
         {.name = "a panel",
-         .keys = {{"kind", "What the panel shows.", {one_of(kinds)}, true},
-                  {"title", "The words above the panel.", {text(1, 100)}, false, "", "by kind"},
-                  {"bins",
-                   "The number of bars.",
-                   {integer(1, most_bins)},
-                   false,
-                   "",
-                   "by rule, from the whole run",
-                   histograms()},
-                  {"range",
-                   "The first and the last edge of the bars.",
-                   {list_of({number(not_negative)}, 2, 2, "[low, high]")},
-                   false,
-                   "",
-                   "by rule, from the whole run",
-                   histograms()},
-                  {"theory",
-                   "Whether to draw the curve that theory predicts for this finite "
-                   "mixture.",
-                   {flag()},
-                   false,
-                   "true",
-                   "",
-                   histograms()},
-                  {"mean_now",
-                   "Whether to mark the present mean.",
-                   {flag()},
-                   false,
-                   "true",
-                   "",
-                   histograms()},
-                  {"mean_start",
-                   "Whether to mark the mean at the start.",
-                   {flag()},
-                   false,
-                   "true",
-                   "",
-                   histograms()}}});
+         .keys = {
+             required({"kind", "What the panel shows.", {one_of(kinds)}}),
+             left_to("by kind",
+                     {"title", "The words above the panel.", {text(1, most_title_letters)}}),
+             only_with(histograms(),
+                       left_to("by rule, from the whole run",
+                               {"bins", "The number of bars.", {integer(1, most_bins)}})),
+             only_with(histograms(),
+                       left_to("by rule, from the whole run",
+                               {"range",
+                                "The first and the last edge of the bars.",
+                                {list_of({number(not_negative)}, 2, 2, "[low, high]")}})),
+             only_with(
+                 histograms(),
+                 otherwise(
+                     "true",
+                     {"theory",
+                      "Whether to draw the curve that theory predicts for this finite mixture.",
+                      {flag()}})),
+             only_with(
+                 histograms(),
+                 otherwise("true", {"mean_now", "Whether to mark the present mean.", {flag()}})),
+             only_with(histograms(), otherwise("true", {"mean_start",
+                                                        "Whether to mark the mean at the start.",
+                                                        {flag()}}))}});
 }
 
 vector<Key> film_keys() {
     const vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
     const Form side = integer(smallest_side.value, largest_side);
-    return {{"seconds",
-             "The length of the whole film, holds and pauses included.",
-             {number({0.01, 86400.0, "seconds of a film"})}},
-            {"pace",
-             "Instead of seconds: simulated time in a second of film.",
-             {number(positive)},
-             false,
-             "1"},
-            {"fps", "Frames in a second.", {integer(1, most_frames_per_second)}, false, "30"},
-            {"size",
-             "The picture in pixels: a name, or width and height, both even.",
-             {one_of({"2160p", "1080p", "720p"}), list_of({side}, 2, 2, "[width, height]")},
-             false,
-             "1080p"},
-            {"theme",
-             "The colours of the ground and of the text.",
-             {one_of({"light", "dark", "print"})},
-             false,
-             "dark"},
-            {"color_by",
-             "What the colour of a disk says.",
-             {one_of({"speed", "speed-class", "energy", "species", "mass"})},
-             false,
-             "speed"},
-            {"palette",
-             "The colours from slow to fast.",
-             {one_of({"viridis", "cividis", "plasma", "inferno", "magma"})},
-             false,
-             "",
-             "the theme's"},
-            {"panels",
-             "What the panels show, each a kind or a mapping with options.",
-             {list_of({one_of(kinds), mapping(panel())}, 0, most_panels, "a list of panels")},
-             false,
-             "",
-             "the template's"}};
+    return {
+        {"seconds",
+         "The length of the whole film, holds and pauses included.",
+         {number({0.01, most_seconds.value, most_seconds.meaning})}},
+        otherwise("1", {"pace",
+                        "Instead of seconds: simulated time in a second of film.",
+                        {number(positive)}}),
+        otherwise("30", {"fps", "Frames in a second.", {integer(1, most_frames_per_second)}}),
+        otherwise("1080p",
+                  {"size",
+                   "The picture in pixels: a name, or width and height, both even.",
+                   {one_of({"2160p", "1080p", "720p"}), list_of({side}, 2, 2, "[width, height]")}}),
+        otherwise("dark", {"theme",
+                           "The colours of the ground and of the text.",
+                           {one_of({"light", "dark", "print"})}}),
+        otherwise("speed", {"color_by",
+                            "What the colour of a disk says.",
+                            {one_of({"speed", "speed-class", "energy", "species", "mass"})}}),
+        left_to("the theme's", {"palette",
+                                "The colours from slow to fast.",
+                                {one_of({"viridis", "cividis", "plasma", "inferno", "magma"})}}),
+        left_to("the template's", {"panels",
+                                   "What the panels show, each a kind or a mapping with options.",
+                                   {list_of({one_of(kinds), mapping(panel())}, 0, most_panels,
+                                            "a list of panels")}})};
 }
 
 Section film() {
     vector<Key> keys = film_keys();
-    keys.insert(keys.begin(), {"template",
-                               "The layout: a file in the scene's folder or in "
-                               "templates/films, by name.",
-                               {text(1, 100)},
-                               false,
-                               "lecture"});
+    keys.insert(
+        keys.begin(),
+        otherwise("lecture",
+                  {"template",
+                   "The layout: a file in the scene's folder or in templates/films, by name.",
+                   {text(1, most_title_letters)}}));
     return complete(
         {.name = "`film`", .keys = std::move(keys), .choices = {{{"seconds", "pace"}}}});
 }
@@ -249,26 +203,23 @@ Section layout() {
     const Range sides{1.0, largest_grid.value, largest_grid.meaning};
     return complete(
         {.name = "`layout`",
-         .keys = {{"grid",
-                   "Width and height of the picture in units of the layout; one unit is "
-                   "the smallest size of text.",
-                   {list_of({number(sides)}, 2, 2, "[width, height]")},
-                   true},
-                  {"title", "Where title and subtitle stand.", {slot}, true},
-                  {"gas", "Where the box stands.", {slot}, true},
-                  {"color_bar", "Where the scale of the colours stands.", {slot}, true},
-                  {"monitors", "Where the numbers stand.", {slot}, false, "", "none"},
-                  {"panels",
-                   "Where the panels stand, in their order.",
-                   {list_of({slot}, 0, most_panels, "a list of [x, y, width, height]")},
-                   false,
-                   "",
-                   "none"}}});
+         .keys = {required({"grid",
+                            "Width and height of the picture in units of the layout; one unit is "
+                            "the smallest size of text.",
+                            {list_of({number(sides)}, 2, 2, "[width, height]")}}),
+                  required({"title", "Where title and subtitle stand.", {slot}}),
+                  required({"gas", "Where the box stands.", {slot}}),
+                  required({"color_bar", "Where the scale of the colours stands.", {slot}}),
+                  left_to("none", {"monitors", "Where the numbers stand.", {slot}}),
+                  left_to("none", {"panels",
+                                   "Where the panels stand, in their order.",
+                                   {list_of({slot}, 0, most_panels,
+                                            "a list of [x, y, width, height]")}})}});
 }
 
 Section template_file() {
     vector<Key> keys = film_keys();
-    keys.push_back({"layout", "Where things stand in a frame.", {mapping(layout())}, true});
+    keys.push_back(required({"layout", "Where things stand in a frame.", {mapping(layout())}}));
     return complete(
         {.name = "a template", .keys = std::move(keys), .choices = {{{"seconds", "pace"}}}});
 }
@@ -277,27 +228,24 @@ Section scene() {
     return complete(
         {.name = "a scene",
          .keys = {
-             {"carom",
-              "The version of the scene format.",
-              {integer(1, {scene_format, "is the format that this carom reads"})},
-              false,
-              "1"},
-             {"title", "Shown in the film and in the file's metadata.", {text(1, 200)}, true},
-             {"subtitle", "Shown under the title.", {text(0, 200)}, false, "", "none"},
-             {"description",
-              "What is seen, in words, for those who cannot see it.",
-              {lines(1, most_letters)},
-              false,
-              "",
-              "made from the scene's content"},
-             {"seed", "Fixes every random choice.", {integer(0, largest_seed)}, false, "1"},
-             {"box", "The box that holds the gas.", {mapping(box())}, true},
-             {"gas",
-              "What is in the box: a list of species.",
-              {list_of({mapping(gas_item())}, 1, most_species, "a list of species")},
-              true},
-             {"run", "What happens to the gas.", {mapping(run())}, true},
-             {"film", "What the viewer sees.", {mapping(film())}, false, "", "the template's"}}});
+             otherwise("1", {"carom",
+                             "The version of the scene format.",
+                             {integer(1, {scene_format, "is the format that this carom reads"})}}),
+             required({"title",
+                       "Shown in the film and in the file's metadata.",
+                       {text(1, most_title_letters)}}),
+             left_to("none", {"subtitle", "Shown under the title.", {text(0, most_title_letters)}}),
+             left_to("made from the scene's content",
+                     {"description",
+                      "What is seen, in words, for those who cannot see it.",
+                      {lines(1, most_letters)}}),
+             otherwise("1", {"seed", "Fixes every random choice.", {integer(0, largest_seed)}}),
+             required({"box", "The box that holds the gas.", {mapping(box())}}),
+             required({"gas",
+                       "What is in the box: a list of species.",
+                       {list_of({mapping(gas_item())}, 1, most_species, "a list of species")}}),
+             required({"run", "What happens to the gas.", {mapping(run())}}),
+             left_to("the template's", {"film", "What the viewer sees.", {mapping(film())}})}});
 }
 
 }  // namespace

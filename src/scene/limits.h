@@ -18,7 +18,9 @@ struct Limit {
 inline constexpr Limit most_file_bytes{4 << 20, "bytes in a scene or template file"};
 inline constexpr Limit most_nesting{24, "lists and mappings inside one another"};
 inline constexpr Limit most_values{500'000, "values in a file, its aliases written out"};
-inline constexpr Limit most_letters{4'000, "characters in a text"};
+inline constexpr Limit most_letters{4'000, "characters in a description"};
+inline constexpr Limit most_title_letters{200, "characters in a title"};
+inline constexpr Limit most_name_letters{40, "characters in a name or label"};
 inline constexpr Limit most_overrides{1'000, "values set on the command line"};
 inline constexpr Limit most_errors_shown{50, "errors shown in one run"};
 
@@ -32,16 +34,37 @@ inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of ov
 
 inline constexpr Limit most_frames{108'000, "frames of a film: an hour at 30 frames a second"};
 inline constexpr Limit most_frames_per_second{120, "frames in a second of film"};
+inline constexpr Limit most_seconds{86'400, "seconds of a film"};
+inline constexpr Limit most_trail_seconds{3'600, "seconds of a trail"};
 inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at least"};
 inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
-inline constexpr std::array limits{
-    most_file_bytes,   most_nesting,     most_values,         most_letters, most_overrides,
-    most_errors_shown, largest_quantity, smallest_quantity,   largest_seed, most_particles,
-    most_species,      most_events,      most_pairs_compared, most_frames,  most_frames_per_second,
-    smallest_side,     largest_side,     most_panels,         most_bins,    largest_grid};
+inline constexpr std::array limits{most_file_bytes,
+                                   most_nesting,
+                                   most_values,
+                                   most_letters,
+                                   most_title_letters,
+                                   most_name_letters,
+                                   most_seconds,
+                                   most_trail_seconds,
+                                   most_overrides,
+                                   most_errors_shown,
+                                   largest_quantity,
+                                   smallest_quantity,
+                                   largest_seed,
+                                   most_particles,
+                                   most_species,
+                                   most_events,
+                                   most_pairs_compared,
+                                   most_frames,
+                                   most_frames_per_second,
+                                   smallest_side,
+                                   largest_side,
+                                   most_panels,
+                                   most_bins,
+                                   largest_grid};
 
 }  // namespace carom

@@ -1,0 +1,80 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/pipeline.h"
+#include "app/segment_workers.h"
+#include "scene/load.h"
+#include "support/process.h"
+#include "util/interrupt.h"
+
+using namespace carom;
+using carom::test::contents;
+using carom::test::TemporaryFolder;
+
+namespace {
+
+Scene small_scene(int disks, double seconds) {
+    return load_scene_text(
+        "title: T\nbox: {size: [400, 300]}\ngas: [{count: " + std::to_string(disks) +
+            ", radius: 0.3, speed: 1}]\nrun: {until: 3}\nfilm: {seconds: " +
+            std::to_string(seconds) + ", size: [128, 72], panels: []}\n",
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+}
+
+RenderReport render_with(const Scene& scene, const std::filesystem::path& path, int threads) {
+    Progress silent(Progress::Form::silent, "");
+    return render(scene, {.output = path, .quality = Quality::draft, .threads = threads}, silent);
+}
+
+}  // namespace
+
+TEST_CASE("seconds are told as on a clock") {
+    CHECK(clock_text(7.2) == "0:07");
+    CHECK(clock_text(754.0) == "12:34");
+    CHECK(clock_text(3723.0) == "1:02:03");
+}
+
+TEST_CASE("films of one frame, of fewer segments than workers and of many particles are made") {
+    const TemporaryFolder folder;
+    for (const auto& [disks, seconds, threads] :
+         {std::tuple{5, 0.07, 4}, std::tuple{5, 9.0, 16}, std::tuple{20000, 3.0, 2}}) {
+        const Scene scene = small_scene(disks, seconds);
+        const RenderReport report = render_with(scene, folder.path() / "film.mp4", threads);
+        CHECK(report.frames == frame_count(scene.film));
+        CHECK(report.bytes == static_cast<std::int64_t>(std::filesystem::file_size(report.path)));
+    }
+}
+
+TEST_CASE(
+    "an interruption stops all workers, keeps the earlier film and leaves nothing beside it") {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "film.mp4";
+    std::ofstream(path) << "earlier";
+    set_interrupted(true);
+    CHECK_THROWS_AS(render_with(small_scene(50, 10.0), path, 3), Interrupted);
+    set_interrupted(false);
+    CHECK(contents(path) == "earlier");
+    CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
+}
+
+TEST_CASE("a worker's error reaches the caller") {
+    const TemporaryFolder folder;
+    const Scene scene = small_scene(5, 2.0);
+    const std::vector<Tick> ticks = timeline(scene);
+    Simulation simulation(scene.gas, scene.run);
+    Observers observers(scene, simulation.particles(), simulation.sample());
+    const Passage passage = simulation.advance_to(0.0);
+    observers.survey(ticks.front(), simulation.sample(), passage);
+    observers.settle();
+    // The encoder is told another size than the frames have.
+    const VideoSettings wrong{
+        .width = 0, .height = 0, .fps = 30, .quality = Quality::draft, .metadata = {}};
+    const VideoSettings right{
+        .width = 128, .height = 72, .fps = 30, .quality = Quality::draft, .metadata = {}};
+    VideoWriter writer(folder.path() / "film.mp4", right);
+    Progress silent(Progress::Form::silent, "");
+    SegmentWorkers workers(scene, observers, wrong, {0, 1}, 1, writer, silent);
+    CHECK_THROWS_AS(workers.finish(), std::exception);
+}

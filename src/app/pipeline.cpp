@@ -33,15 +33,22 @@ Simulation simulate(const Scene& scene) {
     }
 }
 
+// All that makes the film again: the seed, what the command line changed, and the scene itself.
+std::string recipe(const Scene& scene) {
+    std::string text = fmt::format("seed: {}\n", scene.seed);
+    for (const std::string& change : scene.source.overrides)
+        text += fmt::format("--set {}\n", change);
+    return text + "\n" + scene.source.text;
+}
+
 VideoSettings video_settings(const Scene& scene, Quality quality) {
-    return {
-        .width = scene.film.size.width,
-        .height = scene.film.size.height,
-        .fps = scene.film.fps,
-        .quality = quality,
-        .metadata = {{"title", scene.title},
-                     {"description", scene.description},
-                     {"comment", fmt::format("seed: {}\n\n{}", scene.seed, scene.source.text)}}};
+    return {.width = scene.film.size.width,
+            .height = scene.film.size.height,
+            .fps = scene.film.fps,
+            .quality = quality,
+            .metadata = {{"title", scene.title},
+                         {"description", scene.description},
+                         {"comment", recipe(scene)}}};
 }
 
 // The physics alone, so that axes and scales hold for the whole film.

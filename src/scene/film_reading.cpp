@@ -36,19 +36,13 @@ Slot read_slot(const Node& list, const LayoutSpec& layout, Errors& errors) {
     return slot;
 }
 
-PictureSize read_size(const Fields& film, Errors& errors) {
+PictureSize read_size(const Fields& film) {
     static const std::map<std::string, PictureSize> named{
         {"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}};
     const Node& node = *film.value("size");
     if (node.is_scalar()) return named.at(node.text);
     const Eigen::Array2d sides = pair(node);
-    const PictureSize size{static_cast<int>(sides[0]), static_cast<int>(sides[1])};
-    if (size.width % 2 != 0 || size.height % 2 != 0)
-        errors.add(node,
-                   fmt::format("expected an even width and height, found {} by {}", size.width,
-                               size.height),
-                   "films store colour for blocks of two by two pixels");
-    return size;
+    return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
 }
 
 ThemeName read_theme(const std::string& word) {
@@ -182,7 +176,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run,
     film.template_name = fields.text("template").value_or("");
     film.layout = layout.value_or(LayoutSpec{});
     film.fps = static_cast<int>(fields.integer("fps").value_or(30));
-    film.size = read_size(fields, errors);
+    film.size = read_size(fields);
     film.theme = read_theme(fields.text("theme").value());
     film.color_by = read_color_by(fields.text("color_by").value());
     film.palette = fields.text("palette");

@@ -159,7 +159,9 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
     read_template(tree, path, templates, sources, errors);
     Scene scene = read_scene(tree, errors);
-    scene.source = {source.name, source.text};
+    scene.source = {source.name, source.text, {}};
+    for (const auto& [key, value] : overrides.values)
+        scene.source.overrides.push_back(key + "=" + value);
     return scene;
 }
 

@@ -71,8 +71,9 @@ struct Film {
 
 /// Where a scene came from.
 struct SceneSource {
-    std::string path;  ///< as the user gave it
-    std::string text;  ///< the whole file, as read
+    std::string path;                    ///< as the user gave it
+    std::string text;                    ///< the whole file, as read
+    std::vector<std::string> overrides;  ///< what the command line laid over it, as KEY.PATH=VALUE
 };
 
 struct Scene {

@@ -119,6 +119,23 @@ TEST_CASE("a scene becomes a film of the promised format, length and words") {
     CHECK(bytes.find("moov") < bytes.find("mdat"));
 }
 
+TEST_CASE(
+    "a picture of odd size is padded to an even one, and what the command line changed is noted") {
+    const TemporaryFolder folder;
+    const fs::path scene = write_scene(folder, still_life);
+    const Outcome outcome =
+        run_carom({"render", scene.string(), "-o", "odd.mp4", "--size", "321x181", "--seed", "7"},
+                  folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const nlohmann::json found = probe(folder.path() / "odd.mp4");
+    CHECK(found["streams"][0]["width"] == 322);
+    CHECK(found["streams"][0]["height"] == 182);
+    const std::string comment = found["format"]["tags"]["comment"];
+    CHECK(comment.starts_with(
+        "seed: 7\n--set seed=7\n--set film.size=[321, 181]\n\ntitle: One disk"));
+}
+
 TEST_CASE("the decoded colours are those that were drawn") {
     const TemporaryFolder folder;
     const fs::path scene = write_scene(folder, still_life);

@@ -1,0 +1,323 @@
+// Time, size and likeness (SSIM) of H.264 settings on films of moving disks at 1080p, and the wall
+// time of segments on two cores against x264 alone with its own two threads.
+//   encode_bench                      the tables of docs/encoding.md
+//   encode_bench try PRESET PARAMS    one row for other settings, in x264's words
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavutil/log.h>
+#include <libavutil/opt.h>
+}
+
+#include <fmt/format.h>
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "draw/canvas.h"
+#include "draw/disks.h"
+#include "draw/text.h"
+#include "media/h264_settings.h"
+#include "media/video_writer.h"
+#include "media/yuv.h"
+#include "util/random.h"
+
+namespace {
+
+using namespace carom;
+
+constexpr int width = 1920, height = 1080, box = 1000, frames = 300, segment_frames = 150,
+              row_frames = 60;
+
+double seconds_of(clockid_t clock) {
+    timespec now = {};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// Disks that fly straight and are thrown back by the walls, beside still type, a changing
+/// histogram and changing figures: what a film of a gas asks of an encoder.
+class MovingPicture {
+  public:
+    explicit MovingPicture(int count);
+    void draw(int frame, Canvas& canvas, DiskPainter& painter) const;
+
+  private:
+    struct Flight {
+        double x, y, vx, vy;
+        std::uint32_t color;
+    };
+    double radius_;
+    std::vector<Flight> flights_;
+    Canvas still_{{width, height}};
+};
+
+MovingPicture::MovingPicture(int count) : radius_(std::sqrt(0.15 / 3.1416 / count) * box) {
+    Random random(1, "benchmark film");
+    for (int i = 0; i < count; ++i) {
+        const double vx = 4 * random.normal(), vy = 4 * random.normal();
+        const auto warm = static_cast<std::uint32_t>(std::min(255.0, 18 * std::hypot(vx, vy)));
+        flights_.push_back({random.uniform(0, box), random.uniform(0, box), vx, vy,
+                            (warm << 16) | (150u << 8) | (255u - warm)});
+    }
+    still_.fill_all(rgb(0x14161c));
+    still_.stroke_rect({39, 39, box + 2, box + 2}, 2, rgb(0xc8ccd4));
+    for (int line = 0; line < 10; ++line)
+        draw_text(still_, {1100, 80.0 + 100 * line}, "Every collision exchanges momentum, 0.123456",
+                  {.size = 34.0 - 2 * (line % 4), .color = rgb(0xe8eaf0)});
+}
+
+void MovingPicture::draw(int frame, Canvas& canvas, DiskPainter& painter) const {
+    canvas.copy_from(still_);
+    Random random(static_cast<std::uint64_t>(frame), "bars");
+    for (int i = 0; i < 40; ++i) {
+        const double tall = 32 * i * std::exp(-0.006 * i * i) * random.uniform(0.9, 1.1);
+        canvas.fill({1100 + 18.0 * i, 660 - tall, 16, tall}, rgb(0x5b8ff9));
+    }
+    for (int line = 0; line < 5; ++line)
+        draw_text(canvas, {1100, 730.0 + 50 * line}, fmt::format("{:.4f}", random.uniform(0, 100)),
+                  {.size = 34, .color = rgb(0xe8eaf0)});
+    const double span = box - 2 * radius_;
+    const auto thrown_back = [&](double start, double speed) {
+        const double folded = std::fmod(std::abs(start + speed * frame), 2 * span);
+        return static_cast<float>(40 + radius_ + (folded < span ? folded : 2 * span - folded));
+    };
+    std::vector<Disk> disks;
+    for (const Flight& flight : flights_)
+        disks.push_back({thrown_back(flight.x, flight.vx), thrown_back(flight.y, flight.vy),
+                         static_cast<float>(radius_), flight.color});
+    painter.draw(canvas, disks, {40, 40, box, box});
+}
+
+AVFrame* converted(const Canvas& canvas, int number) {
+    AVFrame* const frame = av_frame_alloc();
+    frame->format = AV_PIX_FMT_YUV420P;
+    frame->width = width;
+    frame->height = height;
+    frame->pts = number;
+    if (av_frame_get_buffer(frame, 0) < 0) std::abort();
+    to_yuv420(canvas.pixels(), {frame->data[0], frame->data[1], frame->data[2], frame->linesize[0],
+                                frame->linesize[1]});
+    return frame;
+}
+
+/// All frames of a film, drawn and converted.
+struct Source {
+    std::vector<AVFrame*> planes;
+    explicit Source(const MovingPicture& picture) {
+        Canvas canvas({width, height});
+        DiskPainter painter;
+        for (int i = 0; i < frames; ++i) {
+            picture.draw(i, canvas, painter);
+            planes.push_back(converted(canvas, i));
+        }
+    }
+    ~Source() {
+        for (AVFrame* frame : planes) av_frame_free(&frame);
+    }
+};
+
+double ssim_found = 0;
+
+void find_ssim(void*, int, const char* format, va_list arguments) {
+    std::array<char, 512> text = {};
+    std::vsnprintf(text.data(), text.size(), format, arguments);
+    const char* const found = std::strstr(text.data(), "SSIM Mean Y:");
+    if (found != nullptr) ssim_found = std::atof(found + std::strlen("SSIM Mean Y:"));
+}
+
+struct Encoded {
+    double wall_ms = 0, cpu_ms = 0, megabytes = 0, resident_megabytes = 0;  ///< ms per frame
+};
+
+double resident_megabytes() {
+    std::ifstream statm("/proc/self/statm");
+    double all = 0, resident = 0;
+    statm >> all >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+double drained_bytes(AVCodecContext* context, AVPacket* packet) {
+    double bytes = 0;
+    while (avcodec_receive_packet(context, packet) == 0) {
+        bytes += packet->size;
+        av_packet_unref(packet);
+    }
+    return bytes;
+}
+
+AVCodecContext* open_x264(const std::string& preset, const std::string& parameters, int threads) {
+    const AVCodec* const codec = avcodec_find_encoder_by_name("libx264");
+    AVCodecContext* const context = avcodec_alloc_context3(codec);
+    context->width = width;
+    context->height = height;
+    context->pix_fmt = AV_PIX_FMT_YUV420P;
+    context->time_base = {1, 30};
+    context->thread_count = threads;
+    av_opt_set(context->priv_data, "preset", preset.c_str(), 0);
+    av_opt_set(context->priv_data, "x264-params", parameters.c_str(), 0);
+    if (avcodec_open2(context, codec, nullptr) < 0) std::abort();
+    return context;
+}
+
+Encoded encode(const Source& source, const std::string& preset, const std::string& parameters,
+               int threads, int count = frames) {
+    malloc_trim(0);
+    const double resident = resident_megabytes();
+    const double wall = seconds_of(CLOCK_MONOTONIC), cpu = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    AVCodecContext* context = open_x264(preset, parameters, threads);
+    AVPacket* packet = av_packet_alloc();
+    Encoded result;
+    for (int i = 0; i < count; ++i) {
+        if (avcodec_send_frame(context, source.planes[std::size_t(i)]) < 0) std::abort();
+        result.megabytes += drained_bytes(context, packet) / 1e6;
+    }
+    result.resident_megabytes = resident_megabytes() - resident;
+    avcodec_send_frame(context, nullptr);
+    result.megabytes += drained_bytes(context, packet) / 1e6;
+    av_packet_free(&packet);
+    avcodec_free_context(&context);
+    result.wall_ms = (seconds_of(CLOCK_MONOTONIC) - wall) * 1e3 / count;
+    result.cpu_ms = (seconds_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) * 1e3 / count;
+    return result;
+}
+
+// The settings of our films: groups as long as a segment, one thread.
+std::string as_in_films(const std::string& parameters) {
+    return fmt::format("{}:keyint={}:{}", parameters, segment_frames, shared_h264_parameters);
+}
+
+void print_row(const Source& source, const std::string& name, const std::string& preset,
+               const std::string& parameters) {
+    // The least of three: other work on the machine only adds.
+    Encoded plain = encode(source, preset, parameters, 1, row_frames);
+    for (int repeat = 0; repeat < 2; ++repeat)
+        plain.cpu_ms =
+            std::min(plain.cpu_ms, encode(source, preset, parameters, 1, row_frames).cpu_ms);
+    ssim_found = 0;
+    av_log_set_level(AV_LOG_INFO);
+    av_log_set_callback(find_ssim);
+    encode(source, preset, parameters + ":ssim=1", 1, row_frames);
+    av_log_set_callback([](void*, int, const char*, va_list) {});
+    fmt::print("| {} | {:.1f} | {:.1f} | {:.4f} | {:.0f} |\n", name, plain.cpu_ms, plain.megabytes,
+               ssim_found, plain.resident_megabytes);
+    std::fflush(stdout);
+}
+
+/// Seconds to draw, convert, encode and join the film, one segment after the other on two threads.
+double film_seconds(const MovingPicture& picture, Quality quality) {
+    const double start = seconds_of(CLOCK_MONOTONIC);
+    VideoSettings settings;
+    settings.quality = quality;
+    std::array<EncodedSegment, frames / segment_frames> segments;
+    std::vector<std::thread> threads;
+    for (int k = 0; k < int(segments.size()); ++k)
+        threads.emplace_back([&, k] {
+            SegmentEncoder encoder(settings);
+            Canvas canvas({width, height});
+            DiskPainter painter;
+            for (int i = k * segment_frames; i < (k + 1) * segment_frames; ++i) {
+                picture.draw(i, canvas, painter);
+                encoder.add(canvas.pixels());
+            }
+            segments[std::size_t(k)] = encoder.finish();
+        });
+    for (std::thread& thread : threads) thread.join();
+    const auto path = std::filesystem::temp_directory_path() / "carom-encode-bench.mp4";
+    VideoWriter writer(path, settings);
+    for (EncodedSegment& segment : segments) writer.append(std::move(segment));
+    writer.commit();
+    std::filesystem::remove(path);
+    return seconds_of(CLOCK_MONOTONIC) - start;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+void print_wall(const MovingPicture& picture, const Source& source, const char* name,
+                Quality quality, const char* preset) {
+    std::vector<double> ours, theirs, ratios;
+    for (int run = 0; run < 5; ++run) {
+        ours.push_back(film_seconds(picture, quality));
+        theirs.push_back(encode(source, preset, "crf=20", 2).wall_ms * frames / 1e3);
+        ratios.push_back(ours.back() / theirs.back());
+    }
+    fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", name, preset, median(ours),
+               median(theirs), median(ratios));
+    std::fflush(stdout);
+}
+
+double drawing_ms(const MovingPicture& picture) {
+    Canvas canvas({width, height});
+    DiskPainter painter;
+    const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+    for (int i = 0; i < 50; ++i) picture.draw(i, canvas, painter);
+    return (seconds_of(CLOCK_THREAD_CPUTIME_ID) - start) * 1e3 / 50;
+}
+
+double conversion_ms(const MovingPicture& picture) {
+    Canvas canvas({width, height});
+    DiskPainter painter;
+    picture.draw(0, canvas, painter);
+    AVFrame* frame = converted(canvas, 0);
+    std::vector<double> times;
+    for (int i = 0; i < 101; ++i) {
+        const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+        to_yuv420(canvas.pixels(), {frame->data[0], frame->data[1], frame->data[2],
+                                    frame->linesize[0], frame->linesize[1]});
+        times.push_back((seconds_of(CLOCK_THREAD_CPUTIME_ID) - start) * 1e3);
+    }
+    av_frame_free(&frame);
+    return median(times);
+}
+
+void print_tables(int count) {
+    const MovingPicture picture(count);
+    const Source source(picture);
+    fmt::print("\n{} disks, {} frames: drawing {:.1f} ms, conversion {:.2f} ms a frame\n\n", count,
+               frames, drawing_ms(picture), conversion_ms(picture));
+    fmt::print("| settings | CPU ms a frame | MB for 60 frames | SSIM-Y | MB of memory |\n");
+    fmt::print("| --- | --- | --- | --- | --- |\n");
+    for (const char* preset : {"ultrafast", "superfast", "veryfast", "medium"})
+        print_row(source, fmt::format("x264 {}, CRF 20", preset), preset, "crf=20");
+    for (const auto& [name, quality] : {std::pair{"draft", Quality::draft},
+                                        {"standard", Quality::standard},
+                                        {"final", Quality::final_}}) {
+        const H264Settings settings = h264_settings(quality);
+        print_row(source, name, settings.preset, as_in_films(settings.parameters));
+    }
+    fmt::print("\n| film | against x264 | seconds | x264's seconds, two threads | ratio |\n");
+    fmt::print("| --- | --- | --- | --- | --- |\n");
+    print_wall(picture, source, "draft", Quality::draft, "ultrafast");
+    print_wall(picture, source, "standard", Quality::standard, "veryfast");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    av_log_set_callback([](void*, int, const char*, va_list) {});
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.size() >= 3 && words[0] == "try") {
+        for (const int count : {200, 1000}) {
+            const Source source{MovingPicture(count)};
+            for (std::size_t i = 1; i + 1 < words.size(); i += 2)
+                print_row(source, fmt::format("{} disks, {} {}", count, words[i], words[i + 1]),
+                          words[i], as_in_films(words[i + 1]));
+        }
+        return 0;
+    }
+    for (const int count : {200, 1000}) print_tables(count);
+}

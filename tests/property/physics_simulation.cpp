@@ -196,6 +196,35 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
     }
 }
 
+TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself") {
+    // A disk found a cell too late has overlapped before it collides. Whether the rim just reaches
+    // a cell depends on the radius: hence several.
+    for (const double radius : {7.4, 7.55, 7.7, 7.85, 8.0}) {
+        CAPTURE(radius);
+        Gas gas;
+        gas.box.size = {60.0, 50.0};
+        gas.species = {{.name = "giant",
+                        .count = 1,
+                        .radius = radius,
+                        .mass = Density{1000.0},
+                        .velocity = Velocity{{{1.0, 0.6}}}},
+                       {.name = "dust", .count = 4000, .radius = 0.2, .mass = Density{1.0}}};
+        const auto [particles, start] = place(gas);
+        HardDisks disks(gas.box, particles);
+        disks.start(start);
+        std::vector<Collision> collisions;
+        disks.advance(20.0, &collisions);
+        CHECK(disks.counts().particle > 1000);
+        for (const Collision& c : collisions) {
+            if (c.second < 0) continue;
+            const double sigma = particles.radius[c.first] + particles.radius[c.second];
+            const double distance =
+                std::sqrt((c.second_position - c.first_position).square().sum());
+            REQUIRE(std::abs(distance - sigma) < 1e-12);
+        }
+    }
+}
+
 TEST_CASE("dense from a lattice, at late and early times alike") {
     Gas gas;
     gas.box.size = {30.0, 26.0};

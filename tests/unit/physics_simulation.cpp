@@ -139,6 +139,16 @@ TEST_CASE(
                          std::runtime_error);
 }
 
+TEST_CASE("a disk that falls between two images of another hits both") {
+    // Half of the box apart along x, to the last bit: which image is nearest does not tell.
+    Simulation simulation =
+        simulation_of(box_of(1.75, 10.0, Wall::periodic), {{0.4375, 2, 0, 0}, {1.3125, 5, 0, -1}});
+    const Passage passage = simulation.advance_to(6.0);
+    CHECK(passage.counts.particle >= 2);
+    CHECK(simulation.sample().velocity.square().sum() == doctest::Approx(1.0).epsilon(1e-14));
+    CHECK(simulation.sample().velocity.col(0).sum() == doctest::Approx(0.0));
+}
+
 TEST_CASE("ties are decided by number and counted") {
     // One disk hits two at rest at the same instant.
     Simulation simulation =

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
 #include <numbers>
 #include <stdexcept>
@@ -178,12 +179,25 @@ void Canvas::clip_to(Rect rect) {
 void Canvas::release_clip() { cairo_reset_clip(handle()); }
 
 void Canvas::copy_from(const Canvas& other) {
+    copy_from(other,
+              {0.0, 0.0, static_cast<double>(size().width), static_cast<double>(size().height)});
+}
+
+void Canvas::copy_from(const Canvas& other, Rect rect) {
     const PixelView from = other.pixels();
     const PixelView to = pixels();
     assert(from.width == to.width && from.height == to.height && from.stride == to.stride);
-    const auto pixel_count =
-        static_cast<std::size_t>(to.stride) * static_cast<std::size_t>(to.height);
-    std::memcpy(to.data, from.data, pixel_count * sizeof(*to.data));
+    const auto within = [](double value, int most) {
+        return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
+    };
+    const int left = within(std::floor(rect.x), to.width);
+    const int right = within(std::ceil(rect.right()), to.width);
+    const int bottom = within(std::ceil(rect.bottom()), to.height);
+    if (left >= right) return;
+    for (int y = within(std::floor(rect.y), to.height); y < bottom; ++y) {
+        const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(y) * to.stride + left;
+        std::copy_n(from.data + start, right - left, to.data + start);
+    }
     pixels_changed();
 }
 

@@ -45,7 +45,11 @@ class Canvas {
     void fill_polygon(std::span<const Point> points, Color color);
     void clip_to(Rect rect);  ///< until release_clip(); does not nest
     void release_clip();
+
     void copy_from(const Canvas& other);  ///< all pixels of a raster of the same size
+
+    /// Copies the pixels that `rect` touches from a raster of the same size.
+    void copy_from(const Canvas& other, Rect rect);
 
     /// The pixels, after all drawing so far; pixels_changed() must follow own writes. Raster only.
     PixelView pixels();

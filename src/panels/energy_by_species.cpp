@@ -21,6 +21,11 @@ struct SeriesState : PanelState {
     std::size_t shown = 0;
 };
 
+// Points within a pixel of the one before show nothing new, and a long film has thousands.
+bool is_apart(const Point& a, const Point& b) {
+    return std::abs(a.x - b.x) > 1.0 || std::abs(a.y - b.y) > 1.0;
+}
+
 class EnergyBySpecies : public Panel {
   public:
     EnergyBySpecies(const Cast& cast, const PanelSpec& spec) : cast_(cast), spec_(spec) {
@@ -145,13 +150,14 @@ void EnergyBySpecies::draw_line(Canvas& canvas, const Page& page, std::size_t sp
     std::vector<Point> path;
     for (std::size_t i = 0; i < shown; ++i) {
         if (!std::isfinite(line[i])) continue;
-        path.push_back({s.x(history_.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)});
+        const Point last{s.x(history_.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
         const bool leg_ends = i + 1 == shown || history_.leg[i + 1] != history_.leg[i];
+        if (leg_ends || path.empty() || is_apart(path.back(), last)) path.push_back(last);
         if (!leg_ends) continue;
         const bool way_back = history_.leg[i] % 2 == 1;
         canvas.stroke_path(path, (way_back ? 0.28 : 0.16) * page.unit,
                            way_back ? mix(color, page.theme.ink, 0.5) : color);
-        path = {path.back()};
+        path = {last};
     }
     if (!path.empty()) canvas.fill_circle(path.back(), 0.3 * page.unit, color);
 }

@@ -97,6 +97,12 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
     const Rect box = observers_.gas().box_on(place(scene_.film.layout.gas));
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
     observers_.gas().draw_color_key(ground_, {beside, unit_, theme_, disks_});
+    for (const Observers::Placed& placed : observers_.panels()) {
+        const Rect area = place(placed.slot);
+        changing_.push_back(
+            {area.x - unit_, area.y - unit_, area.width + 2.0 * unit_, area.height + 2.0 * unit_});
+    }
+    canvas_.copy_from(ground_);
 }
 
 Rect FramePainter::place(const Slot& slot) const {
@@ -127,7 +133,7 @@ void FramePainter::draw_title() {
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
-    canvas_.copy_from(ground_);
+    for (const Rect& rect : changing_) canvas_.copy_from(ground_, rect);
     for (std::size_t i = 0; i < frame.states.size(); ++i) {
         const Observers::Placed& placed = observers_.panels()[i];
         placed.panel->draw(canvas_, page(placed.slot), *frame.states[i]);

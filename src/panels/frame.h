@@ -70,7 +70,8 @@ class FramePainter {
     double unit_;
     Point origin_;
     DiskPainter disks_;
-    Canvas ground_;  ///< what is the same in every frame
+    std::vector<Rect> changing_;  ///< where frames differ from the ground: the reach of each panel
+    Canvas ground_;               ///< what is the same in every frame
     Canvas canvas_;
 };
 

@@ -64,13 +64,19 @@ ColorMap scale_colors(const Scene& scene, bool dark) {
 }
 
 // A name on a plate of the ground, so that disks behind it do not cut it up.
-void draw_name(Canvas& canvas, const Page& page, Point foot, const std::string& markup,
-               double alpha) {
+// Above the disk if there is room, else below; inside the box.
+void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& disk,
+               const std::string& markup, double alpha) {
+    const double u = page.unit;
     TextStyle style = title_style(page);
     style.align = Align::center;
     style.color = with_alpha(page.theme.ink, alpha);
-    const double width = measure_text(markup, style).width + 0.8 * page.unit;
-    canvas.fill({foot.x - width / 2, foot.y - 1.2 * page.unit, width, 1.6 * page.unit},
+    style.max_width = box.width - 0.8 * u;
+    const double half = measure_text(markup, style).width / 2 + 0.4 * u;
+    const double center = disk.x + disk.width / 2;
+    Point foot{std::max(box.x + half, std::min(center, box.right() - half)), disk.y - 0.7 * u};
+    if (foot.y - 1.2 * u < box.y) foot.y = disk.bottom() + 1.7 * u;
+    canvas.fill({foot.x - half, foot.y - 1.2 * u, 2.0 * half, 1.6 * u},
                 with_alpha(page.theme.ground, 0.8 * alpha));
     draw_text(canvas, foot, markup, style);
 }
@@ -301,7 +307,8 @@ void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& s
         const std::string& name =
             look.label.empty() ? cast_.scene.gas.species[kind].name : look.label;
         if (gas.label_alpha <= 0.0F || cast_.scene.gas.species[kind].count > 1) continue;
-        draw_name(canvas, page, {at.x, at.y - radius - 0.7 * page.unit}, escape_markup(name),
+        const Rect disk{at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius};
+        draw_name(canvas, page, to_pixels.box, disk, escape_markup(name),
                   static_cast<double>(gas.label_alpha));
     }
 }

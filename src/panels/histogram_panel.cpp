@@ -19,7 +19,7 @@ struct HistogramState : PanelState {
 };
 
 constexpr std::size_t pool_size = 200'000;  // values kept of the whole run, for ranges and bins
-constexpr double names_width = 10.3;        // of the means' names and numbers, in units
+constexpr double names_width = 10.6;        // of the means' names and numbers, in units
 constexpr int probe_frames = 40;            // frames whose bars decide the height of the axis
 
 }  // namespace
@@ -196,6 +196,7 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page, double mean_no
         line({sample.x, sample.y + 0.1 * u}, {sample.x, sample.y - 0.85 * u}, solid);
         TextStyle style = label_style(page);
         style.color = solid ? page.theme.ink : page.theme.muted;
+        style.max_width = names_width * u;
         draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words + " " + three_digits(mean), style);
     };
     if (spec_.mean_start) mark(mean_start_, "mean at start", 2.2, false);

@@ -65,7 +65,8 @@ class Panel {
     /// Draws what is the same in every frame. Called from any thread after settle().
     virtual void draw_ground(Canvas& canvas, const Page& page) const = 0;
 
-    /// Draws what changes, over the ground. A pure function of the state.
+    /// Draws what changes, over the ground, at most one unit outside of the area. A pure function
+    /// of the state.
     virtual void draw(Canvas& canvas, const Page& page, const PanelState& state) const = 0;
 };
 

@@ -108,6 +108,21 @@ TEST_CASE("a layer is copied whole and own pixels are kept") {
     CHECK(at(moved, 32, 6) == 0xFF010203U);
 }
 
+TEST_CASE("the pixels that a rectangle touches are copied, and no others") {
+    Canvas layer({20, 10});
+    layer.fill_all(white);
+    Canvas canvas({20, 10});
+    canvas.fill_all(rgb(0x000000));
+    canvas.copy_from(layer, {2.5, 3.0, 4.0, 2.2});
+    CHECK(area_of(canvas) == doctest::Approx(5 * 3));
+    CHECK(at(canvas, 2, 3) == 0xFFFFFFFFU);
+    CHECK(at(canvas, 6, 5) == 0xFFFFFFFFU);
+    canvas.copy_from(layer, {-50.0, -50.0, 5.0, 5.0});  // wholly outside
+    CHECK(area_of(canvas) == doctest::Approx(5 * 3));
+    canvas.copy_from(layer, {-50.0, -50.0, 500.0, 500.0});
+    CHECK(area_of(canvas) == doctest::Approx(200));
+}
+
 TEST_CASE("impossible sizes are errors, not crashes") {
     CHECK_THROWS_AS(Canvas({0, 10}), SystemError);
     CHECK_THROWS_AS(Canvas({10, -1}), SystemError);

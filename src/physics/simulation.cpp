@@ -2,13 +2,30 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "physics/hard_disks.h"
+#include "physics/placed_disks.h"
 #include "physics/placement.h"
 
 namespace carom {
+namespace {
+
+[[maybe_unused]] bool nothing_overlaps(const Box& box, const Particles& particles,
+                                       const Sample& state) {
+    if (particles.count() == 0) return true;
+    PlacedDisks placed(box, particles.count(), 0.5 * particles.radius.mean());
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        const Eigen::Array2d centre = state.position.row(i).transpose();
+        if (!placed.is_free(centre, particles.radius[i])) return false;
+        placed.add(static_cast<std::int32_t>(i), centre, particles.radius[i]);
+    }
+    return true;
+}
+
+}  // namespace
 
 struct Simulation::Implementation {
     Implementation(const Box& its_box, Particles its_particles, const Sample& start, const Run& run)
@@ -18,6 +35,7 @@ struct Simulation::Implementation {
           disks(its_box, particles),
           present(start) {
         assert(box.dimension == 2);
+        assert(nothing_overlaps(box, particles, start));
         present.time = -run.equilibrate;
         disks.start(present);
         if (run.equilibrate > 0.0) {

@@ -21,9 +21,10 @@ struct SeriesState : PanelState {
     std::size_t shown = 0;
 };
 
-// Points within a pixel of the one before show nothing new, and a long film has thousands.
-bool is_apart(const Point& a, const Point& b) {
-    return std::abs(a.x - b.x) > 1.0 || std::abs(a.y - b.y) > 1.0;
+// Points nearer than half the line's width to the one before show nothing new, and a long film has
+// thousands.
+bool is_apart(const Point& a, const Point& b, double distance) {
+    return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
 }
 
 class EnergyBySpecies : public Panel {
@@ -152,7 +153,8 @@ void EnergyBySpecies::draw_line(Canvas& canvas, const Page& page, std::size_t sp
         if (!std::isfinite(line[i])) continue;
         const Point last{s.x(history_.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
         const bool leg_ends = i + 1 == shown || history_.leg[i + 1] != history_.leg[i];
-        if (leg_ends || path.empty() || is_apart(path.back(), last)) path.push_back(last);
+        if (leg_ends || path.empty() || is_apart(path.back(), last, 0.08 * page.unit))
+            path.push_back(last);
         if (!leg_ends) continue;
         const bool way_back = history_.leg[i] % 2 == 1;
         canvas.stroke_path(path, (way_back ? 0.28 : 0.16) * page.unit,

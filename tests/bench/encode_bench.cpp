@@ -215,57 +215,9 @@ void print_row(const Source& source, const std::string& name, const std::string&
     std::fflush(stdout);
 }
 
-/// Seconds to draw, convert, encode and join the film, one segment after the other on two threads.
-double film_seconds(const MovingPicture& picture, Quality quality) {
-    const double start = seconds_of(CLOCK_MONOTONIC);
-    VideoSettings settings;
-    settings.quality = quality;
-    std::array<EncodedSegment, frames / segment_frames> segments;
-    std::vector<std::thread> threads;
-    for (int k = 0; k < int(segments.size()); ++k)
-        threads.emplace_back([&, k] {
-            SegmentEncoder encoder(settings);
-            Canvas canvas({width, height});
-            DiskPainter painter;
-            for (int i = k * segment_frames; i < (k + 1) * segment_frames; ++i) {
-                picture.draw(i, canvas, painter);
-                encoder.add(canvas.pixels());
-            }
-            segments[std::size_t(k)] = encoder.finish();
-        });
-    for (std::thread& thread : threads) thread.join();
-    const auto path = std::filesystem::temp_directory_path() / "carom-encode-bench.mp4";
-    VideoWriter writer(path, settings);
-    for (EncodedSegment& segment : segments) writer.append(std::move(segment));
-    writer.commit();
-    std::filesystem::remove(path);
-    return seconds_of(CLOCK_MONOTONIC) - start;
-}
-
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
-}
-
-void print_wall(const MovingPicture& picture, const Source& source, const char* name,
-                Quality quality, const char* preset) {
-    std::vector<double> ours, theirs, ratios;
-    for (int run = 0; run < 5; ++run) {
-        ours.push_back(film_seconds(picture, quality));
-        theirs.push_back(encode(source, preset, "crf=20", 2).wall_ms * frames / 1e3);
-        ratios.push_back(ours.back() / theirs.back());
-    }
-    fmt::print("| {} | {} | {:.2f} | {:.2f} | {:.2f} |\n", name, preset, median(ours),
-               median(theirs), median(ratios));
-    std::fflush(stdout);
-}
-
-double drawing_ms(const MovingPicture& picture) {
-    Canvas canvas({width, height});
-    DiskPainter painter;
-    const double start = seconds_of(CLOCK_THREAD_CPUTIME_ID);
-    for (int i = 0; i < 50; ++i) picture.draw(i, canvas, painter);
-    return (seconds_of(CLOCK_THREAD_CPUTIME_ID) - start) * 1e3 / 50;
 }
 
 double conversion_ms(const MovingPicture& picture) {
@@ -287,8 +239,8 @@ double conversion_ms(const MovingPicture& picture) {
 void print_tables(int count) {
     const MovingPicture picture(count);
     const Source source(picture);
-    fmt::print("\n{} disks, {} frames: drawing {:.1f} ms, conversion {:.2f} ms a frame\n\n", count,
-               frames, drawing_ms(picture), conversion_ms(picture));
+    fmt::print("\n{} disks, {} frames: conversion {:.2f} ms a frame\n\n", count, frames,
+               conversion_ms(picture));
     fmt::print("| settings | CPU ms a frame | MB for 60 frames | SSIM-Y | MB of memory |\n");
     fmt::print("| --- | --- | --- | --- | --- |\n");
     for (const char* preset : {"ultrafast", "superfast", "veryfast", "medium"})
@@ -299,10 +251,6 @@ void print_tables(int count) {
         const H264Settings settings = h264_settings(quality);
         print_row(source, name, settings.preset, as_in_films(settings.parameters));
     }
-    fmt::print("\n| film | against x264 | seconds | x264's seconds, two threads | ratio |\n");
-    fmt::print("| --- | --- | --- | --- | --- |\n");
-    print_wall(picture, source, "draft", Quality::draft, "ultrafast");
-    print_wall(picture, source, "standard", Quality::standard, "veryfast");
 }
 
 }  // namespace

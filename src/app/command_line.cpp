@@ -167,6 +167,9 @@ void draw_still(const Arguments& arguments) {
     require_font();
     const Scene scene =
         load_scene(arguments.scenes.front(), templates_folder(), overrides_of(arguments));
+    if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
+        throw UsageError(
+            fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));
     const fs::path output = output_path(arguments, arguments.scenes.front(), ".png");
     render_still(scene, arguments.at, output);
     if (!arguments.quiet) fmt::print("{}\n", output.string());

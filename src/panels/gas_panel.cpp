@@ -138,8 +138,9 @@ void GasPanel::survey(const Observation& observation) {
 }
 
 void GasPanel::settle() {
-    constexpr double share_inside = 0.99;
-    const double top = pool_.empty() ? 0.0 : quantile(pool_, share_inside);
+    // A quarter above the 95th percentile: the 99th of a Maxwell-Boltzmann gas, but deaf to a start
+    // far from it.
+    const double top = pool_.empty() ? 0.0 : 1.25 * quantile(pool_, 0.95);
     scale_top_ = top > 0.0 ? round_up_for_axis(top) : 1.0;
     pool_ = {};
 }

@@ -67,15 +67,15 @@ double HistogramPanel::curve_top() const {
     return top;
 }
 
-// The axis holds 99 of a hundred values of the whole run; those beyond are counted at its end.
+// The axis holds a quarter more than 97 of a hundred values of the whole run: 99 of a hundred of a
+// gas in equilibrium, whatever the start. Those beyond are counted.
 void HistogramPanel::choose_bins() {
     double high = 1.0;
     double low = 0.0;
     if (spec_.range) {
         std::tie(low, high) = *spec_.range;
     } else {
-        constexpr double share_inside = 0.99;
-        high = quantile(pool_, share_inside);
+        high = 1.25 * quantile(pool_, 0.97);
         high = high > 0.0 ? round_up_for_axis(high) : 1.0;
     }
     const int count =
@@ -97,7 +97,7 @@ void HistogramPanel::choose_height() {
     }
     const double curve = curve_top();
     const double bars = quantile(tops, curve > 0.0 ? 0.5 : 0.9);
-    const double top = curve > 0.0 ? std::clamp(1.1 * bars, 1.2 * curve, 1.6 * curve) : 1.1 * bars;
+    const double top = curve > 0.0 ? std::clamp(1.1 * bars, 1.2 * curve, 1.4 * curve) : 1.1 * bars;
     tallest_ = round_up_for_axis(std::max(1.0, top));
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("missing scenes, wrong options and wrong endings are told with exit co
           "render '" + scene + "' --fps fast", "render '" + scene + "' --quality best",
           "render '" + scene + "' --set gas", "render '" + scene + "' '" + scene + "'",
           "render '" + scene + "' --size 1x1", "render '" + scene + "' --seconds -1",
-          "render '" + scene + "' --template none", "still '" + scene + "' --at 25",
+          "render '" + scene + "' --template none", "still '" + scene + "' --at 17",
           "still '" + scene + "' --at nan", "still '" + scene + "' -o film.mp4"}) {
         CAPTURE(arguments);
         const Outcome outcome = shell("'" + program + "' " + arguments, folder.path());

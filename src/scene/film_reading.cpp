@@ -7,6 +7,7 @@
 #include <map>
 
 #include "scene/limits.h"
+#include "scene/timeline.h"
 
 namespace carom {
 namespace {
@@ -15,11 +16,11 @@ void read_event(const Fields& fields, const Run& run, std::vector<RunEvent>& eve
                 Errors& errors) {
     const auto at = fields.number("at");
     if (!at) return;
-    if (run.until > 0.0 && *at > run.until)
-        errors.add(
-            *fields.given("at"),
-            fmt::format("the event is at {}, after the end of the run at {}", *at, run.until),
-            "`at` lies between 0 and `until`");
+    if (run.until > 0.0 && *at >= run.until)
+        errors.add(*fields.given("at"),
+                   fmt::format("expected a time above 0 and below `until` ({}) for `at`, found {}",
+                               run.until, described(*fields.given("at"))),
+                   "the film ends at `until`: what happens then or later is never shown");
     if (fields.given("reverse")) events.push_back({*at, ReverseVelocities{}});
 }
 
@@ -117,9 +118,9 @@ const Node& place_of_length(const Fields& film, const Fields& scene) {
     return film.node();
 }
 
-void check_frames(const Film& film, const Fields& fields, const Fields& scene, Errors& errors) {
+bool check_frames(const Film& film, const Fields& fields, const Fields& scene, Errors& errors) {
     const double frames = std::round(film.seconds * film.fps);
-    if (frames >= 2.0 && frames <= most_frames.value) return;
+    if (frames >= 2.0 && frames <= most_frames.value) return true;
     const bool given = fields.given("seconds") != nullptr;
     std::string hint =
         frames < 2.0 ? "a film has at least 2 frames"
@@ -129,6 +130,24 @@ void check_frames(const Film& film, const Fields& fields, const Fields& scene, E
                fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} {}",
                            film.seconds, film.fps, frames, frames == 1.0 ? "frame" : "frames"),
                hint);
+    return false;
+}
+
+// Each part of the run between reversals needs a frame for its end.
+void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& errors) {
+    const int legs = leg_count(run);
+    const int steps = moving_steps(film, run);
+    const auto fields = scene.inner("run");
+    if (legs <= steps || !fields || fields->given("events") == nullptr) return;
+    const int enough = (4 * (legs + 1) + 2) / 3;  // pauses leave at least 3/4 of the frames, less 1
+    const double seconds = std::ceil(10.0 * enough / film.fps) / 10.0;
+    errors.add(
+        *fields->given("events"),
+        fmt::format(
+            "{} reversals divide the run into {} parts, a film of {} frames has room for {}",
+            legs - 1, legs, frame_count(film), steps),
+        fmt::format("give fewer events, or a longer film: {} seconds are enough (`film.seconds`)",
+                    seconds));
 }
 
 }  // namespace
@@ -181,7 +200,8 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run,
     film.color_by = read_color_by(fields.text("color_by").value());
     film.palette = fields.text("palette");
     film.seconds = read_seconds(fields, run);
-    if (film.seconds > 0.0) check_frames(film, fields, scene, errors);
+    if (film.seconds > 0.0 && check_frames(film, fields, scene, errors))
+        check_legs(film, run, scene, errors);
     film.panels = read_panels(fields, errors);
     if (layout) check_slots(fields, film, errors);
     return film;

@@ -107,11 +107,11 @@ Section gas_item() {
 }
 
 Section run() {
-    const Section event =
-        complete({.name = "an item of `events`",
-                  .keys = {required({"at", "When, in simulated time.", {number(positive)}}),
-                           {"reverse", "Turns every velocity round.", {one_of({"velocities"})}}},
-                  .choices = {{{"reverse"}, true}}});
+    const Section event = complete(
+        {.name = "an item of `events`",
+         .keys = {required({"at", "When, in simulated time, before `until`.", {number(positive)}}),
+                  {"reverse", "Turns every velocity round.", {one_of({"velocities"})}}},
+         .choices = {{{"reverse"}, true}}});
     return complete(
         {.name = "`run`",
          .keys = {

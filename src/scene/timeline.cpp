@@ -1,7 +1,9 @@
 #include "scene/timeline.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -18,22 +20,23 @@ std::vector<double> reversal_times(const Run& run) {
     return times;
 }
 
-Pauses pauses(int frames, int fps, std::size_t reversals) {
-    const double wanted = (1.5 + 2.0 + static_cast<double>(reversals)) * fps;
+Pauses pauses(int frames, int fps, int reversals) {
+    const double wanted = (1.5 + 2.0 + reversals) * fps;
     const double scale = std::min(1.0, frames / 4.0 / wanted);
     const auto count = [&](double seconds) { return static_cast<int>(seconds * fps * scale); };
     return {count(1.5), count(1.0), count(2.0)};
 }
 
-// The film between two reversals: equal steps from its start; its end is always a frame.
-int steps_of_leg(double length, double step) {
+// The film between two reversals: equal steps from its start; its end is always a frame. A whole
+// number, but of any size: a step of 1e-12 may be asked about a leg of 1e12.
+double steps_of_leg(double length, double step) {
     constexpr double rounding =
         1e-9;  // a leg of exactly k steps must not get a sliver as step k + 1
-    return std::max(1, static_cast<int>(std::ceil(length / step - rounding)));
+    return std::max(1.0, std::ceil(length / step - rounding));
 }
 
-int steps_of_all(const std::vector<double>& ends, double step) {
-    int steps = 0;
+double steps_of_all(const std::vector<double>& ends, double step) {
+    double steps = 0.0;
     double start = 0.0;
     for (double end : ends) {
         steps += steps_of_leg(end - start, step);
@@ -42,11 +45,29 @@ int steps_of_all(const std::vector<double>& ends, double step) {
     return steps;
 }
 
-// The smallest step that divides the first leg evenly and spends at most `most` steps in all.
-double common_step(const std::vector<double>& ends, int most) {
+// The smallest step that divides the first leg evenly and spends at most `most` steps in all, if
+// there is one.
+double step_of_first_leg(const std::vector<double>& ends, int most) {
     int first = std::max(1, static_cast<int>(most * (ends.front() / ends.back())));
     while (first > 1 && steps_of_all(ends, ends.front() / first) > most) --first;
     return ends.front() / first;
+}
+
+// The smallest step that divides the whole run evenly and spends at most `most` steps in all.
+// Rounding up adds less than one step to each leg, so that the search ends at most - legs + 1.
+double step_of_run(const std::vector<double>& ends, int most) {
+    int whole = most;
+    while (whole > 1 && steps_of_all(ends, ends.back() / whole) > most) --whole;
+    return ends.back() / whole;
+}
+
+// One step for all legs. The first leg's is the smoothest, but a short first leg has none that
+// fits, or only a coarse one.
+double common_step(const std::vector<double>& ends, int most) {
+    constexpr double well_used = 0.8;
+    const double step = step_of_first_leg(ends, most);
+    const double steps = steps_of_all(ends, step);
+    return steps <= most && steps >= well_used * most ? step : step_of_run(ends, most);
 }
 
 class Reel {
@@ -74,20 +95,31 @@ int frame_count(const Film& film) {
     return std::max(1, static_cast<int>(std::lround(film.seconds * film.fps)));
 }
 
+int leg_count(const Run& run) { return static_cast<int>(reversal_times(run).size()) + 1; }
+
+int moving_steps(const Film& film, const Run& run) {
+    const int frames = frame_count(film);
+    const int reversals = leg_count(run) - 1;
+    const Pauses pause = pauses(frames, film.fps, reversals);
+    return frames - 1 - pause.opening - pause.closing - pause.reversal * reversals;
+}
+
 std::vector<Tick> timeline(const Scene& scene) {
     const int frames = frame_count(scene.film);
+    if (frames == 1) return {Tick{}};
     std::vector<double> ends = reversal_times(scene.run);
-    const Pauses pause = pauses(frames, scene.film.fps, ends.size());
-    const int held = pause.opening + pause.closing + pause.reversal * static_cast<int>(ends.size());
+    const Pauses pause = pauses(frames, scene.film.fps, leg_count(scene.run) - 1);
     ends.push_back(scene.run.until);
-    const double step = common_step(ends, std::max(1, frames - held - 1));
+    const int most = moving_steps(scene.film, scene.run);
+    assert(static_cast<int>(ends.size()) <= most);
+    const double step = common_step(ends, most);
 
     Reel reel;
     reel.hold(pause.opening, 0.0, Phase::opening, 0);
     reel.add(0.0, Phase::moving, 0.0, 0);
     double start = 0.0;
     for (std::size_t leg = 0; leg < ends.size(); ++leg) {
-        const int steps = steps_of_leg(ends[leg] - start, step);
+        const int steps = static_cast<int>(steps_of_leg(ends[leg] - start, step));
         const int reversals = static_cast<int>(leg);
         for (int i = 1; i < steps; ++i)
             reel.add(start + i * ((ends[leg] - start) / steps), Phase::moving, 0.0, reversals);
@@ -95,11 +127,10 @@ std::vector<Tick> timeline(const Scene& scene) {
         if (leg + 1 < ends.size()) reel.pause_at_reversal(pause.reversal, ends[leg], reversals);
         start = ends[leg];
     }
+    assert(reel.size() <= frames);
     reel.hold(frames - reel.size(), scene.run.until, Phase::closing,
               static_cast<int>(ends.size()) - 1);
-    std::vector<Tick> ticks = reel.take();
-    ticks.resize(static_cast<std::size_t>(frames), ticks.back());
-    return ticks;
+    return reel.take();
 }
 
 double folded_time(const Run& run, double time) {

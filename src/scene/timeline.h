@@ -22,9 +22,10 @@ struct Tick {
                         ///< middle of its pause
 };
 
-/// All frames of the film of `scene`, round(seconds * fps) of them, times never falling.
+/// All frames of the film of `scene`, round(seconds * fps) of them, times never falling; the first
+/// is at 0, the last at `until` (a single frame is at 0), and every reversal's time has one.
 /// Opening 1.5 s, closing 2 s, 1 s for each reversal; together at most a quarter of the film,
-/// scaled down in short ones.
+/// scaled down in short ones. Needs leg_count <= moving_steps, as every loaded scene has it.
 std::vector<Tick> timeline(const Scene& scene);
 
 /// Where `time` lies on an axis that turns back at every reversal: elapsed time until the first
@@ -33,6 +34,13 @@ double folded_time(const Run& run, double time);
 
 /// The number of frames of a scene's film.
 int frame_count(const Film& film);
+
+/// The stretches of a run between its start, its reversals and its end.
+int leg_count(const Run& run);
+
+/// The steps from frame to frame in which the gas may move: the film without its pauses. At least
+/// 3/4 of the frames, less one.
+int moving_steps(const Film& film, const Run& run);
 
 /// First frames of the film's segments, and the number of frames as the last entry. A function of
 /// the scene alone: a multiple of four (of cores) segments of at most 150 frames, shorter where

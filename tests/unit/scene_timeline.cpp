@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/timeline.h"
@@ -15,6 +16,17 @@ Scene film(double until, double seconds, int fps, std::vector<double> reversals 
     scene.film.fps = fps;
     for (double at : reversals) scene.run.events.push_back({at, ReverseVelocities{}});
     return scene;
+}
+
+bool shows(const std::vector<Tick>& ticks, double time) {
+    return std::any_of(ticks.begin(), ticks.end(),
+                       [&](const Tick& tick) { return tick.time == time; });
+}
+
+std::vector<double> spaced(int count, double distance) {
+    std::vector<double> times;
+    for (int i = 1; i <= count; ++i) times.push_back(i * distance);
+    return times;
 }
 
 }  // namespace
@@ -58,6 +70,74 @@ TEST_CASE("frames of the return leg mirror those of the way out") {
         REQUIRE(out.size() == back.size());
         for (std::size_t i = 0; i < out.size(); ++i)
             CHECK(out[i] == doctest::Approx(back[out.size() - 1 - i]).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("a film reaches its end and every reversal, however early or dense the reversals are") {
+    const std::vector<std::vector<double>> cases{
+        {0.2},  {0.001},          {1e-7},          {1e-9},           {1e-12},        {23.9999},
+        {9, 9}, {0.2, 0.3, 23.9}, spaced(60, 0.2), spaced(60, 1e-6), spaced(40, 0.5)};
+    for (const std::vector<double>& reversals : cases)
+        for (double until : {24.0, 1e12}) {
+            CAPTURE(reversals.front());
+            CAPTURE(until);
+            const Scene scene = film(until, 3.0, 30, reversals);
+            const std::vector<Tick> ticks = timeline(scene);
+            REQUIRE(ticks.size() == 90);
+            CHECK(ticks.front().time == 0.0);
+            CHECK(ticks.back().time == until);
+            CHECK(ticks.back().reversals == static_cast<int>(reversals.size()));
+            CHECK(folded_time(scene.run, ticks.back().time) == folded_time(scene.run, until));
+            for (double reversal : reversals) CHECK(shows(ticks, reversal));
+            CHECK(std::is_sorted(ticks.begin(), ticks.end(),
+                                 [](const Tick& a, const Tick& b) { return a.time < b.time; }));
+        }
+}
+
+TEST_CASE("an early reversal does not coarsen the rest of the film") {
+    for (double at : {1e-7, 0.2, 1.0, 3.3, 7.0, 11.9}) {
+        CAPTURE(at);
+        const Scene scene = film(24.0, 3.0, 30, {at});
+        const int steps = moving_steps(scene.film, scene.run);
+        double longest = 0.0;
+        const std::vector<Tick> ticks = timeline(scene);
+        for (std::size_t i = 1; i < ticks.size(); ++i)
+            longest = std::max(longest, ticks[i].time - ticks[i - 1].time);
+        CHECK(longest <= 24.0 / (0.8 * steps));
+    }
+}
+
+TEST_CASE("equal legs have equal steps also where few frames fall to each") {
+    const Scene scene = film(24.0, 3.0, 30, spaced(19, 1.2));
+    std::vector<int> steps(20);
+    double last = 0.0;
+    for (const Tick& tick : timeline(scene)) {
+        if (tick.phase != Phase::moving || tick.time <= last) continue;
+        ++steps[static_cast<std::size_t>(tick.reversals)];
+        last = tick.time;
+    }
+    CHECK(steps == std::vector<int>(20, steps[0]));
+    CHECK(steps[0] == moving_steps(scene.film, scene.run) / 20);
+}
+
+TEST_CASE("a film can have as many legs as moving steps") {
+    const std::vector<double> reversals = spaced(88, 0.2);
+    const Scene scene = film(24.0, 3.0, 30, reversals);
+    REQUIRE(moving_steps(scene.film, scene.run) == leg_count(scene.run));
+    const std::vector<Tick> ticks = timeline(scene);
+    CHECK(ticks.size() == 90);
+    CHECK(ticks.back().time == 24.0);
+    for (double reversal : reversals) CHECK(shows(ticks, reversal));
+}
+
+TEST_CASE("pauses leave three quarters of the frames to the motion") {
+    for (int reversals : {0, 1, 2, 7, 100, 1000}) {
+        const Run run = film(24.0, 1.0, 30, spaced(reversals, 0.01)).run;
+        for (int frames = 2; frames < 1500; ++frames) {
+            Film length;
+            length.seconds = frames / 30.0;
+            CHECK(moving_steps(length, run) >= 0.75 * frames - 1.0);
+        }
     }
 }
 

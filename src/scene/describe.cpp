@@ -32,13 +32,23 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
-std::string walls_words(const Box& box) {
+std::string box_words(const Box& box) {
     const bool across = box.walls[0] == Wall::periodic;
     const bool up = box.walls[1] == Wall::periodic;
-    if (across && up) return "that has no walls: what leaves on one side enters on the other";
-    if (across) return "with walls below and above, open to itself on the left and right";
-    if (up) return "with walls on the left and right, open to itself below and above";
-    return "with solid walls";
+    const std::string size = fmt::format("box of {} by {}", box.size[0], box.size[1]);
+    if (across && up) return "a periodic " + size;
+    if (across) return fmt::format("a {} with solid walls below and above,", size);
+    if (up) return fmt::format("a {} with solid walls on the left and right,", size);
+    return fmt::format("a {} with solid walls", size);
+}
+
+std::string passage_words(const Box& box) {
+    const bool across = box.walls[0] == Wall::periodic;
+    const bool up = box.walls[1] == Wall::periodic;
+    if (across && up) return " What leaves on one side enters on the opposite side.";
+    if (across) return " What leaves on the left enters on the right, and the other way round.";
+    if (up) return " What leaves at the top enters at the bottom, and the other way round.";
+    return "";
 }
 
 }  // namespace
@@ -48,9 +58,11 @@ std::string describe(const Scene& scene) {
     std::vector<std::string> groups;
     for (const Species& species : gas.species)
         groups.push_back(species_words(species, gas.species.size() > 1));
+    const bool alone = gas.species.size() == 1 && gas.species[0].count == 1;
     std::string text =
-        fmt::format("{} start in a box of {} by {} {} and collide elastically.", listed(groups),
-                    gas.box.size[0], gas.box.size[1], walls_words(gas.box));
+        fmt::format("{} {} in {} and {} elastically.", listed(groups), alone ? "starts" : "start",
+                    box_words(gas.box), alone ? "collides" : "collide");
+    text += passage_words(gas.box);
     std::vector<std::string> times;
     for (const RunEvent& event : scene.run.events)
         if (std::holds_alternative<ReverseVelocities>(event.action))

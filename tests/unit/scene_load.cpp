@@ -107,6 +107,39 @@ TEST_CASE("what is left out is chosen") {
           "collide elastically.");
 }
 
+TEST_CASE("the description made for a scene is a plain sentence, whatever the walls") {
+    const auto described = [](const std::string& walls, const std::string& gas) {
+        return load("title: A gas\nbox: {size: [64, 48], walls: " + walls + "}\ngas: " + gas +
+                    "\nrun: {until: 10}\n")
+            .description;
+    };
+    const std::string gas = "[{count: 20, speed: 1}]";
+    CHECK(described("solid", gas) ==
+          "20 disks, at speed 1, start in a box of 64 by 48 with solid walls and collide "
+          "elastically.");
+    CHECK(described("periodic", gas) ==
+          "20 disks, at speed 1, start in a periodic box of 64 by 48 and collide elastically. What "
+          "leaves on one side enters on the opposite side.");
+    CHECK(described("{left: periodic, right: periodic}", gas) ==
+          "20 disks, at speed 1, start in a box of 64 by 48 with solid walls below and above, and "
+          "collide elastically. What leaves on the left enters on the right, and the other way "
+          "round.");
+    CHECK(
+        described("{bottom: periodic, top: periodic}", gas) ==
+        "20 disks, at speed 1, start in a box of 64 by 48 with solid walls on the left and right, "
+        "and collide elastically. What leaves at the top enters at the bottom, and the other way "
+        "round.");
+    CHECK(described("periodic",
+                    "[{name: a, count: 9, speed: 1}, {name: b, count: 1}, {name: c, count: 3, "
+                    "temperature: 2}]") ==
+          "9 disks (a, at speed 1), 1 disk (b, at rest) and 3 disks (c, at temperature 2) start in "
+          "a periodic box of 64 by 48 and collide elastically. What leaves on one side enters on "
+          "the opposite side.");
+    CHECK(described("solid", "[{count: 1, speed: 1}]") ==
+          "1 disk, at speed 1, starts in a box of 64 by 48 with solid walls and collides "
+          "elastically.");
+}
+
 TEST_CASE("numbers in all their forms") {
     const Scene scene = load(scene_with(
         "{name: a, count: 2, radius: [0.5, 1], mass: infinite, velocity: [[1, 0], [0, 1]]}\n"
@@ -157,6 +190,17 @@ TEST_CASE("walls, events and panels with options") {
     CHECK(scene.film.panels[0].mean_now);
     CHECK(scene.film.panels[0].title == "Speeds");
     CHECK(scene.description.find("At time 20 and 30 every velocity") != std::string::npos);
+}
+
+TEST_CASE("a film too short for its reversals is refused, the length it is told to have is not") {
+    std::string events;
+    for (int i = 1; i <= 100; ++i)
+        events += "{at: " + std::to_string(i) + "e-1, reverse: velocities},";
+    const std::string text =
+        scene_with("{count: 20}", "run: {until: 24, events: [" + events + "]}\nfilm: {fps: 30}\n");
+    CHECK(message(text, {{{"film.seconds", "3"}}}).find("4.6 seconds are enough") !=
+          std::string::npos);
+    CHECK(load(text, {{{"film.seconds", "4.6"}}}).run.events.size() == 100);
 }
 
 TEST_CASE("the command line lays its values over the scene") {

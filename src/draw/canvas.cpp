@@ -145,6 +145,9 @@ void Canvas::stroke_rect(Rect rect, double width, Color color) {
 }
 
 void Canvas::stroke_line(Point from, Point to, double width, Color color) {
+    // Cairo rounds straight lines otherwise when joins are round: what was drawn before must not
+    // tell.
+    cairo_set_line_join(handle(), CAIRO_LINE_JOIN_MITER);
     cairo_set_line_cap(handle(), CAIRO_LINE_CAP_BUTT);
     cairo_move_to(handle(), from.x, from.y);
     cairo_line_to(handle(), to.x, to.y);

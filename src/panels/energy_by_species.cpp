@@ -50,6 +50,7 @@ class EnergyBySpecies : public Panel {
     Scales scales(const Page& page) const;
     Eigen::ArrayXd means(const Eigen::ArrayXd& energy) const;
     std::string title(const Page& page) const;
+    void draw_reversals(Canvas& canvas, const Page& page) const;
     void draw_line(Canvas& canvas, const Page& page, std::size_t species, std::size_t shown) const;
 
     Cast cast_;
@@ -75,7 +76,7 @@ Eigen::ArrayXd EnergyBySpecies::means(const Eigen::ArrayXd& energy) const {
 
 void EnergyBySpecies::survey(const Observation& observation) {
     const Eigen::ArrayXd mean = means(observation.energy);
-    if (history_.time.empty()) overall_ = observation.energy.mean();
+    if (history_.time.empty() && cast_.equilibrium) overall_ = mean_energy(*cast_.equilibrium);
     history_.time.push_back(folded_time(cast_.scene.run, observation.tick.time));
     history_.leg.push_back(observation.tick.reversals);
     for (std::size_t k = 0; k < history_.means.size(); ++k)
@@ -130,7 +131,8 @@ void EnergyBySpecies::draw_ground(Canvas& canvas, const Page& page) const {
     draw_x_axis(canvas, s.area, s.x, "time", axis_style(page));
     if (logarithmic_) draw_log_y_axis(canvas, s.area, s.y, "", axis_style(page));
     if (!logarithmic_) draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
-    if (overall_ <= 0.0 || history_.means.size() < 2) return;
+    draw_reversals(canvas, page);
+    if (!cast_.equilibrium || history_.means.size() < 2) return;
     const double y = s.height(overall_, logarithmic_);
     canvas.stroke_dashed({s.area.x, y}, {s.area.right(), y}, 0.08 * page.unit, 0.3 * page.unit,
                          page.theme.muted);
@@ -141,6 +143,20 @@ void EnergyBySpecies::draw_ground(Canvas& canvas, const Page& page) const {
                          page.theme.muted);
     draw_text(canvas, {sample.x + 0.6 * u, sample.y}, "equal shares " + three_digits(overall_),
               label_style(page));
+}
+
+// A thin line where the time axis turns back, with the word.
+void EnergyBySpecies::draw_reversals(Canvas& canvas, const Page& page) const {
+    const Scales s = scales(page);
+    for (const RunEvent& event : cast_.scene.run.events) {
+        const double x = s.x(folded_time(cast_.scene.run, event.at));
+        canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * page.unit, page.theme.muted);
+        TextStyle style = label_style(page);
+        style.align = x > s.area.x + s.area.width / 2 ? Align::right : Align::left;
+        const double gap = style.align == Align::right ? -0.4 : 0.4;
+        draw_text(canvas, {x + gap * page.unit, s.area.bottom() - 0.5 * page.unit}, "reversed",
+                  style);
+    }
 }
 
 void EnergyBySpecies::draw_line(Canvas& canvas, const Page& page, std::size_t species,
@@ -157,7 +173,7 @@ void EnergyBySpecies::draw_line(Canvas& canvas, const Page& page, std::size_t sp
             path.push_back(last);
         if (!leg_ends) continue;
         const bool way_back = history_.leg[i] % 2 == 1;
-        canvas.stroke_path(path, (way_back ? 0.28 : 0.16) * page.unit,
+        canvas.stroke_path(path, 0.16 * page.unit,
                            way_back ? mix(color, page.theme.ink, 0.5) : color);
         path = {last};
     }

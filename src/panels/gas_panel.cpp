@@ -1,5 +1,7 @@
 #include "panels/gas_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,17 @@ double image_shift(const Box& box, int axis, double at, double radius) {
     return at > box.size[axis] - radius ? -box.size[axis] : 0.0;
 }
 
+// Calls `draw` with the place of a disk and of each image of it that reaches into a periodic box.
+template <class Draw>
+void for_each_image(const Box& box, Point place, double radius, const Draw& draw) {
+    const double across = image_shift(box, 0, place.x, radius);
+    const double up = image_shift(box, 1, place.y, radius);
+    draw(place);
+    if (across != 0.0) draw(Point{place.x + across, place.y});
+    if (up != 0.0) draw(Point{place.x, place.y + up});
+    if (across != 0.0 && up != 0.0) draw(Point{place.x + across, place.y + up});
+}
+
 // On a dark ground the slow end is dark, on a light one light: fast disks stand out. Cut where it
 // would fade into the ground.
 ColorMap scale_colors(const Scene& scene, bool dark) {
@@ -63,8 +76,8 @@ ColorMap scale_colors(const Scene& scene, bool dark) {
     return dark ? color_map(name, 0.33, 1.0) : color_map(name, 0.58, 0.0);
 }
 
-// A name on a plate of the ground, so that disks behind it do not cut it up.
-// Above the disk if there is room, else below; inside the box.
+// A name on a plate of the ground, so that disks behind it do not cut it up. Above the disk if
+// there is room, else below, else upon it; inside the box.
 void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& disk,
                const std::string& markup, double alpha) {
     const double u = page.unit;
@@ -76,6 +89,8 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
     const double center = disk.x + disk.width / 2;
     Point foot{std::max(box.x + half, std::min(center, box.right() - half)), disk.y - 0.7 * u};
     if (foot.y - 1.2 * u < box.y) foot.y = disk.bottom() + 1.7 * u;
+    if (foot.y + 0.4 * u > box.bottom())
+        foot.y = std::clamp(disk.y + disk.height / 2, box.y + 1.2 * u, box.bottom() - 0.4 * u);
     canvas.fill({foot.x - half, foot.y - 1.2 * u, 2.0 * half, 1.6 * u},
                 with_alpha(page.theme.ground, 0.8 * alpha));
     draw_text(canvas, foot, markup, style);
@@ -222,7 +237,8 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
 Rect GasPanel::box_on(const Rect& area) const {
     const Eigen::Array2d& size = cast_.scene.gas.box.size;
     const double scale = std::min(area.width / size[0], area.height / size[1]);
-    return {area.x, area.y, size[0] * scale, size[1] * scale};
+    const double height = size[1] * scale;
+    return {area.x, area.y + (area.height - height) / 2, size[0] * scale, height};
 }
 
 void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
@@ -236,9 +252,9 @@ void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
 void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     canvas.clip_to(box_on(page.area));
     draw_trails(canvas, page, state);
-    canvas.release_clip();
     draw_disks(canvas, page, state);
     draw_chosen(canvas, page, state);
+    canvas.release_clip();
 }
 
 void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const {
@@ -254,18 +270,11 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
     const auto add = [&](std::size_t i) {
         const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
         const auto shown = static_cast<float>(std::max(least_radius, radius * to_pixels.scale));
-        const double x = static_cast<double>(gas.x[i]);
-        const double y = static_cast<double>(gas.y[i]);
-        const double across = image_shift(box, 0, x, radius);
-        const double up = image_shift(box, 1, y, radius);
-        for (int image = 0; image < 4; ++image) {
-            const bool right = (image & 1) != 0;
-            const bool above = (image & 2) != 0;
-            if ((right && across == 0.0) || (above && up == 0.0)) continue;
-            const Point at = to_pixels(x + (right ? across : 0.0), y + (above ? up : 0.0));
-            disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), shown,
-                             pixels[gas.shades[i] % pixels.size()]});
-        }
+        const std::uint32_t color = pixels[gas.shades[i] % pixels.size()];
+        for_each_image(box, {double(gas.x[i]), double(gas.y[i])}, radius, [&](Point place) {
+            const Point at = to_pixels(place.x, place.y);
+            disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), shown, color});
+        });
     };
     for (std::size_t i = 0; i < gas.x.size(); ++i) add(i);
     for (const Chosen& chosen : chosen_) add(static_cast<std::size_t>(chosen.particle));
@@ -298,10 +307,15 @@ void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& s
     const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
     for (const Chosen& chosen : chosen_) {
         const auto i = static_cast<std::size_t>(chosen.particle);
-        const Point at = to_pixels(static_cast<double>(gas.x[i]), static_cast<double>(gas.y[i]));
+        const Point place{static_cast<double>(gas.x[i]), static_cast<double>(gas.y[i])};
+        const Point at = to_pixels(place.x, place.y);
         const double radius = cast_.particles.radius[chosen.particle] * to_pixels.scale;
         const double line = 0.14 * page.unit;
-        canvas.stroke_circle(at, radius + 0.5 * line, line, page.theme.ink);
+        for_each_image(cast_.scene.gas.box, place, cast_.particles.radius[chosen.particle],
+                       [&](Point image) {
+                           canvas.stroke_circle(to_pixels(image.x, image.y), radius + 0.5 * line,
+                                                line, page.theme.ink);
+                       });
 
         const auto kind = static_cast<std::size_t>(cast_.particles.species[chosen.particle]);
         const SpeciesLook& look = cast_.scene.looks[kind];
@@ -323,7 +337,10 @@ void GasPanel::draw_color_key(Canvas& canvas, const Page& page) const {
 
 void GasPanel::draw_scale(Canvas& canvas, const Page& page) const {
     const double u = page.unit;
-    const Rect bar{page.area.x, page.area.y + 1.8 * u, 0.8 * u, page.area.height - 1.8 * u};
+    const double height = std::max(6.0 * u, page.area.height - 1.8 * u);
+    const double middle = page.area.y + page.area.height / 2;
+    const Rect bar{page.area.x, std::max(page.area.y + 1.8 * u, middle - height / 2), 0.8 * u,
+                   height};
     const ColorMap map = scale_colors(cast_.scene, page.theme.dark);
     constexpr int steps = 256;
     for (int i = 0; i < steps; ++i) {
@@ -331,7 +348,7 @@ void GasPanel::draw_scale(Canvas& canvas, const Page& page) const {
         canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / steps) + 1.0},
                     map.at(i / (steps - 1.0)));
     }
-    draw_text(canvas, {page.area.x, page.area.y + 0.9 * u}, scale_title(cast_.scene.film.color_by),
+    draw_text(canvas, {page.area.x, bar.y - 0.9 * u}, scale_title(cast_.scene.film.color_by),
               label_style(page));
     const Scale scale{0.0, scale_top_, bar.bottom(), bar.y};
     for (const TickMark& tick : ticks(0.0, scale_top_, 3))
@@ -349,6 +366,13 @@ void GasPanel::draw_legend(Canvas& canvas, const Page& page) const {
         for (const Species& species : cast_.scene.gas.species) names.push_back(species.name);
     }
     const std::vector<Color> colors = shades(page.theme);
+    const auto rows = static_cast<std::size_t>(std::max(2.0, page.area.height / (1.8 * u)));
+    if (names.size() > rows) {
+        const std::size_t more = names.size() - (rows - 1);
+        names.resize(rows - 1);
+        draw_text(canvas, {page.area.x, page.area.y + (0.9 + 1.8 * double(rows - 1)) * u},
+                  fmt::format("and {} more", more), label_style(page));
+    }
     for (std::size_t k = 0; k < names.size(); ++k) {
         const double y = page.area.y + (0.9 + 1.8 * static_cast<double>(k)) * u;
         canvas.fill_circle({page.area.x + 0.5 * u, y - 0.35 * u}, 0.45 * u, colors[k]);

@@ -41,7 +41,7 @@ void HistogramPanel::survey(const Observation& observation) {
     const auto stride = std::max<Eigen::Index>(
         1, static_cast<Eigen::Index>(particles_ * frames_ / static_cast<double>(pool_size)));
     for (Eigen::Index i = surveyed_ % stride; i < values.size(); i += stride)
-        pool_.push_back(values[i]);
+        if (std::isfinite(values[i])) pool_.push_back(values[i]);  // moving infinite masses
     if (surveyed_ % std::max(1, frames_ / probe_frames) == 0) probes_.push_back(values);
     ++surveyed_;
 }
@@ -70,6 +70,7 @@ double HistogramPanel::curve_top() const {
 // The axis holds a quarter more than 97 of a hundred values of the whole run: 99 of a hundred of a
 // gas in equilibrium, whatever the start. Those beyond are counted.
 void HistogramPanel::choose_bins() {
+    if (pool_.empty()) pool_.push_back(0.0);
     double high = 1.0;
     double low = 0.0;
     if (spec_.range) {
@@ -152,6 +153,7 @@ void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, const Histogram
 void HistogramPanel::draw_ends(Canvas& canvas, const Page& page, const Histogram& now) const {
     const Scales s = scales(page);
     const double u = page.unit;
+    double free_from = s.area.x;  // counts of neighbours must not lie on each other
     for (int i = 0; i < bins_.count; ++i) {
         const std::int64_t count = now.counts[static_cast<std::size_t>(i)];
         if (static_cast<double>(count) <= tallest_) continue;
@@ -163,11 +165,38 @@ void HistogramPanel::draw_ends(Canvas& canvas, const Page& page, const Histogram
                                page.theme.page);
         TextStyle style = label_style(page);
         style.color = page.theme.bar;
-        draw_text(canvas, {left, s.area.y - 0.25 * u}, grouped(count), style);
+        if (left < free_from) continue;
+        free_from = left + 0.4 * u +
+                    draw_text(canvas, {left, s.area.y - 0.25 * u}, grouped(count), style).width;
     }
-    if (now.above == 0) return;
-    draw_text(canvas, {s.area.right() - names_width * u + 0.6 * u, s.area.y + 3.6 * u},
-              fmt::format("{} {} →", grouped(now.above), subject_.beyond), label_style(page));
+    std::string beyond;
+    if (now.below > 0) beyond += fmt::format("← {} lower  ", grouped(now.below));
+    if (now.above > 0) beyond += fmt::format("{} {} →", grouped(now.above), subject_.beyond);
+    if (!beyond.empty())
+        draw_name(canvas, page, {names_x(page) + 0.6 * u, s.area.y + 3.6 * u}, beyond,
+                  page.theme.muted);
+}
+
+// Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
+// bars begin there.
+double HistogramPanel::names_x(const Page& page) const {
+    const Scales s = scales(page);
+    const double right = s.area.right() - names_width * page.unit;
+    const bool taken = s.x(mean_start_) > right - 2.5 * page.unit;
+    return taken ? s.area.x + page.unit : right;
+}
+
+// On a plate of the page's colour, so that bars behind it do not cut it up.
+void HistogramPanel::draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
+                               Color color) const {
+    TextStyle style = label_style(page);
+    style.color = color;
+    style.max_width = names_width * page.unit;
+    const double width = measure_text(words, style).width;
+    canvas.fill(
+        {at.x - 0.9 * page.unit, at.y - 1.05 * page.unit, width + 1.2 * page.unit, 1.4 * page.unit},
+        with_alpha(page.theme.page, 0.8));
+    draw_text(canvas, at, words, style);
 }
 
 void HistogramPanel::draw_curve(Canvas& canvas, const Page& page) const {
@@ -179,7 +208,7 @@ void HistogramPanel::draw_curve(Canvas& canvas, const Page& page) const {
     canvas.stroke_path(path, 0.16 * page.unit, page.theme.accent);
 }
 
-// The marks move; their names and numbers stand still at the top right, where a tail leaves room.
+// The marks move; their names and numbers stand still.
 void HistogramPanel::draw_means(Canvas& canvas, const Page& page, double mean_now) const {
     const Scales s = scales(page);
     const double u = page.unit;
@@ -190,14 +219,10 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page, double mean_no
     const auto mark = [&](double mean, const std::string& words, double row, bool solid) {
         const double x = s.x(mean);
         if (x >= s.area.x && x <= s.area.right()) line({x, s.area.bottom()}, {x, s.area.y}, solid);
-        const Point sample{s.area.right() - names_width * u, s.area.y + row * u};
-        canvas.fill({sample.x - 0.4 * u, sample.y - 1.05 * u, (names_width + 0.4) * u, 1.4 * u},
-                    with_alpha(page.theme.page, 0.8));
+        const Point sample{names_x(page), s.area.y + row * u};
+        draw_name(canvas, page, {sample.x + 0.6 * u, sample.y}, words + " " + three_digits(mean),
+                  solid ? page.theme.ink : page.theme.muted);
         line({sample.x, sample.y + 0.1 * u}, {sample.x, sample.y - 0.85 * u}, solid);
-        TextStyle style = label_style(page);
-        style.color = solid ? page.theme.ink : page.theme.muted;
-        style.max_width = names_width * u;
-        draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words + " " + three_digits(mean), style);
     };
     if (spec_.mean_start) mark(mean_start_, "mean at start", 2.2, false);
     if (spec_.mean_now) mark(mean_now, "mean now", 0.8, true);

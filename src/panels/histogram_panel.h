@@ -45,6 +45,9 @@ class HistogramPanel : public Panel {
     void draw_bars(Canvas& canvas, const Page& page, const Histogram& histogram) const;
     void draw_curve(Canvas& canvas, const Page& page) const;
     void draw_means(Canvas& canvas, const Page& page, double mean_now) const;
+    double names_x(const Page& page) const;
+    void draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
+                   Color color) const;
     void draw_ends(Canvas& canvas, const Page& page, const Histogram& histogram) const;
 
     PanelSpec spec_;

@@ -35,8 +35,9 @@ std::string fixed_digits(double value, double largest) {
     if (!std::isfinite(value)) return "–";
     if (largest <= 0.0) return "0";
     const int before = static_cast<int>(std::floor(std::log10(largest))) + 1;
-    if (before < -3 || before > 6) return three_digits(value);
-    return fmt::format("{:.{}f}", value, std::max(0, 3 - before));
+    if (before < -2 || before > 5) return three_digits(value);
+    const std::string digits = fmt::format("{:.{}f}", std::abs(value), std::max(0, 3 - before));
+    return value < 0.0 ? "\u2212" + digits : digits;
 }
 
 // Whole per cent, one digit padded by a figure space.
@@ -96,7 +97,8 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
     const auto& now = static_cast<const MonitorsState&>(state);
     const std::array<std::string, columns.size()> numbers{
         fixed_digits(now.time, cast_.scene.run.until),
-        grouped(now.collisions),
+        now.collisions < 1'000'000 ? grouped(now.collisions)
+                                   : three_digits(static_cast<double>(now.collisions)),
         fixed_digits(now.mean_speed, largest_speed_),
         fixed_digits(now.mean_energy, largest_energy_),
         percent(now.shares[0]),
@@ -109,7 +111,7 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
         draw_text(canvas, {page.area.x + columns[i].left * page.area.width, baseline}, numbers[i],
                   style);
     if (cast_.scene.run.events.empty()) return;
-    const double x = page.area.x + 0.11 * page.area.width;
+    const double x = page.area.x + 0.112 * page.area.width;
     draw_arrow(canvas, {x, baseline - 0.55 * page.unit}, 0.6 * page.unit, now.arrow,
                page.theme.accent);
 }

@@ -145,7 +145,7 @@ TEST_CASE("the decoded colours are those that were drawn") {
     // lecture's gas slot begins at (1.8, 6.4) units of 8 pixels and is 42.6 by 32: the box is 40 :
     // 30, 341 by 256 pixels.
     const double scale = std::min(42.6 * 8 / 40, 32.0 * 8 / 30);
-    const double left = 1.8 * 8, top = 6.4 * 8;
+    const double left = 1.8 * 8, top = 6.4 * 8 + (32.0 * 8 - 30 * scale) / 2;
     const auto pixel = [&](double x, double y) {
         return frame.at(static_cast<int>(left + x * scale),
                         static_cast<int>(top + (30 - y) * scale));

@@ -85,7 +85,7 @@ void compare(const std::string& scene, const std::string& at, const std::string&
 
 TEST_CASE("small pictures of the scenes are as they were") {
     compare("one-hot-particle", "1", "dark");
-    compare("one-hot-particle", "16", "light");
+    compare("one-hot-particle", "12", "light");
     compare("mixed-masses", "30", "dark");
     compare("time-reversal", "3", "dark");
     compare("time-reversal", "24", "print");

@@ -81,7 +81,13 @@ int threads_of(const Arguments& arguments) {
 }
 
 bool names_folder(const std::string& output, bool several) {
-    return several || output.ends_with('/') || fs::is_directory(output);
+    std::error_code error;  // a name that cannot be looked at will be told when it is written
+    return several || output.ends_with('/') || fs::is_directory(output, error);
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::equivalent(a, b, error);
 }
 
 fs::path output_path(const Arguments& arguments, const std::string& scene,
@@ -90,6 +96,8 @@ fs::path output_path(const Arguments& arguments, const std::string& scene,
     if (arguments.output.empty()) return "out" / name;
     if (names_folder(arguments.output, arguments.scenes.size() > 1)) return arguments.output / name;
     const fs::path path = arguments.output;
+    if (is_same_file(path, scene))
+        throw UsageError(fmt::format("-o {}: this is the scene itself", arguments.output));
     if (path.extension() != extension)
         throw UsageError(
             fmt::format("-o {}: this version writes {} only; give a name that ends in {}",
@@ -98,6 +106,10 @@ fs::path output_path(const Arguments& arguments, const std::string& scene,
 }
 
 void refuse_same_outputs(const Arguments& arguments) {
+    const bool several = arguments.scenes.size() > 1;
+    if (several && fs::path(arguments.output).extension() == ".mp4")
+        throw UsageError(fmt::format("-o {}: several scenes are written into a folder; name one",
+                                     arguments.output));
     std::set<fs::path> outputs;
     for (const std::string& scene : arguments.scenes)
         if (!outputs.insert(output_path(arguments, scene, ".mp4")).second)
@@ -194,7 +206,11 @@ void add_render(CLI::App& app, Arguments& arguments) {
 
 void add_still(CLI::App& app, Arguments& arguments) {
     CLI::App& command = *app.add_subcommand("still", "draw one frame of a film as a PNG");
-    command.add_option("scene", arguments.scenes, "a scene file")->required()->expected(1);
+    command
+        .add_option_function<std::string>(
+            "scene", [&arguments](const std::string& name) { arguments.scenes = {name}; },
+            "a scene file")
+        ->required();
     command.add_option("--at", arguments.at, "simulated time; the nearest frame is drawn");
     command.add_option("-o,--output", arguments.output,
                        "the picture (.png), or a folder; out/SCENE.png if not given");
@@ -233,7 +249,7 @@ int parse_and_run(int argc, const char* const* argv) {
 }
 
 int complain(int code, const std::string& what) {
-    fmt::print(stderr, "{}\n", what);
+    say(what + "\n");
     return code;
 }
 

@@ -118,6 +118,7 @@ void render_still(const Scene& scene, double at, const std::filesystem::path& ou
     simulation.record_collisions(observers.wants_collisions());
     FrameData frame;
     for (std::size_t i = 0; i <= nearest; ++i) {
+        throw_if_interrupted();
         const Passage passage = simulation.advance_to(ticks[i].time);
         frame = observers.frame_data(ticks[i], simulation.sample(), passage);
     }

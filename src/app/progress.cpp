@@ -8,6 +8,11 @@
 
 namespace carom {
 
+void say(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
+}
+
 std::string clock_text(double seconds) {
     const auto whole = static_cast<long>(std::lround(seconds));
     if (whole >= 3600)
@@ -53,23 +58,21 @@ void Progress::show(Clock::time_point now) {
     shown_ = now;
     const std::string text = line(std::chrono::duration<double>(now - begun_).count());
     if (form_ == Form::lines) {
-        fmt::print(stderr, "{}\n", text);
+        say(text + "\n");
         return;
     }
     constexpr std::int64_t width = 24;
     const auto filled = static_cast<std::size_t>(width * done_ / total_);
     std::string bar;
     for (std::size_t i = 0; i < width; ++i) bar += i < filled ? "█" : "░";
-    fmt::print(stderr, "\r\033[K{} {}", bar, text);
-    std::fflush(stderr);
+    say(fmt::format("\r\033[K{} {}", bar, text));
     bar_stands_ = true;
 }
 
 void Progress::finish() {
     const std::scoped_lock lock(mutex_);
     if (!bar_stands_) return;
-    fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
+    say("\r\033[K");
     bar_stands_ = false;
 }
 

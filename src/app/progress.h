@@ -41,6 +41,9 @@ class Progress {
     std::mutex mutex_;
 };
 
+/// Writes to standard error; that it cannot is no reason to stop.
+void say(const std::string& text);
+
 /// Seconds as 0:07, 12:34 or 1:02:03.
 std::string clock_text(double seconds);
 

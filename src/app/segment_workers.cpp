@@ -1,6 +1,13 @@
 #include "app/segment_workers.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <ctime>
+#include <system_error>
+
+#include "util/diagnostics.h"
+#include "util/interrupt.h"
 
 namespace carom {
 namespace {
@@ -29,11 +36,22 @@ SegmentWorkers::SegmentWorkers(const Scene& scene, const Observers& observers,
       starts_(std::move(starts)) {
     for (std::size_t i = 0; i + 1 < starts_.size(); ++i)
         segments_.push_back({starts_[i + 1] - starts_[i], {}});
-    const auto useful = std::min<std::size_t>(static_cast<std::size_t>(threads), segments_.size());
-    for (std::size_t i = 0; i < useful; ++i) threads_.emplace_back([this] { work(); });
+    most_ahead_ = 2 * std::min(static_cast<std::size_t>(threads), segments_.size());
+    try {
+        for (std::size_t i = 0; i < most_ahead_ / 2; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error& error) {
+        stop();
+        throw SystemError(fmt::format("cannot start {} threads: {}; fewer (--threads) need less",
+                                      most_ahead_ / 2, error.what()));
+    } catch (...) {
+        stop();
+        throw;
+    }
 }
 
-SegmentWorkers::~SegmentWorkers() {
+SegmentWorkers::~SegmentWorkers() { stop(); }
+
+void SegmentWorkers::stop() {
     {
         const std::scoped_lock lock(mutex_);
         stop_ = true;
@@ -75,9 +93,8 @@ void SegmentWorkers::work() {
                 // Finished segments wait for their turn in memory: none runs far ahead of the one
                 // to join next.
                 std::unique_lock lock(mutex_);
-                changed_.wait(lock, [&] {
-                    return stop_ || next_segment_ < next_joined_ + 2 * threads_.size();
-                });
+                changed_.wait(lock,
+                              [&] { return stop_ || next_segment_ < next_joined_ + most_ahead_; });
                 if (stop_ || next_segment_ == segments_.size()) break;
                 index = next_segment_++;
             }
@@ -96,6 +113,7 @@ void SegmentWorkers::draw_segment(std::size_t index, FramePainter& painter,
     SegmentEncoder encoder(settings_);
     FrameData data;
     for (int i = 0; i < segments_[index].frames; ++i) {
+        throw_if_interrupted();
         if (!take(index, data)) return;
         const double begun = thread_seconds();
         const Canvas& canvas = painter.paint(data);

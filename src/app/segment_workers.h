@@ -25,7 +25,8 @@ struct WorkerSeconds {
 
 class SegmentWorkers {
   public:
-    /// `writer` and the others must outlive the workers. `starts` as from segment_starts().
+    /// `writer` and the others must outlive the workers. `starts` as from segment_starts(). Throws
+    /// SystemError when threads cannot be started.
     SegmentWorkers(const Scene& scene, const Observers& observers, const VideoSettings& settings,
                    std::vector<int> starts, int threads, VideoWriter& writer, Progress& progress);
     ~SegmentWorkers();  ///< stops at once
@@ -42,6 +43,7 @@ class SegmentWorkers {
         std::deque<FrameData> waiting;
     };
 
+    void stop();
     void work();
     void draw_segment(std::size_t index, FramePainter& painter, WorkerSeconds& seconds);
     bool take(std::size_t index, FrameData& data);
@@ -59,6 +61,7 @@ class SegmentWorkers {
     std::condition_variable changed_;
     std::vector<int> starts_;
     std::vector<Segment> segments_;
+    std::size_t most_ahead_ = 0;    ///< segments taken before the one to be joined next is done
     std::size_t next_segment_ = 0;  ///< to be taken by a worker
     std::size_t next_joined_ = 0;   ///< to be appended to the film
     std::map<std::size_t, EncodedSegment> encoded_;

@@ -51,8 +51,9 @@ void sync_folder(const fs::path& folder) {
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
-    if (fs::is_directory(path_)) fail("write", path_, EISDIR);
     std::error_code error;
+    if (fs::is_directory(path_, error)) fail("write", path_, EISDIR);
+    error.clear();
     fs::create_directories(folder_of(path_), error);
     if (error) fail("create the folder", folder_of(path_), error.value());
     descriptor_ = create_beside(path_, temporary_);

@@ -36,7 +36,7 @@ TEST_CASE("seconds are told as on a clock") {
     CHECK(clock_text(3723.0) == "1:02:03");
 }
 
-TEST_CASE("films of one frame, of fewer segments than workers and of many particles are made") {
+TEST_CASE("films of two frames, of fewer segments than workers and of many particles are made") {
     const TemporaryFolder folder;
     for (const auto& [disks, seconds, threads] :
          {std::tuple{5, 0.07, 4}, std::tuple{5, 9.0, 16}, std::tuple{20000, 3.0, 2}}) {
@@ -47,16 +47,33 @@ TEST_CASE("films of one frame, of fewer segments than workers and of many partic
     }
 }
 
-TEST_CASE(
-    "an interruption stops all workers, keeps the earlier film and leaves nothing beside it") {
+TEST_CASE("an interruption stops workers that have all their frames") {
     const TemporaryFolder folder;
-    const std::filesystem::path path = folder.path() / "film.mp4";
-    std::ofstream(path) << "earlier";
-    set_interrupted(true);
-    CHECK_THROWS_AS(render_with(small_scene(50, 10.0), path, 3), Interrupted);
-    set_interrupted(false);
-    CHECK(contents(path) == "earlier");
-    CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
+    const Scene scene = small_scene(5, 9.0);
+    Simulation simulation(scene.gas, scene.run);
+    Observers observers(scene, simulation.particles(), simulation.sample());
+    const std::vector<Tick> ticks = timeline(scene);
+    const Passage passage = simulation.advance_to(0.0);
+    observers.survey(ticks.front(), simulation.sample(), passage);
+    observers.settle();
+    const VideoSettings settings{
+        .width = 128, .height = 72, .fps = 30, .quality = Quality::draft, .metadata = {}};
+    {
+        VideoWriter writer(folder.path() / "film.mp4", settings);
+        Progress silent(Progress::Form::silent, "");
+        const int frames = frame_count(scene.film);
+        set_interrupted(true);
+        SegmentWorkers workers(scene, observers, settings, segment_starts(frames, 5), 2, writer,
+                               silent);
+        const auto whole_film = [&] {
+            for (int i = 0; i < frames; ++i)
+                workers.frame(observers.frame_data(ticks.front(), simulation.sample(), passage));
+            workers.finish();
+        };
+        CHECK_THROWS_AS(whole_film(), Interrupted);
+        set_interrupted(false);
+    }
+    CHECK(folder.names().empty());
 }
 
 TEST_CASE("a worker's error reaches the caller") {

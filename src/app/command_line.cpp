@@ -95,7 +95,7 @@ fs::path output_path(const Arguments& arguments, const std::string& scene,
     const fs::path name = fs::path(scene).stem().string() + extension;
     if (arguments.output.empty()) return "out" / name;
     if (names_folder(arguments.output, arguments.scenes.size() > 1)) return arguments.output / name;
-    const fs::path path = arguments.output;
+    fs::path path = arguments.output;
     if (is_same_file(path, scene))
         throw UsageError(fmt::format("-o {}: this is the scene itself", arguments.output));
     if (path.extension() != extension)

@@ -155,7 +155,7 @@ void SegmentWorkers::join(std::size_t index, EncodedSegment encoded) {
 
 void SegmentWorkers::fail(std::exception_ptr error) {
     const std::scoped_lock lock(mutex_);
-    if (!error_) error_ = error;
+    if (!error_) error_ = std::move(error);
     stop_ = true;
     changed_.notify_all();
 }

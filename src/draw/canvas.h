@@ -10,6 +10,7 @@
 #include "draw/color.h"
 #include "draw/geometry.h"
 
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is Cairo's
 struct _cairo;  // what Cairo's handle points to, so that text.cpp can set text on a canvas
 
 namespace carom {

@@ -263,6 +263,7 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
     const Mapping to_pixels = mapping(*this, page, box);
     const std::vector<Color> colors = shades(page.theme);
     std::vector<std::uint32_t> pixels;
+    pixels.reserve(colors.size());
     for (const Color& color : colors) pixels.push_back(to_pixel(color) & 0xFFFFFF);
 
     std::vector<Disk> disks;

@@ -33,7 +33,12 @@ HistogramPanel::HistogramPanel(const Cast& cast, const PanelSpec& spec, Histogra
     : spec_(spec),
       subject_(std::move(subject)),
       particles_(static_cast<double>(cast.particles.count())),
-      frames_(cast.frames) {}
+      sharing_(particles_),
+      frames_(cast.frames) {
+    if (!cast.equilibrium) return;
+    sharing_ = 0.0;
+    for (const MassGroup& group : cast.equilibrium->groups) sharing_ += group.count;
+}
 
 void HistogramPanel::survey(const Observation& observation) {
     const Eigen::ArrayXd& values = subject_.values(observation);
@@ -52,7 +57,7 @@ void HistogramPanel::settle() {
         constexpr int points = 80;
         for (int i = 0; i <= points; ++i) {
             const double value = bins_.low + (bins_.high - bins_.low) * i / points;
-            curve_.push_back({value, particles_ * bins_.width() * subject_.density(value)});
+            curve_.push_back({value, sharing_ * bins_.width() * subject_.density(value)});
         }
     }
     choose_height();

@@ -53,6 +53,7 @@ class HistogramPanel : public Panel {
     PanelSpec spec_;
     HistogramSubject subject_;
     double particles_;
+    double sharing_;  ///< those that share the energy: infinite masses at rest do not
     int frames_;
     std::vector<double> pool_;  ///< values of the whole run, thinned
     std::vector<Eigen::ArrayXd>

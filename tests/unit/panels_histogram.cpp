@@ -75,3 +75,15 @@ TEST_CASE("a start far from equilibrium does not flatten the curve") {
     CHECK(panel.tallest() >= 1.1 * curve);
     CHECK(panel.tallest() <= 2.5 * curve);
 }
+
+TEST_CASE("the curve is that of the particles that share the energy") {
+    Stage stage(1000);  // 900 of them infinitely heavy and at rest
+    const std::optional<EquilibriumGas> hundred =
+        EquilibriumGas{.energy = 100.0, .beta = 99.0, .groups = {{1.0, 100.0, 1.0}}};
+    HistogramPanel panel({stage.scene, stage.particles, 1, hundred}, {},
+                         speeds_with([](double v) { return v * std::exp(-v * v / 2); }));
+    survey(panel, {Eigen::ArrayXd::LinSpaced(1000, 0.0, 4.0)});
+    const double curve = 100 * panel.bins().width() * std::exp(-0.5);  // its top, at v = 1
+    CHECK(panel.tallest() >= 1.1 * curve);
+    CHECK(panel.tallest() <= 2.5 * curve);
+}

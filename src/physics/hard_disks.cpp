@@ -66,6 +66,11 @@ HardDisks::HardDisks(const Box& box, const Particles& particles)
                      4.0 * largest > 0.99 * box.size[a];
 }
 
+void HardDisks::forget() {
+    counts_ = {};
+    transfers_ = {};
+}
+
 void HardDisks::start(const Sample& state) {
     clock_ = LocalClock(state.time);
     now_ = 0.0;
@@ -256,6 +261,11 @@ bool HardDisks::collide(std::int32_t first, std::int32_t second, Collision* coll
     ++a.collisions;
     ++b.collisions;
     ++counts_.particle;
+    const double square = m.x * m.x + m.y * m.y;
+    const double square_sigma = (a.radius + b.radius) * (a.radius + b.radius);
+    transfers_.virial -= factor * square;
+    transfers_.largest_overlap =
+        std::max(transfers_.largest_overlap, 0.5 * (1.0 - square / square_sigma));
     count_tie(first, second);
     if (collision)
         *collision = {clock_.absolute(now_),
@@ -310,6 +320,7 @@ void HardDisks::bounce(std::int32_t particle, std::int32_t side, Collision* coll
     Disk& d = disk(particle);
     fly_to_now(d);
     double& v = side < 2 ? d.vx : d.vy;
+    transfers_.wall[static_cast<std::size_t>(side)] += 2.0 * std::abs(v) / d.inverse_mass;
     v = -v;
     ++d.collisions;
     ++counts_.wall;

@@ -41,9 +41,10 @@ class HardDisks {
     /// periodic coordinates lie in [0, size). Changes nothing in the disks.
     void sample(double time, Sample& state) const;
 
-    /// Collisions since the construction or the last call of forget_counts().
+    /// Collisions, and what they transferred, since the construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
-    void forget_counts() { counts_ = {}; }
+    const Transfers& transfers() const { return transfers_; }
+    void forget();
 
   private:
     /// All that a pair needs to be tested and to collide: one cache line.
@@ -105,6 +106,7 @@ class HardDisks {
     int laps_since_sorted_ = 0;
     bool narrow_[2] = {false, false};  ///< periodic and so narrow that two images may touch
     CollisionCounts counts_;
+    Transfers transfers_;
     double last_collision_ = -1.0;
     std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
     std::int32_t last_pair_[2] = {-1, -1};

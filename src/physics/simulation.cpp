@@ -42,7 +42,7 @@ struct Simulation::Implementation {
             disks.advance(0.0, nullptr);
             disks.sample(0.0, present);
             disks.start(present);
-            disks.forget_counts();
+            disks.forget();
         }
     }
 
@@ -94,7 +94,7 @@ Passage Simulation::advance_to(double time) {
         ++its.next_event;
     }
     its.advance(time);
-    return {its.disks.counts(), its.reversals, its.collisions};
+    return {its.disks.counts(), its.disks.transfers(), its.reversals, its.collisions};
 }
 
 const Sample& Simulation::sample() {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -34,9 +35,20 @@ struct CollisionCounts {
                                 ///< before: their order is by number, not by physics
 };
 
+/// Momentum that has changed hands since t = 0, and how well contacts were met.
+struct Transfers {
+    std::array<double, 4> wall{};  ///< outward momentum given to each side: left, right, bottom,
+                                   ///< top; infinite after a hit by an infinite mass
+    double virial = 0.0;  ///< sum over collisions of two particles of r . dp: r from the first
+                          ///< to the second, dp what the second received
+    double largest_overlap = 0.0;  ///< depth at a collision of two particles, in units of their
+                                   ///< contact distance; 0 when none was ever too late
+};
+
 /// What happened on the way to a time.
 struct Passage {
     CollisionCounts counts;  ///< since t = 0, at the end of the passage
+    Transfers transfers;     ///< since t = 0, at the end of the passage
     int reversals = 0;       ///< reversals since t = 0, those at its end included
     std::span<const Collision>
         collisions;  ///< of this passage only, when recording; valid until the next advance

@@ -157,3 +157,16 @@ TEST_CASE("ties are decided by number and counted") {
     CHECK(passage.counts.particle >= 2);
     CHECK(passage.counts.ties >= 1);
 }
+
+TEST_CASE("what changes hands is added up") {
+    // Disk 0 gives its momentum 3 to the resting disk 1 of equal mass, which gives twice to the
+    // right wall.
+    Simulation simulation =
+        simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0, 0.5, 3.0}, {5, 5, 0, 0, 0.5, 3.0}});
+    CHECK(simulation.advance_to(1.0).transfers.virial == 0.0);
+    const Transfers transfers = simulation.advance_to(7.0).transfers;
+    CHECK(transfers.virial == 3.0);  // a distance of 1 times a momentum of 3
+    CHECK(transfers.wall[0] == 0.0);
+    CHECK(transfers.wall[1] == 6.0);
+    CHECK(transfers.largest_overlap == 0.0);
+}

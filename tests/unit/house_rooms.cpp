@@ -37,7 +37,7 @@ const std::vector<Door> doors{
     {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
     {std::regex("lib(av|sw).*"), {"media/video_writer.cpp"}},
-    {std::regex("CLI/.*"), {"app/command_line.cpp"}},
+    {std::regex("CLI/.*"), {"app/command.h"}},
     {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/"}},
     {std::regex("fmt/.*"),
      {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "app/"}},

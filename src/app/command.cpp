@@ -1,0 +1,97 @@
+#include "app/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <thread>
+
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// `--size 1280x720` is easier on a shell than `[1280, 720]`.
+std::string as_yaml_size(const std::string& text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string::npos) return text;
+    return fmt::format("[{}, {}]", text.substr(0, cross), text.substr(cross + 1));
+}
+
+bool names_folder(const std::string& output, bool several) {
+    std::error_code error;  // a name that cannot be looked at will be told when it is written
+    return several || output.ends_with('/') || fs::is_directory(output, error);
+}
+
+}  // namespace
+
+void add_shortcut(CLI::App& command, SceneOptions& options, const std::string& flag,
+                  const std::string& key, const std::string& words) {
+    command.add_option_function<std::string>(
+        flag,
+        [&options, key](const std::string& value) {
+            options.shortcuts.emplace_back(key, key == "film.size" ? as_yaml_size(value) : value);
+        },
+        words);
+}
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+    add_shortcut(command, options, "--seed", "seed", "another seed for every random choice");
+    command.add_option("--set", options.sets, "lay KEY.PATH=VALUE over the scene")
+        ->allow_extra_args(false);
+    command.add_flag("--quiet", options.quiet, "no progress and no report");
+}
+
+void add_work_options(CLI::App& command, SceneOptions& options) {
+    command
+        .add_option("--threads", options.threads,
+                    "cores to use; the result is the same for any number")
+        ->check(CLI::Range(1, 1024));
+    command.add_flag("--timings", options.timings, "seconds for each stage");
+}
+
+void add_picture_options(CLI::App& command, SceneOptions& options) {
+    add_shortcut(command, options, "--template", "film.template", "another layout");
+    add_shortcut(command, options, "--theme", "film.theme", "light, dark or print");
+    add_shortcut(command, options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT");
+}
+
+Overrides overrides_of(const SceneOptions& options) {
+    Overrides overrides{options.shortcuts};
+    for (const std::string& set : options.sets) {
+        const std::size_t equals = set.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw UsageError(fmt::format("--set {}: expected KEY.PATH=VALUE", set));
+        overrides.values.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+    }
+    return overrides;
+}
+
+int threads_of(const SceneOptions& options) {
+    if (options.threads > 0) return options.threads;
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::equivalent(a, b, error);
+}
+
+fs::path output_path(const std::string& output, bool several, const std::string& scene,
+                     const std::string& extension) {
+    const fs::path name = fs::path(scene).stem().string() + extension;
+    if (output.empty()) return "out" / name;
+    if (names_folder(output, several)) return output / name;
+    fs::path path = output;
+    if (is_same_file(path, scene))
+        throw UsageError(fmt::format("-o {}: this is the scene itself", output));
+    if (path.extension() != extension)
+        throw UsageError(
+            fmt::format("-o {}: this version writes {} only; give a name that ends in {}", output,
+                        extension, extension));
+    return path;
+}
+
+}  // namespace carom

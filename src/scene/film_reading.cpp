@@ -24,6 +24,20 @@ void read_event(const Fields& fields, const Run& run, std::vector<RunEvent>& eve
     if (fields.given("reverse")) events.push_back({*at, ReverseVelocities{}});
 }
 
+double read_sample_every(const Fields& fields, const Run& run, Errors& errors) {
+    const Node* node = fields.given("sample_every");
+    if (node == nullptr) return 0.0;
+    const double every = fields.number("sample_every").value_or(0.0);
+    const double samples = run.until / every;
+    if (samples > most_samples.value)
+        errors.add(
+            *node,
+            fmt::format("a run until {} sampled every {} has {:.6g} samples", run.until, every,
+                        samples),
+            fmt::format("the ceiling is {:.0f} {}", most_samples.value, most_samples.meaning));
+    return every;
+}
+
 Slot read_slot(const Node& list, const LayoutSpec& layout, Errors& errors) {
     const std::vector<double> sides = numbers(list);
     const Slot slot{sides[0], sides[1], sides[2], sides[3]};
@@ -158,6 +172,7 @@ Run read_run(const Fields& scene, Errors& errors) {
     if (!fields) return run;
     run.until = fields->number("until").value_or(0.0);
     run.equilibrate = fields->number("equilibrate").value_or(0.0);
+    run.sample_every = read_sample_every(*fields, run, errors);
     if (const Node* events = fields->given("events"))
         for (const Node& item : events->items)
             if (item.is_mapping())

@@ -119,6 +119,12 @@ Section run() {
              otherwise("0", {"equilibrate",
                              "Simulated time before time 0, neither shown nor counted.",
                              {number(not_negative)}}),
+             left_to(
+                 "until / (frames - 1) with a film, until / 1000 without",
+                 {"sample_every",
+                  "Simulated time between two samples of the statistics: at 0, at its multiples, "
+                  "and at the end.",
+                  {number(positive)}}),
              left_to("none", {"events",
                               "What happens on the way, a list of {at: time, action}.",
                               {list_of({mapping(event)}, 0, most_events, "a list of events")}})}});

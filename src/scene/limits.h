@@ -30,6 +30,7 @@ inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exac
 inline constexpr Limit most_particles{2'000'000, "particles in all"};
 inline constexpr Limit most_species{200, "species"};
 inline constexpr Limit most_events{1'000, "events of a run"};
+inline constexpr Limit most_samples{10e6, "samples of a run"};
 inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of overlaps"};
 
 inline constexpr Limit most_frames{108'000, "frames of a film: an hour at 30 frames a second"};
@@ -42,29 +43,13 @@ inline constexpr Limit most_panels{12, "panels of a film"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
-inline constexpr std::array limits{most_file_bytes,
-                                   most_nesting,
-                                   most_values,
-                                   most_letters,
-                                   most_title_letters,
-                                   most_name_letters,
-                                   most_seconds,
-                                   most_trail_seconds,
-                                   most_overrides,
-                                   most_errors_shown,
-                                   largest_quantity,
-                                   smallest_quantity,
-                                   largest_seed,
-                                   most_particles,
-                                   most_species,
-                                   most_events,
-                                   most_pairs_compared,
-                                   most_frames,
-                                   most_frames_per_second,
-                                   smallest_side,
-                                   largest_side,
-                                   most_panels,
-                                   most_bins,
-                                   largest_grid};
+inline constexpr std::array limits{
+    most_file_bytes,    most_nesting,        most_values,      most_letters,
+    most_title_letters, most_name_letters,   most_seconds,     most_trail_seconds,
+    most_overrides,     most_errors_shown,   largest_quantity, smallest_quantity,
+    largest_seed,       most_particles,      most_species,     most_events,
+    most_samples,       most_pairs_compared, most_frames,      most_frames_per_second,
+    smallest_side,      largest_side,        most_panels,      most_bins,
+    largest_grid};
 
 }  // namespace carom

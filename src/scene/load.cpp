@@ -14,6 +14,7 @@
 #include "scene/overrides.h"
 #include "scene/scalar.h"
 #include "scene/template.h"
+#include "scene/timeline.h"
 #include "scene/yaml.h"
 
 namespace carom {
@@ -106,7 +107,13 @@ void read_template(Tree& tree, const fs::path& scene, const fs::path& templates,
     tree.film = lay_over(tree.film, tree.template_file);
 }
 
-Scene read_scene(const Tree& tree, Errors& errors) {
+double usual_sample_every(const Scene& scene, bool has_film) {
+    constexpr int samples_without_film = 1000;
+    const int steps = has_film ? frame_count(scene.film) - 1 : samples_without_film;
+    return scene.run.until / steps;
+}
+
+Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     const Fields fields{tree.root, scene_section()};
     Scene scene;
     scene.title = fields.text("title").value_or("");
@@ -125,19 +132,21 @@ Scene read_scene(const Tree& tree, Errors& errors) {
         scene.species_spans.push_back(place_of(*draft.node));
     }
     scene.run = read_run(fields, errors);
-    if (tree.template_file.is_mapping()) {
+    const bool has_film = fields.mentions("film");
+    if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film)) {
         const auto layout = read_layout({tree.template_file, template_section()}, errors);
         scene.film = read_film({tree.film, section_of(scene_section(), "film")}, fields, scene.run,
                                layout, errors);
         scene.film.template_name = tree.template_name;
     }
     errors.throw_if_any();
+    if (scene.run.sample_every == 0.0) scene.run.sample_every = usual_sample_every(scene, has_film);
     scene.description = fields.text("description").value_or(describe(scene));
     return scene;
 }
 
 Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
-           const Overrides& overrides) {
+           const Overrides& overrides, Wanted wanted) {
     const Source& source = sources.front();
     Errors errors;
     Tree tree;
@@ -158,7 +167,7 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     const Node* film = find(tree.root, "film");
     tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
     read_template(tree, path, templates, sources, errors);
-    Scene scene = read_scene(tree, errors);
+    Scene scene = read_scene(tree, wanted, errors);
     scene.source = {source.name, source.text, {}};
     for (const auto& [key, value] : overrides.values)
         scene.source.overrides.push_back(key + "=" + value);
@@ -167,21 +176,22 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
 
 }  // namespace
 
-Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides) {
+Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides,
+                 Wanted wanted) {
     Sources sources(1);
     sources.front().name = path.string();
     Errors errors;
     auto text = file_text(path, sources.front(), errors);
     errors.throw_if_any();
     sources.front().text = std::move(text.value());
-    return load(sources, path, templates, overrides);
+    return load(sources, path, templates, overrides, wanted);
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name, const fs::path& templates,
-                      const Overrides& overrides) {
+                      const Overrides& overrides, Wanted wanted) {
     Sources sources(1);
     sources.front() = {name, text, Origin::scene};
-    return load(sources, name, templates, overrides);
+    return load(sources, name, templates, overrides, wanted);
 }
 
 }  // namespace carom

@@ -16,13 +16,18 @@ struct Overrides {
         values;  ///< key path (counted lists: gas.0.count) and YAML value; the last wins
 };
 
+/// What the scene is for. A scene that says nothing of a film is one of 1 second for each unit of
+/// time where a film is wanted, and has none where only the physics is.
+enum class Wanted { film, physics };
+
 /// Loads and validates. `templates` is carom's own template folder (holding films/). Throws
 /// SceneError with every diagnostic of the file.
 Scene load_scene(const std::filesystem::path& path, const std::filesystem::path& templates,
-                 const Overrides& overrides = {});
+                 const Overrides& overrides = {}, Wanted wanted = Wanted::film);
 
 /// The same from text; `name` stands in for the path in messages.
 Scene load_scene_text(const std::string& text, const std::string& name,
-                      const std::filesystem::path& templates, const Overrides& overrides = {});
+                      const std::filesystem::path& templates, const Overrides& overrides = {},
+                      Wanted wanted = Wanted::film);
 
 }  // namespace carom

@@ -192,6 +192,29 @@ TEST_CASE("walls, events and panels with options") {
     CHECK(scene.description.find("At time 20 and 30 every velocity") != std::string::npos);
 }
 
+TEST_CASE("the statistics are sampled as often as asked, or as the film has frames") {
+    const auto every = [](const std::string& rest, Wanted wanted) {
+        return load_scene_text(scene_with("{count: 20}", rest), "test.yaml", root / "templates", {},
+                               wanted)
+            .run.sample_every;
+    };
+    for (const Wanted wanted : {Wanted::film, Wanted::physics}) {
+        CHECK(every("run: {until: 10, sample_every: 0.3}\n", wanted) == 0.3);
+        CHECK(every("run: {until: 10}\n", wanted) == 10.0 / 1000);
+        CHECK(every("run: {until: 10}\nfilm: {seconds: 5, fps: 20}\n", wanted) == 10.0 / 99);
+    }
+}
+
+TEST_CASE("only where a film is wanted must a run without one fit into a film") {
+    const std::string text = scene_with("{count: 20}", "run: {until: 1e9}\n");
+    CHECK(message(text, {}).find("frames of a film") != std::string::npos);
+    CHECK(load_scene_text(text, "test.yaml", root / "templates", {}, Wanted::physics)
+              .run.sample_every == 1e6);
+    CHECK_THROWS_AS(load_scene_text(text + "film: {pace: 1}\n", "test.yaml", root / "templates", {},
+                                    Wanted::physics),
+                    SceneError);
+}
+
 TEST_CASE("a film too short for its reversals is refused, the length it is told to have is not") {
     std::string events;
     for (int i = 1; i <= 100; ++i)

@@ -1,0 +1,31 @@
+# Installs the core for other programs: find_package(carom CONFIG) gives carom::physics. Its public headers are listed here, and only they are installed;
+# the libraries behind it come along. Headers lie in include/carom, so that they find one another as they do in src/.
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
+
+target_sources(carom_physics PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES
+    ${PROJECT_SOURCE_DIR}/src/physics/gas.h
+    ${PROJECT_SOURCE_DIR}/src/physics/particles.h
+    ${PROJECT_SOURCE_DIR}/src/physics/placement.h
+    ${PROJECT_SOURCE_DIR}/src/physics/run.h
+    ${PROJECT_SOURCE_DIR}/src/physics/simulation.h
+    ${PROJECT_SOURCE_DIR}/src/physics/theory.h)
+# <carom/physics/simulation.h> for users; "physics/gas.h" inside the headers is the file set's doing.
+target_include_directories(carom_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+# Arrays are allocated on one side and freed on the other, so both must ask Eigen for the same allocator: by default it depends on -march and on sanitizers.
+target_compile_definitions(carom_physics PUBLIC EIGEN_MAX_ALIGN_BYTES=64)
+
+foreach(room util physics)
+    set_target_properties(carom_${room} PROPERTIES EXPORT_NAME ${room})
+    target_compile_features(carom_${room} PUBLIC cxx_std_20)
+endforeach()
+install(TARGETS carom_util carom_physics EXPORT carom
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom)
+install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${package_folder})
+
+configure_package_config_file(cmake/carom-config.cmake.in ${PROJECT_BINARY_DIR}/carom-config.cmake
+    INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/carom-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/carom-config.cmake ${PROJECT_BINARY_DIR}/carom-config-version.cmake
+    DESTINATION ${package_folder})

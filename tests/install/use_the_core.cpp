@@ -1,0 +1,87 @@
+// The core as another program meets it: installed, found by CMake, built and run. The program is
+// the one that the README shows.
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+// The block of README.md between ```LANGUAGE and ``` that contains `word`.
+std::string block_of_readme(const std::string& language, const std::string& word) {
+    const std::string text = contents(fs::path(CAROM_TEST_ROOT) / "README.md");
+    const std::string open = "```" + language + "\n", close = "```\n";
+    for (std::size_t begin = text.find(open); begin != std::string::npos;
+         begin = text.find(open, begin)) {
+        begin += open.size();
+        const std::string block = text.substr(begin, text.find(close, begin) - begin);
+        if (block.find(word) != std::string::npos) return block;
+    }
+    return "";
+}
+
+// Frees what the core has allocated: Eigen, were it left alone, would align arrays for the user's
+// processor and free what was aligned for another.
+const std::string frees_arrays = R"(
+[[maybe_unused]] const bool placed = [] {
+    carom::Gas gas;
+    gas.box.size = {9.0, 9.0};
+    gas.species = {{.name = "", .count = 9}};
+    return carom::place(gas).first.count() == 9;
+}();
+)";
+
+// A file that includes each installed header, so that none needs one that was not installed.
+std::string all_headers(const fs::path& include) {
+    std::string text;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(include))
+        if (entry.is_regular_file())
+            text += "#include <" + fs::relative(entry.path(), include).string() + ">\n";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("the README's program builds from an installed core and is right") {
+    const std::string cmake = block_of_readme("cmake", "find_package(carom");
+    const std::string program = block_of_readme("cpp", "carom::Simulation");
+    REQUIRE_FALSE(cmake.empty());
+    REQUIRE_FALSE(program.empty());
+
+    const TemporaryFolder folder;
+    const fs::path installed = folder.path() / "installed", source = folder.path() / "source";
+    Outcome outcome =
+        run({"cmake", "--install", CAROM_BUILD_FOLDER, "--prefix", installed.string()});
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    fs::create_directory(source);
+    std::ofstream(source / "CMakeLists.txt")
+        << cmake << "target_sources(collision_rate PRIVATE headers.cpp)\n";
+    std::ofstream(source / "collision_rate.cpp") << program;
+    std::ofstream(source / "headers.cpp") << all_headers(installed / "include") << frees_arrays;
+
+    outcome = run(
+        {"cmake", "-S", source.string(), "-B", "build", "-G", "Ninja",
+         "-DCMAKE_PREFIX_PATH=" + installed.string(),
+         std::string("-DCMAKE_CXX_COMPILER=") + CAROM_CXX_COMPILER,
+         std::string("-DCMAKE_CXX_FLAGS=-march=native -Werror -Wall -Wextra ") + CAROM_CXX_FLAGS},
+        folder.path());
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    outcome = run({"cmake", "--build", "build"}, folder.path());
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.out);
+    outcome = run({"build/collision_rate"}, folder.path());
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+
+    double rate = 0.0, enskog = 0.0;
+    REQUIRE(std::sscanf(outcome.out.c_str(), "rate %lf, Enskog %lf", &rate, &enskog) == 2);
+    // packing 0.2011, temperature 1 but for the drawing of 1000 velocities
+    CHECK(enskog == doctest::Approx(1.295).epsilon(0.1));
+    // 128,000 collisions: their number is good to 0.3 %
+    CHECK(rate == doctest::Approx(enskog).epsilon(0.012));
+}

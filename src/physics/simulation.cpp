@@ -1,21 +1,42 @@
 #include "physics/simulation.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "physics/hard_disks.h"
+#include "physics/event_loop.h"
 #include "physics/placed_disks.h"
 #include "physics/placement.h"
 
 namespace carom {
 namespace {
 
+using Loop = std::variant<EventLoop<1>, EventLoop<2>>;
+
+bool beads_are_apart(const Box& box, const Particles& particles, const Sample& state) {
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+        return state.position(a, 0) < state.position(b, 0);
+    });
+    const double tolerance = touching_tolerance * box.size[0];
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+        const double distance = state.position(order[k + 1], 0) - state.position(order[k], 0);
+        if (distance < particles.radius[order[k]] + particles.radius[order[k + 1]] - tolerance)
+            return false;
+    }
+    return true;
+}
+
 [[maybe_unused]] bool nothing_overlaps(const Box& box, const Particles& particles,
                                        const Sample& state) {
     if (particles.count() == 0) return true;
+    if (box.dimension == 1) return beads_are_apart(box, particles, state);
     PlacedDisks placed(box, particles.count(), 0.5 * particles.radius.mean());
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         const Eigen::Array2d centre = state.position.row(i).transpose();
@@ -28,35 +49,43 @@ namespace {
 }  // namespace
 
 struct Simulation::Implementation {
+    template <typename Function>
+    auto with_loop(Function&& f) {
+        return std::visit(std::forward<Function>(f), loop);
+    }
+
     Implementation(const Box& its_box, Particles its_particles, const Sample& start, const Run& run)
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
-          disks(its_box, particles),
+          loop(loop_for(its_box, particles)),
           present(start) {
-        assert(box.dimension == 2);
         assert(nothing_overlaps(box, particles, start));
         present.time = -run.equilibrate;
-        disks.start(present);
-        if (run.equilibrate > 0.0) {
-            disks.advance(0.0, nullptr);
-            disks.sample(0.0, present);
-            disks.start(present);
-            disks.forget();
-        }
+        with_loop([&](auto& its) {
+            its.start(present);
+            if (run.equilibrate > 0.0) its.advance(0.0, nullptr);
+            its.forget();
+        });
+        present.time = 0.0;
+        sampled = run.equilibrate == 0.0;
+    }
+
+    static Loop loop_for(const Box& box, const Particles& particles) {
+        if (box.dimension == 1) return Loop(std::in_place_type<EventLoop<1>>, box, particles);
+        return Loop(std::in_place_type<EventLoop<2>>, box, particles);
     }
 
     void advance(double time) {
-        disks.advance(time, recording ? &collisions : nullptr);
+        with_loop([&](auto& its) { its.advance(time, recording ? &collisions : nullptr); });
         present.time = time;
         sampled = false;
     }
 
     // Rule for a faithful way back: exactly at its time, with all predictions made anew.
     void reverse() {
-        disks.sample(present.time, present);
-        present.velocity = -present.velocity;
-        disks.start(present);
+        with_loop([&](auto& its) { its.reverse(present.time); });
+        sampled = false;
         ++reversals;
     }
 
@@ -64,7 +93,7 @@ struct Simulation::Implementation {
     Particles particles;
     std::vector<RunEvent> events;
     std::size_t next_event = 0;
-    HardDisks disks;
+    Loop loop;
     Sample present;  ///< its time is the present; positions and velocities only when `sampled`
     bool sampled = true;
     bool recording = false;
@@ -94,12 +123,15 @@ Passage Simulation::advance_to(double time) {
         ++its.next_event;
     }
     its.advance(time);
-    return {its.disks.counts(), its.disks.transfers(), its.reversals, its.collisions};
+    return its.with_loop([&](const auto& loop) {
+        return Passage{loop.counts(), loop.transfers(), its.reversals, its.collisions};
+    });
 }
 
 const Sample& Simulation::sample() {
     Implementation& its = *implementation_;
-    if (!its.sampled) its.disks.sample(its.present.time, its.present);
+    if (!its.sampled)
+        its.with_loop([&](const auto& loop) { loop.sample(its.present.time, its.present); });
     its.sampled = true;
     return its.present;
 }

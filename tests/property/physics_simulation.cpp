@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/hard_disks.h"
+#include "physics/event_loop.h"
 #include "physics/placement.h"
 #include "physics/simulation.h"
 #include "support/slow_simulator.h"
@@ -99,7 +99,7 @@ TEST_CASE("the same events in the same order as the slow, obvious simulator") {
         CAPTURE(seed);
         const Gas gas = small_scene(seed);
         const auto [particles, start] = place(gas);
-        HardDisks fast(gas.box, particles);
+        EventLoop<2> fast(gas.box, particles);
         fast.start(start);
         test::SlowSimulator slow(gas.box, particles, start);
         // Round-off of the doubles grows by some 4 to 13 bits per collision of a particle. Events
@@ -139,7 +139,7 @@ TEST_CASE("no overlap after any event, energy and momentum are kept") {
         const auto energy_of = [&](const Sample& s) {
             return 0.5 * (masses * s.velocity.square().rowwise().sum()).sum();
         };
-        HardDisks disks(gas.box, particles);
+        EventLoop<2> disks(gas.box, particles);
         disks.start(start);
         Sample sample;
         Collision collision{};
@@ -181,7 +181,7 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
                         .mass = Density{1.0},
                         .velocity = Temperature{30.0}}};
         const auto [particles, start] = place(gas);
-        HardDisks disks(gas.box, particles);
+        EventLoop<2> disks(gas.box, particles);
         disks.start(start);
         Sample sample;
         Collision collision{};
@@ -210,7 +210,7 @@ TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself"
                         .velocity = Velocity{{{1.0, 0.6}}}},
                        {.name = "dust", .count = 4000, .radius = 0.2, .mass = Density{1.0}}};
         const auto [particles, start] = place(gas);
-        HardDisks disks(gas.box, particles);
+        EventLoop<2> disks(gas.box, particles);
         disks.start(start);
         std::vector<Collision> collisions;
         disks.advance(20.0, &collisions);
@@ -234,7 +234,7 @@ TEST_CASE("dense from a lattice, at late and early times alike") {
     auto [particles, start] = place(gas);
     for (const double epoch : {0.0, 1e10}) {
         start.time = epoch;
-        HardDisks disks(gas.box, particles);
+        EventLoop<2> disks(gas.box, particles);
         disks.start(start);
         disks.advance(epoch + 5.0, nullptr);
         CHECK(disks.counts().particle > 20'000);
@@ -339,7 +339,7 @@ TEST_CASE("the same bits with every compiler, processor and level of optimisatio
         start.position.row(i) << 0.75 + 1.5 * (i % side), 0.625 + 1.25 * (i / side);
         start.velocity.row(i) << random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0);
     }
-    HardDisks disks(box, particles);
+    EventLoop<2> disks(box, particles);
     disks.start(start);
     disks.advance(60.0, nullptr);
     Sample end;
@@ -355,7 +355,7 @@ TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
                    {.name = "slow", .count = 20, .mass = Quantity{1e15}, .velocity = Speed{1e-12}},
                    {.name = "light", .count = 5, .mass = Quantity{1e-3}}};
     const auto [particles, start] = place(gas);
-    HardDisks disks(gas.box, particles);
+    EventLoop<2> disks(gas.box, particles);
     disks.start(start);
     Sample sample;
     Collision collision{};

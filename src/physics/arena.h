@@ -1,0 +1,34 @@
+// What the event loop (event_loop.h) asks of the space in which particles move, and what both
+// spaces, the plane of disks (plane.h) and the wire of beads (wire.h), tell it in the same words.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "physics/gas.h"
+
+namespace carom {
+
+/// How two particles met.
+template <int Dimension>
+struct Contact {
+    std::array<double, Dimension> separation;  ///< from the first to the second (in a periodic box
+                                               ///< to its image that touches the first)
+    double virial = 0.0;                       ///< separation . momentum received by the second
+    double overlap = 0.0;                      ///< depth, in units of the contact distance
+};
+
+/// Borders of an event: the sides of the box are 0 to 3 (left, right, bottom, top), those of a
+/// cell, or of a periodic box, 4 to 7.
+inline constexpr unsigned first_cell_side = 4;
+
+/// Collision counts are compared modulo 2^29: an event has that many bits for them.
+inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
+
+/// A periodic coordinate, brought into [0, length).
+inline double wrapped(double x, double length) {
+    const double inside = x - length * std::floor(x / length);
+    return inside < length ? inside : 0.0;
+}
+
+}  // namespace carom

@@ -1,0 +1,94 @@
+// The event loop of hard particles, disks in the plane or beads on a wire: flies them from one
+// event to the next and nothing else. Each particle has its own time, up to which it has been
+// moved; only those that collide are touched. Does not know runs, reversals at given times or
+// placement (simulation.h), nor who is near whom (plane.h, wire.h).
+//
+// A particle's next event is the first of: its contact with another, with a wall, or its leaving a
+// cell. It foresees a contact with a particle whose own next event comes earlier; if that changes
+// the other's path (its collision count tells), the event is stale and the particle looks again.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "physics/event_queue.h"
+#include "physics/gas.h"
+#include "physics/local_clock.h"
+#include "physics/particles.h"
+#include "physics/plane.h"
+#include "physics/simulation.h"
+#include "physics/wire.h"
+
+namespace carom {
+
+template <int Dimension>
+class EventLoop {
+  public:
+    /// Particles without state: start() gives it.
+    EventLoop(const Box& box, const Particles& particles);
+
+    /// Puts all particles where `state` says, at its time, and foresees all events anew.
+    void start(const Sample& state);
+
+    /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
+    /// Throws std::runtime_error when particles collide without end at one instant, or two of
+    /// infinite mass meet on a wire.
+    void advance(double time, std::vector<Collision>* record);
+
+    /// Goes on to the next collision at a time <= `time`, false if there is none.
+    bool advance_one(double time, Collision& collision);
+
+    /// Turns all velocities round at `time`, which is not before the last event processed nor after
+    /// the next, and foresees all events anew.
+    void reverse(double time);
+
+    /// The state at `time`, which is not before the last event processed nor after the next;
+    /// periodic coordinates lie in [0, size). Changes nothing in the particles.
+    void sample(double time, Sample& state) const;
+
+    /// Collisions, and what they transferred, since the construction or the last call of forget().
+    const CollisionCounts& counts() const { return counts_; }
+    const Transfers& transfers() const { return transfers_; }
+    void forget();
+
+  private:
+    using Space = std::conditional_t<Dimension == 1, Wire, Plane>;
+    using Body = typename Space::Body;
+
+    Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
+    std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
+
+    void put_in_order();
+    void foresee_all();
+    void move_epoch_to(double local_time);
+    std::int32_t next_particle();
+    bool process(std::int32_t i, Collision* collision);
+    bool collide(std::int32_t first, std::int32_t second, Collision* collision);
+    void bounce(std::int32_t i, int side, Collision* collision);
+    void fly_to_now(Body& b) const;
+    void refuse_to_stall();
+    void count_tie(std::int32_t first, std::int32_t second);
+
+    Box box_;
+    std::vector<Body> bodies_;
+    std::vector<std::int32_t> number_;  ///< of each body as listed by the user
+    Space space_;
+    EventQueue queue_;
+    LocalClock clock_;
+    double now_ = 0.0;  ///< local
+    int laps_since_sorted_ = 0;
+    CollisionCounts counts_;
+    Transfers transfers_;
+    double last_collision_ = -1.0;
+    std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
+    std::int32_t last_pair_[2] = {-1, -1};
+};
+
+extern template class EventLoop<1>;
+extern template class EventLoop<2>;
+
+}  // namespace carom

@@ -1,0 +1,66 @@
+// The wire: beads in one dimension. Which bead is next to which never changes, so the order is kept
+// as state and not read from positions, which round-off and contacts of points (of length 0) leave
+// undecided. Knows no queue and no clock.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "physics/arena.h"
+#include "physics/event_queue.h"
+
+namespace carom {
+
+class Wire {
+  public:
+    static constexpr int dimension = 1;
+
+    struct Body {
+        std::array<double, 1> x;  ///< at the body's own time
+        std::array<double, 1> v;
+        double time;    ///< local
+        double radius;  ///< half its length
+        double inverse_mass;
+        std::uint32_t collisions;
+        std::int32_t turns;  ///< how often it has gone round a periodic wire
+    };
+    using Bodies = std::vector<Body>;
+
+    Wire(const Box& box, const Eigen::ArrayXd& radii);
+
+    /// The order in which bodies shall lie in memory: along the wire.
+    static std::vector<std::int32_t> order(const Bodies& bodies);
+
+    /// Whether bodies are put in order again now and then.
+    static bool sorts_again(std::size_t) { return false; }
+
+    /// Takes the bodies as they are, in order, at time 0.
+    void enter(Bodies& bodies);
+
+    Event foresee(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue);
+    Event foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
+                                 const Event& before, double now, const EventQueue& queue);
+
+    /// The body leaves a periodic wire at one end and enters at the other.
+    void cross(Bodies& bodies, std::int32_t i, int side, double now);
+
+    /// Changes the velocities of two neighbours that are at one time, false if they do not
+    /// approach. Throws std::runtime_error when both have infinite mass: neither can pass nor
+    /// yield.
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
+
+  private:
+    std::int32_t last() const { return count_ - 1; }
+    double gap(const Body& left, const Body& right, double now, bool around) const;
+    void foresee_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, double now,
+                      Event& first) const;
+    void foresee_end(const Bodies& bodies, std::int32_t i, double now, Event& first) const;
+
+    double length_;
+    bool periodic_;
+    std::int32_t count_;
+};
+
+}  // namespace carom

@@ -8,11 +8,13 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "physics/draws.h"
 #include "physics/lattice.h"
 #include "physics/placed_disks.h"
+#include "physics/wire_placement.h"
 #include "util/interrupt.h"
 #include "util/random.h"
 
@@ -22,12 +24,6 @@ namespace {
 constexpr double densest_packing = 0.9069;  // pi / sqrt(12): equal disks, Thue 1892
 // At packing 0.5 the last disks need a few hundred; random placement jams at 0.547.
 constexpr int most_tries = 20'000;
-constexpr std::int64_t most_particles = 50'000'000;
-
-std::string disks_of(const Gas& gas, std::size_t species) {
-    const std::string& name = gas.species[species].name;
-    return name.empty() ? "disks" : fmt::format("disks of species \"{}\"", name);
-}
 
 template <typename Rule>
 bool has_position(const Species& species) {
@@ -36,11 +32,11 @@ bool has_position(const Species& species) {
 
 class Placement {
   public:
-    explicit Placement(const Gas& gas)
-        : gas_(gas), count_(counted(gas)), placed_(gas.box, 0, 0.0) {}
+    explicit Placement(const Gas& gas) : gas_(gas), placed_(gas.box, 0, 0.0) {}
 
     std::pair<Particles, Sample> run() {
-        draw_properties();
+        std::tie(particles_, start_) = draw_gas(gas_);
+        count_ = particles_.count();
         check_room();
         placed_ = PlacedDisks(gas_.box, count_, typical_radius());
         place_listed();
@@ -50,40 +46,8 @@ class Placement {
     }
 
   private:
-    static Eigen::Index counted(const Gas& gas) {
-        std::int64_t sum = 0;
-        for (std::size_t s = 0; s < gas.species.size(); ++s) {
-            assert(gas.species[s].count >= 0);
-            if (gas.species[s].count > most_particles - sum)
-                throw PlacementError(
-                    s, fmt::format("{} {} are more than the {} particles that a gas may have",
-                                   gas.species[s].count, disks_of(gas, s), most_particles));
-            sum += gas.species[s].count;
-        }
-        return static_cast<Eigen::Index>(sum);
-    }
-
     std::size_t species_of(Eigen::Index i) const {
         return static_cast<std::size_t>(particles_.species[i]);
-    }
-
-    void draw_properties() {
-        particles_.radius.resize(count_);
-        particles_.inverse_mass.resize(count_);
-        particles_.species.resize(count_);
-        start_.position = Eigen::ArrayXXd::Zero(count_, 2);
-        start_.velocity = Eigen::ArrayXXd::Zero(count_, 2);
-        Eigen::Index first = 0;
-        for (std::size_t s = 0; s < gas_.species.size(); ++s) {
-            const auto count = static_cast<Eigen::Index>(gas_.species[s].count);
-            const Eigen::ArrayXd radii = draw_radii(gas_, s);
-            const Eigen::ArrayXd inverse_masses = draw_inverse_masses(gas_, s, radii);
-            particles_.radius.segment(first, count) = radii;
-            particles_.inverse_mass.segment(first, count) = inverse_masses;
-            particles_.species.segment(first, count).setConstant(static_cast<int>(s));
-            start_.velocity.middleRows(first, count) = draw_velocities(gas_, s, inverse_masses);
-            first += count;
-        }
     }
 
     double packing_fraction() const {
@@ -113,10 +77,11 @@ class Placement {
         const std::size_t species = largest_share();
         const std::string most = equal ? fmt::format("equal disks fill at most {}", densest_packing)
                                        : std::string("disks fill less than 1");
-        return {species,
-                fmt::format("{} {} cannot have room: the gas would fill {:.3g} of the box and {}; "
-                            "use fewer or smaller disks, or a larger box",
-                            gas_.species[species].count, disks_of(gas_, species), packing, most)};
+        return {
+            species,
+            fmt::format("{} {} cannot have room: the gas would fill {:.3g} of the box and {}; "
+                        "use fewer or smaller disks, or a larger box",
+                        gas_.species[species].count, particles_of(gas_, species), packing, most)};
     }
 
     std::size_t largest_share() const {
@@ -218,7 +183,8 @@ class Placement {
             fmt::format("no hexagonal lattice holds {} {} of radius {:g} in this box (at most {} "
                         "found room) at packing fraction {:.3g}; use fewer or smaller disks, or a "
                         "larger box",
-                        disks.size(), disks_of(gas_, species), radius, most, packing_fraction()));
+                        disks.size(), particles_of(gas_, species), radius, most,
+                        packing_fraction()));
     }
 
     void place_at_random() {
@@ -280,13 +246,13 @@ class Placement {
         return {s,
                 fmt::format("only {} of {} {} found room at packing fraction {:.3g}{}; use fewer "
                             "or smaller disks, {}",
-                            found, species.count, disks_of(gas_, s), packing,
+                            found, species.count, particles_of(gas_, s), packing,
                             within ? " of their region" : "",
                             within ? "or a larger region" : "a larger box, or position: lattice")};
     }
 
     const Gas& gas_;
-    Eigen::Index count_;
+    Eigen::Index count_ = 0;
     Particles particles_;
     Sample start_;
     PlacedDisks placed_;
@@ -295,8 +261,7 @@ class Placement {
 }  // namespace
 
 std::pair<Particles, Sample> place(const Gas& gas) {
-    assert(gas.box.dimension == 2);
-    return Placement(gas).run();
+    return gas.box.dimension == 1 ? place_on_wire(gas) : Placement(gas).run();
 }
 
 }  // namespace carom

@@ -1,0 +1,53 @@
+// The free stretches of a wire between beads that have their places, and how further beads share
+// them. Knows no species and no rules of placement (wire_placement.h).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "physics/gas.h"
+#include "util/random.h"
+
+namespace carom {
+
+/// A part of the wire, length; on a ring it may reach beyond the end.
+struct Stretch {
+    double low, high;
+    double room() const { return high - low; }
+};
+
+class WireRoom {
+  public:
+    explicit WireRoom(const Box& box);
+
+    /// Takes up the wire under beads.
+    void take(std::vector<Stretch> beads);
+
+    bool empty() const { return taken_.empty(); }
+
+    /// The free stretches of the whole wire, from left to right. On a ring the last goes on to the
+    /// first bead; an empty ring is one stretch from 0 to its length.
+    std::vector<Stretch> free() const;
+
+    /// The free stretches of a part of the wire.
+    std::vector<Stretch> free_within(Stretch part) const;
+
+  private:
+    double length_;
+    bool ring_;
+    std::vector<Stretch> taken_;  ///< from left to right
+};
+
+/// The stretch of each bead, in the order of the beads; nothing if they have no room.
+using Shares = std::optional<std::vector<std::size_t>>;
+
+/// Shares beads of `lengths` (falling) among stretches: each goes to one with a chance proportional
+/// to the room left there. Should this leave one without room, all go where they fit most tightly.
+Shares share_at_random(const std::vector<Stretch>& stretches, const std::vector<double>& lengths,
+                       Random& random);
+
+/// The same with each bead where the widest gaps remain between the beads of a stretch.
+Shares share_evenly(const std::vector<Stretch>& stretches, const std::vector<double>& lengths);
+
+}  // namespace carom

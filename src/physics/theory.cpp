@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <limits>
+#include <numeric>
 
 namespace carom {
 namespace {
@@ -40,11 +41,19 @@ std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
     return merged;
 }
 
-// (1 - x)^(beta - 1) beta: the density of Beta(1, beta).
-double beta_density(double beta, double x) {
-    if (x < 0.0 || x > 1.0) return 0.0;
-    if (x == 1.0) return beta == 1.0 ? 1.0 : 0.0;
-    return beta * std::exp((beta - 1.0) * std::log1p(-x));
+// ln of Euler's B(alpha, beta).
+double log_beta(double alpha, double beta) {
+    return std::lgamma(alpha) + std::lgamma(beta) - std::lgamma(alpha + beta);
+}
+
+// Density at y of the root of a share x = y^2 of Beta(alpha, beta): finite where that of the share
+// itself is not.
+double root_density(const EquilibriumGas& gas, double y) {
+    if (y < 0.0 || y > 1.0) return 0.0;
+    const double tail =
+        gas.beta == 1.0 ? 1.0 : std::exp((gas.beta - 1.0) * std::log1p(-y * y));  // 0 at y = 1
+    return 2.0 * std::pow(y, 2.0 * gas.alpha - 1.0) * tail /
+           std::exp(log_beta(gas.alpha, gas.beta));
 }
 
 template <typename Function>
@@ -57,70 +66,130 @@ double average(const EquilibriumGas& gas, Function&& f) {
     return count > 0.0 ? sum / count : 0.0;
 }
 
-double energy_density_of(const EquilibriumGas& gas, const MassGroup& group, double e) {
-    const double most = group.largest_share * gas.energy;
-    return most > 0.0 ? beta_density(gas.beta, e / most) / most : 0.0;
+bool is_wanted(const std::vector<int>& species, int which) {
+    return species.empty() || std::find(species.begin(), species.end(), which) != species.end();
+}
+
+// Whether all beads of finite mass are in one stretch between those that never move.
+bool beads_are_together(const Box& box, const Particles& particles, const Sample& sample) {
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+        return sample.position(a, 0) < sample.position(b, 0);
+    });
+    const auto moves = [&](std::size_t k) { return particles.inverse_mass[order[k]] > 0.0; };
+    int stretches = moves(0) && !(is_periodic(box, 0) && moves(order.size() - 1)) ? 1 : 0;
+    for (std::size_t k = 1; k < order.size(); ++k) stretches += moves(k) && !moves(k - 1);
+    return stretches <= 1;
+}
+
+// What a wire forbids beyond what a plane does; `momentum`: whether it is conserved.
+bool wire_mixes(const Box& box, const Particles& particles, const Sample& sample, bool momentum) {
+    const auto finite = particles.inverse_mass > 0.0;
+    const double lightest = particles.inverse_mass.maxCoeff();
+    const bool equal = (finite.select(particles.inverse_mass, lightest) == lightest).all();
+    return !equal && finite.count() >= (momentum ? 4 : 3) &&
+           beads_are_together(box, particles, sample);
+}
+
+// Whether momentum is conserved along every axis; nothing if along some only.
+std::optional<bool> momentum_conserved(const Box& box, const Particles& particles) {
+    const bool free = (particles.inverse_mass > 0.0).all();
+    const bool along_x = is_periodic(box, 0) && free;
+    const bool along_y = is_periodic(box, 1) && free;
+    if (box.dimension == 2 && along_x != along_y) return std::nullopt;
+    return along_x;
+}
+
+bool drifts(const Eigen::ArrayXd& masses, const Sample& sample, double energy) {
+    const Eigen::RowVectorXd momentum = masses.matrix().transpose() * sample.velocity.matrix();
+    return 0.5 * momentum.squaredNorm() / masses.sum() > negligible_share * energy;
 }
 
 }  // namespace
 
 std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
                                           const Sample& sample, const std::vector<int>& species) {
-    if (box.dimension != 2 || particles.count() == 0) return std::nullopt;
+    if (particles.count() == 0) return std::nullopt;
     const auto finite = particles.inverse_mass > 0.0;
     const Eigen::ArrayXd square_speed = sample.velocity.square().rowwise().sum();
     if ((!finite && square_speed > 0.0).any()) return std::nullopt;
-    if (!(particles.radius > 0.0).all()) return std::nullopt;
-    const bool momentum_x = is_periodic(box, 0) && finite.all();
-    const bool momentum_y = is_periodic(box, 1) && finite.all();
-    if (momentum_x != momentum_y) return std::nullopt;
+    const std::optional<bool> momentum = momentum_conserved(box, particles);
+    if (!momentum) return std::nullopt;
+    if (box.dimension == 2 && !(particles.radius > 0.0).all()) return std::nullopt;
+    if (box.dimension == 1 && !wire_mixes(box, particles, sample, *momentum)) return std::nullopt;
 
     const Eigen::ArrayXd masses = finite.select(particles.inverse_mass.inverse(), 0.0);
     EquilibriumGas gas;
     gas.energy = 0.5 * (masses * square_speed).sum();
-    gas.beta = static_cast<double>(finite.count()) - (momentum_x ? 2.0 : 1.0);
-    if (!(gas.energy > 0.0) || gas.beta < 1.0) return std::nullopt;
-    if (momentum_x) {
-        const Eigen::Array2d momentum((masses * sample.velocity.col(0)).sum(),
-                                      (masses * sample.velocity.col(1)).sum());
-        const double of_centre = 0.5 * momentum.square().sum() / masses.sum();
-        if (of_centre > negligible_share * gas.energy) return std::nullopt;
-    }
+    gas.alpha = 0.5 * box.dimension;
+    const double others = static_cast<double>(finite.count()) - (*momentum ? 2.0 : 1.0);
+    gas.beta = gas.alpha * others;
+    if (!(gas.energy > 0.0) || others < 1.0) return std::nullopt;
+    if (*momentum && drifts(masses, sample, gas.energy)) return std::nullopt;
 
     std::vector<double> wanted;
     for (Eigen::Index i = 0; i < particles.count(); ++i)
-        if (masses[i] > 0.0 &&
-            (species.empty() ||
-             std::find(species.begin(), species.end(), particles.species[i]) != species.end()))
+        if (masses[i] > 0.0 && is_wanted(species, particles.species[i]))
             wanted.push_back(masses[i]);
     if (wanted.empty()) return std::nullopt;
     gas.groups = group_by_mass(std::move(wanted));
-    if (momentum_x)
+    if (*momentum)
         for (MassGroup& group : gas.groups) group.largest_share = 1.0 - group.mass / masses.sum();
     return gas;
 }
 
 double energy_density(const EquilibriumGas& gas, double e) {
-    return average(gas, [&](const MassGroup& group) { return energy_density_of(gas, group, e); });
+    if (e < 0.0) return 0.0;
+    return average(gas, [&](const MassGroup& group) {
+        const double most = group.largest_share * gas.energy;
+        if (!(most > 0.0) || e > most) return 0.0;
+        if (e == 0.0)
+            return gas.alpha < 1.0 ? std::numeric_limits<double>::infinity() : gas.beta / most;
+        const double y = std::sqrt(e / most);
+        return root_density(gas, y) / (2.0 * y * most);
+    });
+}
+
+// Simpson's rule over the angle whose sine is the root of the share: there the integrand is smooth
+// at both ends.
+double energy_probability(const EquilibriumGas& gas, double low, double high) {
+    constexpr int steps = 16;
+    return average(gas, [&](const MassGroup& group) {
+        const double most = group.largest_share * gas.energy;
+        const auto angle = [&](double e) {
+            return std::asin(std::sqrt(std::clamp(e / most, 0.0, 1.0)));
+        };
+        if (!(most > 0.0)) return 0.0;
+        const double from = angle(low), to = angle(high);
+        double sum = 0.0;
+        for (int i = 0; i <= steps; ++i) {
+            const double weight = i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+            const double at = from + (to - from) * i / steps;
+            sum += weight * root_density(gas, std::sin(at)) * std::cos(at);
+        }
+        return sum * (to - from) / (3.0 * steps);
+    });
 }
 
 double speed_density(const EquilibriumGas& gas, double v) {
     if (v < 0.0) return 0.0;
     return average(gas, [&](const MassGroup& group) {
-        return group.mass * v * energy_density_of(gas, group, 0.5 * group.mass * v * v);
+        const double fastest = std::sqrt(2.0 * group.largest_share * gas.energy / group.mass);
+        return fastest > 0.0 ? root_density(gas, v / fastest) / fastest : 0.0;
     });
 }
 
 double mean_energy(const EquilibriumGas& gas) {
     return average(gas, [&](const MassGroup& group) {
-        return group.largest_share * gas.energy / (1.0 + gas.beta);
+        return group.largest_share * gas.energy * gas.alpha / (gas.alpha + gas.beta);
     });
 }
 
-// The mean of sqrt(x) for x ~ Beta(1, beta) is Gamma(3/2) Gamma(1 + beta) / Gamma(3/2 + beta).
+// The mean of sqrt(x) for x ~ Beta(alpha, beta) is B(alpha + 1/2, beta) / B(alpha, beta).
 double mean_speed(const EquilibriumGas& gas) {
-    const double mean_root = 0.5 * std::sqrt(std::numbers::pi) *
-                             std::exp(std::lgamma(1.0 + gas.beta) - std::lgamma(1.5 + gas.beta));
+    const double mean_root =
+        std::exp(log_beta(gas.alpha + 0.5, gas.beta) - log_beta(gas.alpha, gas.beta));
     return average(gas, [&](const MassGroup& group) {
         return std::sqrt(2.0 * group.largest_share * gas.energy / group.mass) * mean_root;
     });

@@ -22,23 +22,32 @@ struct MassGroup {
     double largest_share;
 };
 
-/// A two-dimensional gas in equilibrium: energy shares are largest_share * Beta(1, beta).
+/// A gas in equilibrium: energy shares are largest_share * Beta(alpha, beta).
 struct EquilibriumGas {
     double energy = 0.0;            ///< of all particles together
-    double beta = 1.0;              ///< N - 1 between walls, N - 2 in a periodic box
+    double alpha = 1.0;             ///< half the dimension
+    double beta = 1.0;              ///< d/2 (N - 1) between walls, d/2 (N - 2) in a periodic box
     std::vector<MassGroup> groups;  ///< those whose distribution is asked for, by rising mass
 };
 
 /// The equilibrium towards which the gas tends, or nothing where there is none: energy not
 /// conserved (moving infinite masses), momentum conserved along one axis only or not zero, no
-/// energy, points that never meet, or too few particles to share the energy in more than one way.
+/// energy, points of a plane that never meet, or too few particles to share the energy in more than
+/// one way. On a wire also none where masses are equal (velocities only change hands), where fixed
+/// beads part those that move, and for two beads between walls or three on a ring: these move as a
+/// point in a triangle (Glashow and Mittag 1997), which need not come near all its states.
 /// `species` selects whose distribution is asked for; empty: all particles of finite mass.
 std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
                                           const Sample& sample,
                                           const std::vector<int>& species = {});
 
 /// Probability density of a particle's kinetic energy at e, averaged over the groups; 1/energy.
+/// Infinite at 0 in one dimension.
 double energy_density(const EquilibriumGas& gas, double e);
+
+/// Probability of a kinetic energy from `low` to `high`, averaged over the groups; accurate to 1e-6
+/// of itself for intervals up to a third of the mean energy.
+double energy_probability(const EquilibriumGas& gas, double low, double high);
 
 /// Probability density of a particle's speed at v, averaged over the groups; time/length.
 double speed_density(const EquilibriumGas& gas, double v);

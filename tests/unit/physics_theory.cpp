@@ -1,11 +1,14 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "physics/theory.h"
 #include "support/csv.h"
+#include "util/random.h"
 
 using namespace carom;
 
@@ -78,6 +81,144 @@ TEST_CASE("moments of the densities are the exact ones of the finite gas") {
         CHECK(mean_energy(*gas) / energy == doctest::Approx(test::fraction(row[2])));
     }
     CHECK(rows >= 12);
+}
+
+namespace {
+
+// Beads of different masses with all energy in the first, or in the first two back to back; in
+// their centre-of-mass frame.
+State wire_of(const std::vector<double>& masses, Wall ends) {
+    const auto count = static_cast<Eigen::Index>(masses.size());
+    State s;
+    s.box = {1, {10.0, 0.0}, {ends, Wall::solid}};
+    s.particles.radius = Eigen::ArrayXd::Zero(count);
+    s.particles.inverse_mass = Eigen::Map<const Eigen::ArrayXd>(masses.data(), count).inverse();
+    s.particles.species = Eigen::ArrayXi::Zero(count);
+    s.sample.position = Eigen::ArrayXd::LinSpaced(count, 1.0, 9.0);
+    s.sample.velocity = Eigen::ArrayXd::Zero(count);
+    s.sample.velocity(0, 0) = 3.0;
+    if (ends == Wall::periodic) s.sample.velocity(1, 0) = -3.0 * masses[0] / masses[1];
+    return s;
+}
+
+}  // namespace
+
+TEST_CASE("moments of beads between walls are the exact ones of the finite gas") {
+    int rows = 0;
+    for (const auto& row : test::reference_rows("microcanonical_moments.csv")) {
+        if (!row[0].starts_with("1D walls")) continue;
+        ++rows;
+        const int count = std::stoi(row[1]);
+        // The laws are the same for all masses; a wire draws them only where masses differ.
+        const EquilibriumGas gas{9.0, 0.5, 0.5 * (count - 1), {{2.0, double(count), 1.0}}};
+        const double thermal = std::sqrt(2.0 * 9.0 / count / 2.0);
+        CHECK(mean_speed(gas) / thermal == doctest::Approx(std::stod(row[6])).epsilon(1e-12));
+        CHECK(mean_energy(gas) / 9.0 == doctest::Approx(test::fraction(row[2])).epsilon(1e-12));
+        if (count == 2) continue;  // its density is infinite at both ends
+        const auto share_moment = [&](int power) {
+            return integral(
+                [&](double e) {
+                    return e > 0.0 ? std::pow(e / 9.0, power) * energy_density(gas, e) : 0.0;
+                },
+                9.0);
+        };
+        CHECK(share_moment(1) == doctest::Approx(test::fraction(row[2])).epsilon(1e-6));
+        CHECK(share_moment(2) == doctest::Approx(test::fraction(row[3])).epsilon(1e-6));
+        const auto speed_moment = [&](int power) {
+            return integral([&](double v) { return std::pow(v, power) * speed_density(gas, v); },
+                            3.0);
+        };
+        CHECK(speed_moment(0) == doctest::Approx(1.0).epsilon(1e-6));
+        CHECK(speed_moment(4) / std::pow(speed_moment(2), 2) ==
+              doctest::Approx(test::fraction(row[4])).epsilon(1e-6));
+    }
+    CHECK(rows == 7);
+}
+
+TEST_CASE("energies of beads are those of points spread evenly over the energy sphere") {
+    const std::vector<double> masses{1.0, 2.0, 2.0, 7.0, 0.5};
+    for (const Wall ends : {Wall::solid, Wall::periodic}) {
+        State s = wire_of(masses, ends);
+        s.particles.species << 0, 1, 1, 2, 0;
+        const auto gas = equilibrium(s.box, s.particles, s.sample, {1, 2});
+        REQUIRE(gas.has_value());
+        constexpr int draws = 40'000;
+        constexpr int bins = 10;
+        Random random(5, "energy sphere");
+        std::array<double, bins> share{};
+        const double width = 0.33 * mean_energy(*gas);
+        for (int draw = 0; draw < draws; ++draw) {
+            std::vector<double> v, e;
+            double momentum = 0.0, energy = 0.0;
+            for (const double mass : masses) {
+                v.push_back(random.normal() / std::sqrt(mass));
+                momentum += mass * v.back();
+            }
+            const double drift = ends == Wall::periodic ? momentum / 12.5 : 0.0;
+            for (std::size_t i = 0; i < v.size(); ++i) {
+                e.push_back(0.5 * masses[i] * std::pow(v[i] - drift, 2));
+                energy += e.back();
+            }
+            const double picked = e[static_cast<std::size_t>(1 + draw % 3)] / energy;
+            const auto bin = static_cast<std::size_t>(picked * gas->energy / width);
+            if (bin < bins) share[bin] += 1.0 / draws;
+        }
+        for (std::size_t i = 0; i < bins; ++i) {
+            const double expected =
+                energy_probability(*gas, double(i) * width, double(i + 1) * width);
+            CAPTURE(i);
+            CHECK(std::abs(share[i] - expected) < 4.5 * std::sqrt(expected / draws));
+        }
+    }
+}
+
+TEST_CASE("the probability of an interval is the integral of the density") {
+    const State s = wire_of({1.0, 2.0, 3.0, 0.2}, Wall::solid);
+    const auto gas = equilibrium(s.box, s.particles, s.sample);
+    REQUIRE(gas.has_value());
+    const double step = mean_energy(*gas) / 3.0;
+    double sum = 0.0;
+    for (int i = 0; i * step < gas->energy; ++i)
+        sum += energy_probability(*gas, i * step, (i + 1) * step);
+    CHECK(sum == doctest::Approx(1.0).epsilon(1e-6));
+    const auto density = [&](double e) { return e > 0.0 ? energy_density(*gas, e) : 0.0; };
+    CHECK(energy_probability(*gas, 0.5 * step, step) ==
+          doctest::Approx(integral(density, step) - integral(density, 0.5 * step)).epsilon(1e-4));
+    CHECK(std::isinf(energy_density(*gas, 0.0)));
+    CHECK(std::isfinite(speed_density(*gas, 0.0)));
+    CHECK(energy_probability(*gas, -1.0, 0.0) == 0.0);
+    CHECK(energy_probability(*gas, gas->energy, 2.0 * gas->energy) == 0.0);
+}
+
+TEST_CASE("beads that do not mix have no curve") {
+    const auto none = [](const State& s) {
+        return !equilibrium(s.box, s.particles, s.sample).has_value();
+    };
+    CHECK(none(wire_of({2.0, 2.0, 2.0, 2.0, 2.0}, Wall::solid)));
+    CHECK(none(wire_of({2.0, 2.0, 2.0, 2.0, 2.0}, Wall::periodic)));
+    CHECK(none(wire_of({1.0, 2.0}, Wall::solid)));
+    CHECK_FALSE(none(wire_of({1.0, 2.0, 2.0}, Wall::solid)));
+    CHECK(none(wire_of({1.0, 2.0, 2.0}, Wall::periodic)));
+    CHECK_FALSE(none(wire_of({1.0, 2.0, 2.0, 2.0}, Wall::periodic)));
+    State s = wire_of({1.0, 2.0, 2.0, 2.0}, Wall::periodic);
+    s.sample.velocity(3, 0) = 1.0;
+    CHECK(none(s));  // it drifts
+    // A fixed bead parts a wire with walls, but makes one of a ring.
+    for (const Wall ends : {Wall::solid, Wall::periodic}) {
+        s = wire_of({1.0, 2.0, 2.0, 1.0, 3.0, 4.0}, ends);
+        s.particles.inverse_mass[3] = 0.0;
+        CHECK(none(s) == (ends == Wall::solid));
+    }
+    s = wire_of({1.0, 2.0, 2.0, 1.0}, Wall::solid);
+    s.particles.inverse_mass[3] = 0.0;
+    CHECK_FALSE(none(s));  // the fixed one stands at the end
+    s = wire_of({1.0, 1.0, 1.0, 5.0}, Wall::solid);
+    s.particles.inverse_mass[3] = 0.0;
+    CHECK(none(s));
+    // Species may be picked although each has one mass.
+    s = wire_of({1.0, 2.0, 2.0, 1.0}, Wall::solid);
+    s.particles.species << 0, 1, 1, 0;
+    CHECK(equilibrium(s.box, s.particles, s.sample, {1}).has_value());
 }
 
 TEST_CASE("a mixture's density is the average over its particles, species can be picked") {

@@ -42,20 +42,27 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
               static_cast<std::size_t>(wrap(x, cells_[0])));
 }
 
-// Calls f(particle) until it returns false.
+// Calls f(disk, square of its distance) for those in the same cells until it returns false.
 template <typename Function>
-void PlacedDisks::for_each_overlapping(const Eigen::Array2d& centre, double radius,
-                                       Function&& f) const {
+void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Function&& f) const {
     bool go_on = true;
     for_each_cell(centre, radius, [&](std::size_t cell) {
         for (std::int32_t e = heads_[cell]; go_on && e >= 0;) {
             const Entry& entry = entries_[static_cast<std::size_t>(e)];
             const Disk& other = disks_[static_cast<std::size_t>(entry.disk)];
-            const double contact = (radius + other.radius) * (1.0 - touching_tolerance);
-            const Eigen::Array2d r = nearest_image(box_, other.centre - centre);
-            if (r.square().sum() < contact * contact) go_on = f(other.particle);
+            go_on = f(other, nearest_image(box_, other.centre - centre).square().sum());
             e = entry.next;
         }
+    });
+}
+
+// Calls f(particle) until it returns false.
+template <typename Function>
+void PlacedDisks::for_each_overlapping(const Eigen::Array2d& centre, double radius,
+                                       Function&& f) const {
+    for_each_near(centre, radius, [&](const Disk& other, double square) {
+        const double contact = (radius + other.radius) * (1.0 - touching_tolerance);
+        return square < contact * contact ? f(other.particle) : true;
     });
 }
 
@@ -73,6 +80,17 @@ bool PlacedDisks::is_free(const Eigen::Array2d& centre, double radius) const {
     bool is = true;
     for_each_overlapping(centre, radius, [&](std::int32_t) { return is = false; });
     return is;
+}
+
+double PlacedDisks::deepest_overlap(const Eigen::Array2d& centre, double radius) const {
+    double deepest = 0.0;
+    for_each_near(centre, radius, [&](const Disk& other, double square) {
+        const double contact = radius + other.radius;
+        if (square < contact * contact)
+            deepest = std::max(deepest, 1.0 - std::sqrt(square) / contact);
+        return true;
+    });
+    return deepest;
 }
 
 void PlacedDisks::add(std::int32_t particle, const Eigen::Array2d& centre, double radius) {

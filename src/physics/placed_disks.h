@@ -29,6 +29,10 @@ class PlacedDisks {
     /// Whether a disk at `centre` overlaps none.
     bool is_free(const Eigen::Array2d& centre, double radius) const;
 
+    /// How deep a disk at `centre` would lie in another: the largest 1 - distance / (sum of radii),
+    /// dimensionless; 0 if it overlaps none.
+    double deepest_overlap(const Eigen::Array2d& centre, double radius) const;
+
     void add(std::int32_t particle, const Eigen::Array2d& centre, double radius);
 
   private:
@@ -43,6 +47,8 @@ class PlacedDisks {
 
     template <typename Function>
     void for_each_cell(const Eigen::Array2d& centre, double radius, Function&& f) const;
+    template <typename Function>
+    void for_each_near(const Eigen::Array2d& centre, double radius, Function&& f) const;
     template <typename Function>
     void for_each_overlapping(const Eigen::Array2d& centre, double radius, Function&& f) const;
 

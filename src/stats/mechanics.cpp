@@ -1,0 +1,76 @@
+#include "stats/mechanics.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace carom {
+namespace {
+
+double mass_of(double inverse) {
+    double best = 1.0 / inverse;
+    if (!std::isfinite(best)) return best;
+    std::size_t shortest = fmt::format("{}", best).size();
+    for (const double towards : {0.0, std::numeric_limits<double>::infinity()}) {
+        const double near = std::nextafter(1.0 / inverse, towards);
+        const std::size_t digits = fmt::format("{}", near).size();
+        if (1.0 / near != inverse || digits >= shortest) continue;
+        best = near;
+        shortest = digits;
+    }
+    return best;
+}
+
+// 0 for an infinite mass.
+Eigen::ArrayXd finite_masses(const Particles& particles) {
+    return (particles.inverse_mass > 0.0).select(1.0 / particles.inverse_mass, 0.0);
+}
+
+}  // namespace
+
+Eigen::ArrayXd masses(const Particles& particles) {
+    Eigen::ArrayXd result(particles.count());
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+        result[i] = i > 0 && particles.inverse_mass[i] == particles.inverse_mass[i - 1]
+                        ? result[i - 1]
+                        : mass_of(particles.inverse_mass[i]);
+    return result;
+}
+
+bool infinite_mass_moves(const Particles& particles, const Sample& sample) {
+    return ((sample.velocity != 0.0).rowwise().any() && particles.inverse_mass == 0.0).any();
+}
+
+Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample) {
+    const Eigen::ArrayXd mass = 1.0 / particles.inverse_mass;
+    Eigen::ArrayXd sum(sample.velocity.cols());
+    for (Eigen::Index a = 0; a < sum.size(); ++a) {
+        const auto v = sample.velocity.col(a);
+        sum[a] = (v != 0.0).select(mass * v, 0.0).sum();
+    }
+    return sum;
+}
+
+double thermal_energy(const Box& box, const Particles& particles, const Sample& sample) {
+    const Eigen::ArrayXd mass = finite_masses(particles);
+    const bool nothing_holds = (particles.inverse_mass > 0.0).all();
+    double energy = 0.0;
+    for (Eigen::Index a = 0; a < sample.velocity.cols(); ++a) {
+        const auto v = sample.velocity.col(a);
+        const bool drifts =
+            nothing_holds && box.walls[static_cast<std::size_t>(a)] == Wall::periodic;
+        const double drift = drifts ? (mass * v).sum() / mass.sum() : 0.0;
+        energy += 0.5 * (mass * (v - drift).square()).sum();
+    }
+    return energy;
+}
+
+double temperature(const Box& box, const Particles& particles, double thermal_energy) {
+    const auto count = static_cast<double>((particles.inverse_mass > 0.0).count());
+    return 2.0 * thermal_energy / (box.dimension * count);
+}
+
+}  // namespace carom

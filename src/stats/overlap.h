@@ -1,0 +1,14 @@
+// Looks at a whole state for particles that overlap: an audit of the simulation, which sees only
+// pairs that collide.
+#pragma once
+
+#include "physics/gas.h"
+#include "physics/particles.h"
+
+namespace carom {
+
+/// The deepest overlap of two particles, 1 - distance / contact distance, dimensionless; 0 when
+/// none overlap. Points have no contact distance and never overlap.
+double largest_relative_overlap(const Box& box, const Particles& particles, const Sample& sample);
+
+}  // namespace carom

@@ -1,0 +1,57 @@
+#include "stats/pressure.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace carom {
+namespace {
+
+std::optional<double> if_finite(double value) {
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+bool is_solid(const Box& box, int axis) {
+    return box.walls[static_cast<std::size_t>(axis)] == Wall::solid;
+}
+
+// The length, in 1-D the number, of the two walls across an axis.
+double extent_of_walls(const Box& box, int axis) {
+    return box.dimension == 1 ? 2.0 : 2.0 * box.size[1 - axis];
+}
+
+double mean_radius(const Particles& particles) {
+    const auto finite = (particles.inverse_mass > 0.0).cast<double>();
+    return (finite * particles.radius).sum() / finite.sum();
+}
+
+double size_of_room(const Box& box, double radius) {
+    const auto reach = [&](int axis) {
+        return box.size[axis] - (is_solid(box, axis) ? 2.0 * radius : 0.0);
+    };
+    if (box.dimension == 1) return reach(0);
+    return 0.5 * (box.size[0] * reach(1) + box.size[1] * reach(0));
+}
+
+}  // namespace
+
+std::optional<double> wall_pressure(const Box& box, const Transfers& transfers, double time) {
+    double momentum = 0.0;
+    double extent = 0.0;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        if (!is_solid(box, axis)) continue;
+        const std::size_t side = 2 * static_cast<std::size_t>(axis);
+        momentum += transfers.wall[side] + transfers.wall[side + 1];
+        extent += extent_of_walls(box, axis);
+    }
+    return if_finite(momentum / (extent * time));
+}
+
+std::optional<double> virial_pressure(const Box& box, const Particles& particles,
+                                      double thermal_energy, const Transfers& transfers,
+                                      double time) {
+    if (!(particles.inverse_mass > 0.0).any()) return std::nullopt;
+    const double twice = 2.0 * thermal_energy + transfers.virial / time;
+    return if_finite(twice / (box.dimension * size_of_room(box, mean_radius(particles))));
+}
+
+}  // namespace carom

@@ -1,0 +1,104 @@
+#include "stats/run_histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace carom {
+namespace {
+
+constexpr std::int64_t most_fine_bins = 100'000;
+
+double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
+
+double largest_finite(const Eigen::ArrayXd& values) {
+    double largest = 0.0;
+    for (const double value : values)
+        if (std::isfinite(value)) largest = std::max(largest, value);
+    return largest;
+}
+
+}  // namespace
+
+void RunHistogram::add(const Eigen::ArrayXd& values) {
+    const double largest = largest_finite(values);
+    if (fine_.empty() && largest > 0.0) look_first(largest);
+    if (!fine_.empty())
+        while (largest / power_of_ten(exponent_) >= double(most_fine_bins - 1)) coarsen();
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        ++total_;
+        if (fine_.empty()) {
+            ++zeros_;
+            continue;
+        }
+        const auto bin = static_cast<std::size_t>(bin_of(value));
+        if (bin >= fine_.size()) fine_.resize(bin + 1);
+        ++fine_[bin];
+    }
+}
+
+// At least a thousand bins up to the largest value of the first look, at most ten thousand.
+void RunHistogram::look_first(double largest) {
+    constexpr int least_exponent = -300;  // below, powers of ten lose their digits
+    exponent_ = std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3);
+    fine_.assign(1, zeros_);
+}
+
+void RunHistogram::coarsen() {
+    std::vector<std::int64_t> coarse((fine_.size() + 9) / 10);
+    for (std::size_t bin = 0; bin < fine_.size(); ++bin) coarse[bin / 10] += fine_[bin];
+    fine_.swap(coarse);
+    ++exponent_;
+}
+
+// A decimal number to the last digit: 3 bins of 0.1 end at 0.3.
+double RunHistogram::edge(std::int64_t bin) const {
+    const auto count = static_cast<double>(bin);
+    return exponent_ < 0 ? count / power_of_ten(-exponent_) : count * power_of_ten(exponent_);
+}
+
+std::int64_t RunHistogram::bin_of(double value) const {
+    auto bin = static_cast<std::int64_t>(value / power_of_ten(exponent_));
+    while (bin > 0 && value < edge(bin)) --bin;
+    while (value >= edge(bin + 1)) ++bin;
+    return bin;
+}
+
+// To within a fine bin.
+double RunHistogram::quantile(double share) const {
+    const double wanted = share * static_cast<double>(total_);
+    double seen = 0.0;
+    std::size_t bin = 0;
+    while (bin + 1 < fine_.size() && seen + static_cast<double>(fine_[bin]) < wanted)
+        seen += static_cast<double>(fine_[bin++]);
+    const auto here = static_cast<double>(fine_[bin]);
+    const double within = here > 0.0 ? (wanted - seen) / here : 0.0;
+    return edge(static_cast<std::int64_t>(bin)) + within * power_of_ten(exponent_);
+}
+
+// The least of 1, 2, 5, 10, 20, ... fine bins that is as wide.
+std::int64_t RunHistogram::bins_together(double width) const {
+    const double fine = width / power_of_ten(exponent_);
+    for (std::int64_t decade = 1;; decade *= 10)
+        for (const std::int64_t step : {1, 2, 5})
+            if (static_cast<double>(step * decade) >= fine) return step * decade;
+}
+
+BinnedCounts RunHistogram::counts() const {
+    if (fine_.empty()) return {{0.0, 1.0}, {zeros_}};
+    const double rule =
+        2.0 * (quantile(0.75) - quantile(0.25)) / std::cbrt(static_cast<double>(total_));
+    const double top = edge(static_cast<std::int64_t>(fine_.size()));
+    const std::int64_t together = bins_together(std::clamp(rule, top / 200.0, top / 20.0));
+    BinnedCounts result;
+    result.counts.resize((fine_.size() + static_cast<std::size_t>(together) - 1) /
+                         static_cast<std::size_t>(together));
+    for (std::size_t bin = 0; bin < fine_.size(); ++bin)
+        result.counts[bin / static_cast<std::size_t>(together)] += fine_[bin];
+    for (std::size_t k = 0; k <= result.counts.size(); ++k)
+        result.edges.push_back(edge(static_cast<std::int64_t>(k) * together));
+    return result;
+}
+
+}  // namespace carom

@@ -1,0 +1,156 @@
+// The virial theorem in a box of equal disks, exact at every time with its boundary term: momentum
+// on the walls, virial of the collisions and change of sum p . r add up. Checks at once the
+// simulation's transfers and both pressures made of them.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "physics/simulation.h"
+#include "stats/mechanics.h"
+#include "stats/pressure.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+// sum p . r, r from the centre of the box
+double momentum_times_place(const Simulation& simulation, const Sample& sample) {
+    const Eigen::ArrayXd mass = masses(simulation.particles());
+    double sum = 0.0;
+    for (Eigen::Index a = 0; a < sample.position.cols(); ++a)
+        sum += (mass * sample.velocity.col(a) *
+                (sample.position.col(a) - 0.5 * simulation.box().size[a]))
+                   .sum();
+    return sum;
+}
+
+// Disks of one radius and two masses in a square
+Gas equal_disks(double radius, std::uint64_t seed) {
+    Gas gas;
+    gas.seed = seed;
+    gas.box.size = {20.0, 20.0};
+    gas.species = {
+        {.name = "light", .count = 40, .radius = radius, .velocity = Speed{2.0}},
+        {.name = "heavy",
+         .count = 40,
+         .radius = radius,
+         .mass = Quantity{7.0},
+         .velocity = Temperature{1.0}},
+    };
+    return gas;
+}
+
+// Sixteen beads of different masses on a wire of length 20
+Simulation equal_beads(double radius) {
+    Box wire;
+    wire.dimension = 1;
+    wire.size = {20.0, 0.0};
+    constexpr Eigen::Index count = 16;
+    Particles particles;
+    particles.radius.setConstant(count, radius);
+    particles.inverse_mass.resize(count);
+    particles.species.setZero(count);
+    Sample start;
+    start.position.resize(count, 1);
+    start.velocity.resize(count, 1);
+    Random random(3, "beads");
+    for (Eigen::Index i = 0; i < count; ++i) {
+        particles.inverse_mass[i] = 1.0 / random.uniform(1.0, 7.0);
+        start.position(i, 0) = (static_cast<double>(i) + 0.5) * 1.25;
+        start.velocity(i, 0) = random.normal();
+    }
+    return {wire, particles, start, Run{}};
+}
+
+}  // namespace
+
+TEST_CASE("momentum on the walls, virial and boundary term add up at every time") {
+    for (const int dimension : {1, 2}) {
+        for (const double radius : {0.3, 0.6}) {
+            CAPTURE(dimension);
+            CAPTURE(radius);
+            Simulation simulation =
+                dimension == 1 ? equal_beads(radius) : Simulation(equal_disks(radius, 3), Run{});
+            const Box& box = simulation.box();
+            const double begun = momentum_times_place(simulation, simulation.sample());
+            for (const double time : {0.1, 1.0, 7.0, 50.0, 400.0}) {
+                CAPTURE(time);
+                const Transfers transfers = simulation.advance_to(time).transfers;
+                const Sample& sample = simulation.sample();
+                const double energy = thermal_energy(box, simulation.particles(), sample);
+                double walls = 0.0;
+                for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+                    walls += (box.size[static_cast<Eigen::Index>(a)] - 2.0 * radius) * 0.5 *
+                             (transfers.wall[2 * a] + transfers.wall[2 * a + 1]);
+                const double boundary = momentum_times_place(simulation, sample) - begun;
+                const double gas = 2.0 * energy * time + transfers.virial - boundary;
+                // Round-off of some 1e5 terms
+                CHECK(walls == doctest::Approx(gas).epsilon(1e-11));
+
+                // In a square the same holds for the two pressures.
+                const double room =
+                    dimension == 1 ? 20.0 - 2.0 * radius : 2.0 * 20.0 * (20.0 - 2.0 * radius);
+                const double by_walls = *wall_pressure(box, transfers, time);
+                const double by_virial =
+                    *virial_pressure(box, simulation.particles(), energy, transfers, time);
+                CHECK(by_walls * room * time ==
+                      doctest::Approx(by_virial * room * time - boundary).epsilon(1e-11));
+            }
+        }
+    }
+}
+
+TEST_CASE("both pressures of a long run agree, whatever the radii and the sides of the box") {
+    Gas gas = equal_disks(0.5, 8);
+    gas.box.size = {30.0, 14.0};
+    gas.species[1].radius = 0.9;
+    Run run;
+    run.equilibrate = 50.0;
+    Simulation simulation(gas, run);
+    constexpr double time = 3000.0;
+    const Transfers transfers = simulation.advance_to(time).transfers;
+    const double energy = thermal_energy(gas.box, simulation.particles(), simulation.sample());
+    const double by_walls = *wall_pressure(gas.box, transfers, time);
+    const double by_virial =
+        *virial_pressure(gas.box, simulation.particles(), energy, transfers, time);
+    CAPTURE(by_walls);
+    // 1e5 hits of the walls: a standard error of 0.3 %, and a mean radius in place of two
+    CHECK(by_virial == doctest::Approx(by_walls).epsilon(0.015));
+}
+
+TEST_CASE("the virial gives Henderson's equation of state") {
+    Gas gas;
+    const double packing = 0.2;
+    const double side = std::sqrt(400.0 * std::numbers::pi * 0.25 / packing);
+    gas.box.size = {side, side};
+    gas.box.walls = {Wall::periodic, Wall::periodic};
+    gas.species = {{.name = "", .count = 400, .velocity = Temperature{1.5}}};
+    Run run;
+    run.equilibrate = 20.0;
+    Simulation simulation(gas, run);
+    constexpr double time = 600.0;
+    const Transfers transfers = simulation.advance_to(time).transfers;
+    const double energy = thermal_energy(gas.box, simulation.particles(), simulation.sample());
+    const double pressure =
+        *virial_pressure(gas.box, simulation.particles(), energy, transfers, time);
+    // Henderson 1975: within 0.1 % at this packing
+    const double z = (1.0 + packing * packing / 8.0) / ((1.0 - packing) * (1.0 - packing));
+    // 1/N = 0.25 % from the conserved momentum, 0.2 % of 1e5 collisions
+    CHECK(pressure * side * side / energy == doctest::Approx(z).epsilon(0.006));
+}
+
+TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
+    Simulation simulation = equal_beads(0.3);
+    constexpr double time = 20000.0;
+    const Transfers transfers = simulation.advance_to(time).transfers;
+    const double energy =
+        thermal_energy(simulation.box(), simulation.particles(), simulation.sample());
+    const double exact = 2.0 * energy / (20.0 - 16 * 0.6);
+    // 4e4 hits of each wall
+    CHECK(*wall_pressure(simulation.box(), transfers, time) ==
+          doctest::Approx(exact).epsilon(0.02));
+    CHECK(*virial_pressure(simulation.box(), simulation.particles(), energy, transfers, time) ==
+          doctest::Approx(exact).epsilon(0.02));
+}

@@ -6,9 +6,9 @@
 #include <ctime>
 
 #include "app/segment_workers.h"
+#include "app/simulate.h"
 #include "media/image_writer.h"
 #include "panels/frame.h"
-#include "physics/placement.h"
 #include "scene/timeline.h"
 #include "util/interrupt.h"
 
@@ -19,17 +19,6 @@ double seconds_of(clockid_t clock) {
     timespec time = {};
     clock_gettime(clock, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-// A gas that cannot be placed is an error of the scene: say where.
-Simulation simulate(const Scene& scene) {
-    try {
-        return Simulation(scene.gas, scene.run);
-    } catch (const PlacementError& error) {
-        Diagnostic diagnostic = scene.species_spans[error.species()];
-        diagnostic.message = error.what();
-        throw SceneError({diagnostic});
-    }
 }
 
 // All that makes the film again: the seed, what the command line changed, and the scene itself.

@@ -29,9 +29,10 @@ Progress::Progress(Form form, std::string name) : form_(form), name_(std::move(n
 
 Progress::~Progress() { finish(); }
 
-void Progress::begin(std::string stage, std::int64_t total) {
+void Progress::begin(std::string stage, std::int64_t total, std::string unit) {
     const std::scoped_lock lock(mutex_);
     stage_ = std::move(stage);
+    unit_ = std::move(unit);
     total_ = total;
     done_ = 0;
     begun_ = shown_ = Clock::now();
@@ -50,8 +51,8 @@ void Progress::advance() {
 std::string Progress::line(double elapsed) const {
     const double speed = static_cast<double>(done_) / elapsed;
     const double left = static_cast<double>(total_ - done_) / speed;
-    return fmt::format("{}: {} {}/{} frames, {:.0f} frames/s, {} left", name_, stage_, done_,
-                       total_, speed, clock_text(left));
+    return fmt::format("{}: {} {}/{} {}, {:.0f} {}/s, {} left", name_, stage_, done_, total_, unit_,
+                       speed, unit_, clock_text(left));
 }
 
 void Progress::show(Clock::time_point now) {

@@ -21,7 +21,8 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void begin(std::string stage, std::int64_t total);  ///< total of frames in this stage
+    /// A stage of `total` frames, or whatever `unit` calls what is counted.
+    void begin(std::string stage, std::int64_t total, std::string unit = "frames");
     void advance();  ///< one more is done; called from any thread
     void finish();   ///< clears the bar
 
@@ -33,6 +34,7 @@ class Progress {
     Form form_;
     std::string name_;
     std::string stage_;
+    std::string unit_;
     std::int64_t total_ = 0;
     std::int64_t done_ = 0;
     bool bar_stands_ = false;

@@ -38,6 +38,7 @@ const std::vector<Door> doors{
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
     {std::regex("lib(av|sw).*"), {"media/video_writer.cpp"}},
     {std::regex("CLI/.*"), {"app/command.h"}},
+    {std::regex("nlohmann/.*"), {"app/run_json.cpp"}},
     {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/"}},
     {std::regex("fmt/.*"),
      {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "app/"}},

@@ -1,0 +1,66 @@
+#include "app/output.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "util/diagnostics.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_stream(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+[[noreturn]] void fail(const std::string& path) {
+    throw SystemError(fmt::format("cannot write {}: {}",
+                                  Output::is_standard_output(path) ? "standard output" : path,
+                                  std::generic_category().message(errno)));
+}
+
+}  // namespace
+
+Output::Output(std::string path) : path_(std::move(path)) {
+    if (is_standard_output(path_)) {
+        descriptor_ = STDOUT_FILENO;
+    } else if (is_stream(path_)) {
+        descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor_ < 0) fail(path_);
+        owned_ = true;
+    } else {
+        file_.emplace(path_);
+    }
+}
+
+Output::~Output() {
+    if (owned_) close(descriptor_);
+}
+
+void Output::write(std::string_view text) {
+    if (file_) return file_->write(text);
+    while (!text.empty()) {
+        const ssize_t written = ::write(descriptor_, text.data(), text.size());
+        if (written < 0 && errno == EINTR) {  // a reader that does not read must not hold Ctrl-C
+            throw_if_interrupted();
+            continue;
+        }
+        if (written <= 0) fail(path_);
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void Output::commit() {
+    if (file_) file_->commit();
+}
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+// Where a command's results go: a file that appears whole or not at all, or standard output.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "util/atomic_file.h"
+
+namespace carom {
+
+/// `-` is standard output. A device or a pipe is written as it stands, any other path as an
+/// AtomicFile.
+class Output {
+  public:
+    /// Throws SystemError when it cannot be written.
+    explicit Output(std::string path);
+    ~Output();
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+
+    void write(std::string_view text);  ///< all of it, or SystemError
+    void commit();                      ///< a file gets its name; SystemError if it cannot
+
+    static bool is_standard_output(std::string_view path) { return path == "-"; }
+
+  private:
+    std::string path_;
+    std::optional<AtomicFile> file_;
+    int descriptor_ = -1;  ///< of a stream, when there is no file
+    bool owned_ = false;
+};
+
+}  // namespace carom

@@ -1,0 +1,187 @@
+#include "app/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "app/simulate.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+// Adds the time of its life to a sum.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum) : sum_(sum) {}
+    ~Stopwatch() { sum_ += seconds_since(begun_); }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    double& sum_;
+    Clock::time_point begun_ = Clock::now();
+};
+
+std::int64_t events(const CollisionCounts& counts) { return counts.particle + counts.wall; }
+
+// Looks at the gas when it turns round and when it should be home.
+class ReversalWatch {
+  public:
+    ReversalWatch(const Run& run, const Sample& start) : start_(start) {
+        for (const RunEvent& event : run.events)
+            if (std::holds_alternative<ReverseVelocities>(event.action)) add(event.at, run.until);
+        std::stable_sort(marks_.begin(), marks_.end(),
+                         [](const Mark& a, const Mark& b) { return a.time < b.time; });
+    }
+
+    /// When to look next; infinite after the last time.
+    double next_time() const {
+        return next_ < marks_.size() ? marks_[next_].time : std::numeric_limits<double>::infinity();
+    }
+
+    /// To be called at next_time().
+    void look(Simulation& simulation, const CollisionCounts& counts) {
+        for (const double now = next_time(); next_time() == now; ++next_) {
+            const Mark& mark = marks_[next_];
+            ReversalReport& report = reports_[mark.reversal];
+            if (!mark.is_return) {
+                report.events_out = events(counts);
+                continue;
+            }
+            report.events_back = events(counts) - report.events_out;
+            if (alone_before(mark.time))
+                report.distance = return_distance(simulation.box(), start_, simulation.sample());
+        }
+    }
+
+    const std::vector<ReversalReport>& reports() const { return reports_; }
+
+  private:
+    struct Mark {
+        double time;
+        std::size_t reversal;
+        bool is_return;
+    };
+
+    void add(double at, double until) {
+        marks_.push_back({at, reports_.size(), false});
+        if (2.0 * at <= until) marks_.push_back({2.0 * at, reports_.size(), true});
+        reports_.push_back({});
+        reports_.back().at = at;
+    }
+
+    bool alone_before(double time) const {
+        return std::count_if(reports_.begin(), reports_.end(),
+                             [=](const ReversalReport& other) { return other.at < time; }) == 1;
+    }
+
+    Sample start_;
+    std::vector<Mark> marks_;
+    std::vector<ReversalReport> reports_;
+    std::size_t next_ = 0;
+};
+
+// A run of few samples tells how far it has come all the same.
+constexpr std::int64_t least_steps = 1000;
+
+class Course {
+  public:
+    Course(const Scene& scene, Progress& progress)
+        : run_(scene.run),
+          simulation_(prepare(scene)),
+          statistics_(simulation_.box(), simulation_.particles(),
+                      static_cast<int>(scene.gas.species.size()), sample_count(scene.run)),
+          reversals_(scene.run, simulation_.sample()),
+          progress_(progress) {
+        const std::int64_t steps = std::max(sample_count(run_) - 1, least_steps);
+        step_ = run_.until / static_cast<double>(steps);
+        progress_.begin("simulating", steps, "steps");
+    }
+
+    RunReport run(const SampleTaker& take) {
+        const std::int64_t samples = sample_count(run_);
+        for (std::int64_t index = 0; index < samples; ++index) {
+            go_on_to(sample_time(run_, index));
+            see_sample(take);
+        }
+        progress_.finish();
+        seconds_.total = seconds_since(begun_);
+        return {simulation_.particles().count(),
+                samples,
+                statistics_.summary(passage_),
+                passage_.counts,
+                reversals_.reports(),
+                seconds_};
+    }
+
+  private:
+    Simulation prepare(const Scene& scene) {
+        const Stopwatch watch(seconds_.prepare);
+        return simulate(scene);
+    }
+
+    void see_sample(const SampleTaker& take) {
+        const Stopwatch watch(seconds_.samples);
+        const Sample& sample = simulation_.sample();
+        statistics_.see(sample);
+        if (take) take(simulation_.particles(), sample);
+    }
+
+    // Stops on the way change nothing in the course of the events.
+    void go_on_to(double time) {
+        while (now_ < time) {
+            advance_to(std::min({time, reversals_.next_time(), next_step()}));
+            if (now_ == reversals_.next_time()) reversals_.look(simulation_, passage_.counts);
+        }
+    }
+
+    void advance_to(double time) {
+        throw_if_interrupted();
+        const Stopwatch watch(seconds_.simulate);
+        passage_ = simulation_.advance_to(time);
+        now_ = time;
+        for (; next_step() <= now_; ++steps_done_) progress_.advance();
+    }
+
+    double next_step() const { return static_cast<double>(steps_done_ + 1) * step_; }
+
+    Clock::time_point begun_ = Clock::now();
+    RunSeconds seconds_;
+    Run run_;
+    Simulation simulation_;
+    RunStatistics statistics_;
+    ReversalWatch reversals_;
+    Progress& progress_;
+    Passage passage_;
+    double now_ = 0.0;
+    double step_ = 0.0;
+    std::int64_t steps_done_ = 0;
+};
+
+}  // namespace
+
+std::int64_t sample_count(const Run& run) {
+    constexpr double rounding = 1e-9;  // an end at exactly k steps must not get a sliver after it
+    return 1 + static_cast<std::int64_t>(
+                   std::max(1.0, std::ceil(run.until / run.sample_every - rounding)));
+}
+
+double sample_time(const Run& run, std::int64_t index) {
+    if (index + 1 >= sample_count(run)) return run.until;
+    return static_cast<double>(index) * run.sample_every;
+}
+
+RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress) {
+    return Course(scene, progress).run(take);
+}
+
+}  // namespace carom

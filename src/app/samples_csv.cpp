@@ -1,0 +1,55 @@
+#include "app/samples_csv.h"
+
+#include <cstddef>
+#include <iterator>
+
+#include "stats/mechanics.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t most_buffered = 1 << 20;
+
+// RFC 4180: a field with a comma, a quote or a line break stands in quotes, its quotes doubled.
+std::string as_field(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string field = "\"";
+    for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+    return field + "\"";
+}
+
+}  // namespace
+
+SamplesCsv::SamplesCsv(const Gas& gas, Output& output) : output_(output) {
+    for (const Species& species : gas.species) species_.push_back(as_field(species.name));
+    output_.write(gas.box.dimension == 1 ? "time,particle,species,mass,radius,x,vx\n"
+                                         : "time,particle,species,mass,radius,x,y,vx,vy\n");
+}
+
+void SamplesCsv::name_rows(const Particles& particles) {
+    const Eigen::ArrayXd mass = masses(particles);
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        labels_.push_back(fmt::format(",{},{},{:.17g},{:.17g}", i,
+                                      species_[static_cast<std::size_t>(particles.species[i])],
+                                      mass[i], particles.radius[i]));
+}
+
+void SamplesCsv::add(const Particles& particles, const Sample& sample) {
+    if (labels_.empty()) name_rows(particles);
+    const std::string time = fmt::format("{:.17g}", sample.time + 0.0);  // no -0
+    const auto out = std::back_inserter(buffer_);
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        fmt::format_to(out, "{}{}", time, labels_[static_cast<std::size_t>(i)]);
+        for (const double x : sample.position.row(i)) fmt::format_to(out, ",{:.17g}", x);
+        for (const double v : sample.velocity.row(i)) fmt::format_to(out, ",{:.17g}", v);
+        buffer_.push_back('\n');
+        if (buffer_.size() >= most_buffered) finish();
+    }
+}
+
+void SamplesCsv::finish() {
+    output_.write({buffer_.data(), buffer_.size()});
+    buffer_.clear();
+}
+
+}  // namespace carom

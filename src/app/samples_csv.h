@@ -1,0 +1,38 @@
+// The samples of a run as a table of comma-separated values, written as they come.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "app/output.h"
+#include "physics/gas.h"
+#include "physics/particles.h"
+
+namespace carom {
+
+/// A header, then a row for each sample and particle:
+/// time,particle,species,mass,radius,x,y,vx,vy (in 1-D x,vx), numbers with 17 significant digits,
+/// which give back every bit; an infinite mass is `inf`.
+class SamplesCsv {
+  public:
+    /// Writes the header to `output`, which must outlive the table.
+    SamplesCsv(const Gas& gas, Output& output);
+
+    /// Adds the rows of a sample; all samples are of the same particles. Throws SystemError.
+    void add(const Particles& particles, const Sample& sample);
+
+    /// Hands the last rows to the output.
+    void finish();
+
+  private:
+    void name_rows(const Particles& particles);
+
+    std::vector<std::string> species_;  ///< names as fields
+    Output& output_;
+    std::vector<std::string> labels_;  ///< of each particle, what stays the same: ",0,cold,1,0.5"
+    fmt::memory_buffer buffer_;
+};
+
+}  // namespace carom

@@ -1,0 +1,13 @@
+// The simulation of a scene, ready at time 0.
+#pragma once
+
+#include "physics/simulation.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// Places the gas and runs `run.equilibrate`. Throws SceneError, with the place in the file, when
+/// the gas cannot be placed.
+Simulation simulate(const Scene& scene);
+
+}  // namespace carom

@@ -1,0 +1,53 @@
+// Whether numbers follow a law: Kolmogorov and Smirnov's test, whose chance is known far into the
+// tail, where a correction for many tests needs it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace carom::test {
+
+/// The chance of a larger Kolmogorov-Smirnov distance than that of `values` from the law with the
+/// distribution function `below`, for independent values (Stephens 1970's correction for their
+/// number).
+inline double chance(std::vector<double> values, const std::function<double(double)>& below) {
+    std::sort(values.begin(), values.end());
+    const double n = static_cast<double>(values.size());
+    double distance = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double f = below(values[i]), k = static_cast<double>(i);
+        distance = std::max({distance, f - k / n, (k + 1.0) / n - f});
+    }
+    const double t = distance * (std::sqrt(n) + 0.12 + 0.11 / std::sqrt(n));
+    double sum = 0.0;
+    for (int k = 1; k <= 100; ++k)
+        sum += (k % 2 == 1 ? 2.0 : -2.0) * std::exp(-2.0 * k * k * t * t);
+    return t < 0.2 ? 1.0 : std::clamp(sum, 0.0, 1.0);
+}
+
+/// Correlation of each value with the next; for n independent ones normal with variance 1/n.
+inline double correlation_with_next(const std::vector<double>& values) {
+    double mean = 0.0, variance = 0.0, product = 0.0;
+    for (const double v : values) mean += v / static_cast<double>(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        variance += (values[i] - mean) * (values[i] - mean);
+        if (i > 0) product += (values[i] - mean) * (values[i - 1] - mean);
+    }
+    return product / variance;
+}
+
+/// Distribution function of Beta(a, b) at x for whole a and b: at least `a` of a + b - 1 uniform
+/// numbers lie below x.
+inline double beta_below(int a, int b, double x) {
+    double sum = 0.0, choices = 1.0;
+    for (int k = 0; k < a + b; ++k) {
+        if (k >= a) sum += choices * std::pow(x, k) * std::pow(1.0 - x, a + b - 1 - k);
+        choices *= static_cast<double>(a + b - 1 - k) / (k + 1);
+    }
+    return sum;
+}
+
+}  // namespace carom::test

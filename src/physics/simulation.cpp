@@ -12,6 +12,7 @@
 #include "physics/event_loop.h"
 #include "physics/placed_disks.h"
 #include "physics/placement.h"
+#include "physics/wire_squeeze.h"
 
 namespace carom {
 namespace {
@@ -44,6 +45,16 @@ bool beads_are_apart(const Box& box, const Particles& particles, const Sample& s
         placed.add(static_cast<std::int32_t>(i), centre, particles.radius[i]);
     }
     return true;
+}
+
+// Beads between which the room ends would collide ever faster, without an end.
+void refuse_squeeze(const Box& box, const Particles& particles, const Sample& start,
+                    const Run& run) {
+    const auto squeeze = first_squeeze(box, particles, start, run);
+    if (!squeeze) return;
+    throw PlacementError(
+        static_cast<std::size_t>(particles.species[std::max(squeeze->left, squeeze->right)]),
+        to_text(*squeeze) + "; give a finite mass, another velocity, or an earlier end of the run");
 }
 
 }  // namespace
@@ -103,6 +114,7 @@ struct Simulation::Implementation {
 
 Simulation::Simulation(const Gas& gas, const Run& run) {
     auto [particles, start] = place(gas);
+    if (gas.box.dimension == 1) refuse_squeeze(gas.box, particles, start, run);
     implementation_ = std::make_unique<Implementation>(gas.box, std::move(particles), start, run);
 }
 

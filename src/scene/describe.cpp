@@ -16,8 +16,9 @@ std::string start_of(const Species& species) {
     return std::holds_alternative<AtRest>(species.velocity) ? "at rest" : "with given velocities";
 }
 
-std::string species_words(const Species& species, bool several) {
-    const char* noun = species.count == 1 ? "disk" : "disks";
+std::string species_words(const Species& species, int dimension, bool several) {
+    const std::string noun =
+        std::string(dimension == 1 ? "bead" : "disk") + (species.count == 1 ? "" : "s");
     return several
                ? fmt::format("{} {} ({}, {})", species.count, noun, species.name, start_of(species))
                : fmt::format("{} {}, {},", species.count, noun, start_of(species));
@@ -33,16 +34,24 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 std::string box_words(const Box& box) {
+    if (box.dimension == 1)
+        return box.walls[0] == Wall::periodic
+                   ? fmt::format("on a wire of length {} whose ends are joined", box.size[0])
+                   : fmt::format("on a wire of length {} between two walls", box.size[0]);
     const bool across = box.walls[0] == Wall::periodic;
     const bool up = box.walls[1] == Wall::periodic;
     const std::string size = fmt::format("box of {} by {}", box.size[0], box.size[1]);
-    if (across && up) return "a periodic " + size;
-    if (across) return fmt::format("a {} with solid walls below and above,", size);
-    if (up) return fmt::format("a {} with solid walls on the left and right,", size);
-    return fmt::format("a {} with solid walls", size);
+    if (across && up) return "in a periodic " + size;
+    if (across) return fmt::format("in a {} with solid walls below and above,", size);
+    if (up) return fmt::format("in a {} with solid walls on the left and right,", size);
+    return fmt::format("in a {} with solid walls", size);
 }
 
 std::string passage_words(const Box& box) {
+    if (box.dimension == 1)
+        return box.walls[0] == Wall::periodic
+                   ? " What leaves at the right end enters at the left, and the other way round."
+                   : "";
     const bool across = box.walls[0] == Wall::periodic;
     const bool up = box.walls[1] == Wall::periodic;
     if (across && up) return " What leaves on one side enters on the opposite side.";
@@ -57,10 +66,10 @@ std::string describe(const Scene& scene) {
     const Gas& gas = scene.gas;
     std::vector<std::string> groups;
     for (const Species& species : gas.species)
-        groups.push_back(species_words(species, gas.species.size() > 1));
+        groups.push_back(species_words(species, gas.box.dimension, gas.species.size() > 1));
     const bool alone = gas.species.size() == 1 && gas.species[0].count == 1;
     std::string text =
-        fmt::format("{} {} in {} and {} elastically.", listed(groups), alone ? "starts" : "start",
+        fmt::format("{} {} {} and {} elastically.", listed(groups), alone ? "starts" : "start",
                     box_words(gas.box), alone ? "collides" : "collide");
     text += passage_words(gas.box);
     std::vector<std::string> times;

@@ -78,12 +78,20 @@ Eigen::Array2d pair(const Node& list) {
     return {values.at(0), values.at(1)};
 }
 
-std::vector<Eigen::Array2d> points(const Node& list) {
-    if (!list.items.front().is_list()) return {pair(list)};
+std::vector<Eigen::Array2d> points(const Node& node, int dimension) {
+    const auto point = [&](const Node& one) -> Eigen::Array2d {
+        if (dimension == 2) return pair(one);
+        return {number_in(one).value_or(0.0), 0.0};
+    };
+    if (!lists_points(node, dimension)) return {point(node)};
     std::vector<Eigen::Array2d> values;
-    values.reserve(list.items.size());
-    for (const Node& item : list.items) values.push_back(pair(item));
+    values.reserve(node.items.size());
+    for (const Node& item : node.items) values.push_back(point(item));
     return values;
+}
+
+bool lists_points(const Node& node, int dimension) {
+    return node.is_list() && (dimension == 1 || node.items.front().is_list());
 }
 
 std::optional<Quantity> quantity_in(const Node& node, Range range, Errors& errors) {

@@ -50,8 +50,11 @@ std::vector<double> numbers(const Node& list);
 /// A checked list of two numbers.
 Eigen::Array2d pair(const Node& list);
 
-/// One checked [x, y], or a list of them.
-std::vector<Eigen::Array2d> points(const Node& list);
+/// One checked point or velocity, or a list of them: [x, y] in two dimensions, a number in one.
+std::vector<Eigen::Array2d> points(const Node& node, int dimension);
+
+/// Whether a node lists several points, and is not one itself.
+bool lists_points(const Node& node, int dimension);
 
 /// A checked NUMBER. Reports laws that contradict themselves or leave `range`.
 std::optional<Quantity> quantity_in(const Node& node, Range range, Errors& errors);

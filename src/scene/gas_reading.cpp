@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "scene/scalar.h"
+
 namespace carom {
 namespace {
 
@@ -20,35 +22,40 @@ Wall opposite_walls(const Fields& walls, std::string_view first, std::string_vie
     return wall(a);
 }
 
+// Whether these are places, and not a word or a part of the box.
+bool is_places(const Node& position) { return position.is_list() || number_in(position); }
+
 // Lists give one value for each particle.
-void check_list_length(const Fields& item, std::string_view key, std::int64_t count,
+void check_list_length(const Fields& item, std::string_view key, std::int64_t count, int dimension,
                        Errors& errors) {
     const Node* list = item.given(key);
-    if (list == nullptr || !list->is_list()) return;
-    const auto length = static_cast<std::int64_t>(list->items.size());
+    if (list == nullptr) return;
     const bool vectors = key == "velocity" || key == "position";
-    if (vectors && !list->items.front().is_list()) {
-        if (key == "position" && count != 1)
+    if (vectors && !lists_points(*list, dimension)) {
+        if (key == "position" && is_places(*list) && count != 1)
             errors.add(*list, fmt::format("one point for {} particles", count),
-                       "list a point for each, or give `{within: [x0, y0, x1, y1]}`");
+                       fmt::format("list a point for each, or give `{{within: {}}}`",
+                                   dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]"));
         return;
     }
+    if (!list->is_list()) return;
+    const auto length = static_cast<std::int64_t>(list->items.size());
     if (length != count)
         errors.add(*list, fmt::format("`{}` lists {} values for {} particles", key, length, count),
                    "give one for each particle");
 }
 
-std::int64_t listed_positions(const Fields& item) {
+std::int64_t listed_positions(const Fields& item, int dimension) {
     const Node* position = item.given("position");
-    if (position == nullptr || !position->is_list()) return 0;
-    return position->items.front().is_list() ? static_cast<std::int64_t>(position->items.size())
-                                             : 1;
+    if (position == nullptr || !is_places(*position)) return 0;
+    return lists_points(*position, dimension) ? static_cast<std::int64_t>(position->items.size())
+                                              : 1;
 }
 
 // 0 when it is not known.
-std::int64_t read_count(const Fields& item, Errors& errors) {
+std::int64_t read_count(const Fields& item, int dimension, Errors& errors) {
     if (const auto count = item.integer("count")) return *count;
-    const std::int64_t listed = listed_positions(item);
+    const std::int64_t listed = listed_positions(item, dimension);
     if (listed == 0 && !item.mentions("count") &&
         (item.given("position") || !item.mentions("position")))
         errors.add(item.node(), "an item of `gas` needs `count`, or a list of positions");
@@ -70,54 +77,65 @@ MassRule read_mass(const Fields& item, Errors& errors) {
     return Quantity{1.0};
 }
 
-VelocityRule read_velocity(const Fields& item, Errors& errors) {
-    if (const Node* velocity = item.given("velocity")) return Velocity{points(*velocity)};
+VelocityRule read_velocity(const Fields& item, int dimension, Errors& errors) {
+    if (const Node* velocity = item.given("velocity"))
+        return Velocity{points(*velocity, dimension)};
     if (const auto temperature = item.number("temperature")) return Temperature{*temperature};
     if (const auto speed = read_quantity(item, "speed", errors)) return Speed{*speed};
     return AtRest{};
 }
 
-std::optional<PositionRule> read_position(const Fields& item, Errors& errors) {
+std::optional<Region> region_in(const std::vector<double>& ends, const Node& within, int dimension,
+                                Errors& errors) {
+    if (dimension == 1 && ends[0] < ends[1]) return Region{{ends[0], 0.0}, {ends[1], 0.0}};
+    if (dimension == 2 && ends[0] < ends[2] && ends[1] < ends[3])
+        return Region{{ends[0], ends[1]}, {ends[2], ends[3]}};
+    errors.add(within, dimension == 1
+                           ? "expected [x0, x1] with x0 < x1 for `within`"
+                           : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
+    return std::nullopt;
+}
+
+std::optional<PositionRule> read_position(const Fields& item, int dimension, Errors& errors) {
     const Node* position = item.value("position");
-    if (position->is_list()) return Places{points(*position)};
+    if (is_places(*position)) return Places{points(*position, dimension)};
     if (position->text == "lattice") return LatticePlaces{};
     if (!position->is_mapping()) return RandomPlaces{};
     const Node* within = find(*position, "within");
     if (within == nullptr || !within->valid) return std::nullopt;
-    const std::vector<double> ends = numbers(*within);
-    if (ends[0] < ends[2] && ends[1] < ends[3])
-        return WithinRegion{{{ends[0], ends[1]}, {ends[2], ends[3]}}};
-    errors.add(*within, "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
-    return std::nullopt;
+    const auto region = region_in(numbers(*within), *within, dimension, errors);
+    if (!region) return std::nullopt;
+    return WithinRegion{*region};
 }
 
-SpeciesLook read_look(const Fields& item) {
+SpeciesLook read_look(const Fields& item, int dimension) {
     SpeciesLook look;
     if (const auto color = item.text("color")) look.color = color_hex(*color);
     look.label = item.text("label").value_or("");
     look.trail = item.number("trail");
+    if (dimension == 1) look.drawn_radius = item.number("drawn_radius");
     return look;
 }
 
-SpeciesDraft read_item(const Fields& item, Errors& errors) {
+SpeciesDraft read_item(const Fields& item, int dimension, Errors& errors) {
     SpeciesDraft draft;
     draft.node = &item.node();
     Species& species = draft.species;
     species.name = item.text("name").value_or("");
-    species.count = read_count(item, errors);
+    species.count = read_count(item, dimension, errors);
     if (species.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
-            check_list_length(item, key, species.count, errors);
+            check_list_length(item, key, species.count, dimension, errors);
     const auto radius = read_quantity(item, "radius", errors);
     draft.radius_known = radius.has_value() && (item.given("radius") || !item.mentions("radius"));
-    species.radius = radius.value_or(Quantity{0.5});
+    species.radius = radius.value_or(Quantity{dimension == 1 ? 0.0 : 0.5});
     species.mass = read_mass(item, errors);
-    species.velocity = read_velocity(item, errors);
-    const auto position = read_position(item, errors);
+    species.velocity = read_velocity(item, dimension, errors);
+    const auto position = read_position(item, dimension, errors);
     draft.position_known =
         position.has_value() && (item.given("position") || !item.mentions("position"));
     if (position) species.position = *position;
-    draft.look = read_look(item);
+    draft.look = read_look(item, dimension);
     return draft;
 }
 
@@ -162,28 +180,31 @@ void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
 
 }  // namespace
 
-std::optional<Box> read_box(const Fields& scene, Errors& errors) {
+std::optional<Box> read_box(const Fields& scene, int dimension, Errors& errors) {
     const auto fields = scene.inner("box");
     if (!fields) return std::nullopt;
     Box box;
-    if (const auto walls = fields->inner("walls"))
-        box.walls = {opposite_walls(*walls, "left", "right", errors),
-                     opposite_walls(*walls, "bottom", "top", errors)};
-    else
-        box.walls.fill(wall(fields->text("walls").value_or("solid")));
-    const Node* size = fields->given("size");
-    if (size == nullptr) return std::nullopt;
-    box.size = pair(*size);
+    box.dimension = dimension;
+    if (const auto walls = fields->inner("walls")) {
+        box.walls[0] = opposite_walls(*walls, "left", "right", errors);
+        if (dimension == 2) box.walls[1] = opposite_walls(*walls, "bottom", "top", errors);
+    } else {
+        const Wall all = wall(fields->text("walls").value_or("solid"));
+        box.walls = {all, dimension == 2 ? all : Wall::solid};
+    }
+    const Node* extent = fields->given(dimension == 2 ? "size" : "length");
+    if (extent == nullptr) return std::nullopt;
+    box.size = points(*extent, dimension).front();
     return box;
 }
 
-std::vector<SpeciesDraft> read_species(const Fields& scene, Errors& errors) {
+std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Errors& errors) {
     std::vector<SpeciesDraft> drafts;
     const Node* gas = scene.given("gas");
     if (gas == nullptr) return drafts;
     const Section& section = section_of(scene.section(), "gas");
     for (const Node& item : gas->items)
-        if (item.is_mapping()) drafts.push_back(read_item({item, section}, errors));
+        if (item.is_mapping()) drafts.push_back(read_item({item, section}, dimension, errors));
     check_names(drafts, errors);
     check_total(drafts, errors);
     if (drafts.size() == 1 && drafts[0].species.name.empty()) drafts[0].species.name = "gas";

@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// The box; nothing when an error leaves its size open.
-std::optional<Box> read_box(const Fields& scene, Errors& errors);
+/// The box of one or two dimensions; nothing when an error leaves its size open.
+std::optional<Box> read_box(const Fields& scene, int dimension, Errors& errors);
 
 /// A species and what is known of it although something in it may be wrong.
 struct SpeciesDraft {
@@ -21,11 +21,16 @@ struct SpeciesDraft {
     bool position_known = true;  ///< false: an error left the positions open
 };
 
-/// The species in the order of the list.
-std::vector<SpeciesDraft> read_species(const Fields& scene, Errors& errors);
+/// The species in the order of the list, for a box of one or two dimensions.
+std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Errors& errors);
 
-/// Reports what cannot be placed: disks too large for the box, too many for its area, places
-/// outside, places that overlap.
+/// Reports what cannot be placed in a box of two dimensions: disks too large for it, too many for
+/// its area, places outside, places that overlap.
 void check_room(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors);
+
+/// The same for beads on a wire, and those of infinite mass that run into one another before the
+/// run ends or turns round.
+void check_wire(const Box& box, const std::vector<SpeciesDraft>& drafts, const Run& run,
+                Errors& errors);
 
 }  // namespace carom

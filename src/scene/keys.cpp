@@ -1,5 +1,6 @@
 #include "scene/keys.h"
 
+#include <array>
 #include <utility>
 
 #include "scene/forms.h"
@@ -19,34 +20,45 @@ const vector<string>& histograms() {
     return kinds;
 }
 
-Section box() {
+Section walls(int dimension) {
     const Form side = one_of({"solid", "periodic"});
-    const Section walls = complete(
-        {.name = "`walls`",
-         .keys = {
-             otherwise("solid", {"left", "The wall at x = 0.", {side}}),
-             otherwise(
-                 "solid",
-                 {"right", "The wall at x = width; periodic together with the left one.", {side}}),
-             otherwise("solid", {"bottom", "The wall at y = 0.", {side}}),
-             otherwise("solid", {"top",
-                                 "The wall at y = height; periodic together with the bottom one.",
-                                 {side}})}});
+    Section section{.name = "`walls`", .keys = {}};
+    section.keys = {
+        otherwise("solid", {"left", "The wall at x = 0.", {side}}),
+        otherwise(
+            "solid",
+            {"right", "The wall at the largest x; periodic together with the left one.", {side}})};
+    const std::array upright{
+        otherwise("solid", {"bottom", "The wall at y = 0.", {side}}),
+        otherwise(
+            "solid",
+            {"top", "The wall at y = height; periodic together with the bottom one.", {side}})};
+    for (const Key& key : upright) {
+        if (dimension == 2) section.keys.push_back(key);
+        if (dimension == 1)
+            section.refused.push_back(
+                {key.name, "a wire has no `" + key.name + "`", "its ends are `left` and `right`"});
+    }
+    return complete(std::move(section));
+}
+
+Section box(int dimension) {
+    const Form side = one_of({"solid", "periodic"});
     return complete(
         {.name = "`box`",
-         .keys =
-             {required(
-                  {"size",
+         .keys = {{"size",
                    "Width and height of the box, x from 0 to the width, y from 0 to the height.",
-                   {list_of({number(positive)}, 2, 2, "[width, height]")}}),
-              otherwise("solid",
-                        {"walls",
-                         "What a disk meets at the edge of the box: a wall, or the opposite side.",
-                         {side, mapping(walls)}})},
-         .refused = {
-             {"length",
-              "`length` asks for a one-dimensional box; this version draws two-dimensional boxes",
-              "give `size: [width, height]`"}}});
+                   {list_of({number(positive)}, 2, 2, "[width, height]")}},
+                  {"length",
+                   "Instead of a size: the length of a wire, x from 0 to the length.",
+                   {number(positive)}},
+                  otherwise(
+                      "solid",
+                      {"walls",
+                       "What a particle meets at the edge of the box: a wall, or the opposite "
+                       "side.",
+                       {side, mapping(walls(dimension))}})},
+         .choices = {{{"size", "length"}, true}}});
 }
 
 vector<Key> look_keys() {
@@ -55,55 +67,87 @@ vector<Key> look_keys() {
                 {"color",
                  "The colour of this species where species are told apart: a name or \"#rrggbb\".",
                  {color()}}),
-        left_to("none", {"label", "A word drawn beside the disks.", {text(0, most_name_letters)}}),
+        left_to("none",
+                {"label", "A word drawn beside the particles.", {text(0, most_name_letters)}}),
         left_to("by the film",
                 {"trail",
-                 "How long a trail the disks leave, in seconds of film.",
+                 "How long a trail the particles leave, in seconds of film.",
                  {number({0.0, most_trail_seconds.value, most_trail_seconds.meaning})}})};
 }
 
-vector<Key> matter_keys() {
-    const vector<Form> points{list_of({number(any_number)}, 2, 2, "[x, y]"),
-                              list_of({list_of({number(any_number)}, 2, 2, "[x, y]")}, 1,
-                                      most_particles, "a list of [x, y]")};
-    const Section within =
-        complete({.name = "`position`",
-                  .keys = {required({"within",
-                                     "Random places in a part of the box, disks wholly inside.",
-                                     {list_of({number(any_number)}, 4, 4, "[x0, y0, x1, y1]")}})}});
+// One place or velocity, or one for each particle: [x, y] in a plane, a number on a wire.
+vector<Form> points(int dimension) {
+    if (dimension == 1)
+        return {number(any_number),
+                list_of({number(any_number)}, 1, most_particles, "a list of numbers")};
+    const Form point = list_of({number(any_number)}, 2, 2, "[x, y]");
+    return {point, list_of({point}, 1, most_particles, "a list of [x, y]")};
+}
+
+vector<Form> places(int dimension) {
+    const string corners = dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]";
+    const std::size_t numbers = 2 * static_cast<std::size_t>(dimension);
+    const Section within = complete(
+        {.name = "`position`",
+         .keys = {required({"within",
+                            "Random places in a part of the box, particles wholly inside.",
+                            {list_of({number(any_number)}, numbers, numbers, corners)}})}});
+    vector<Form> forms{one_of({"random", "lattice"}), mapping(within, "{within: " + corners + "}")};
+    for (Form& form : points(dimension)) forms.push_back(std::move(form));
+    return forms;
+}
+
+vector<Key> matter_keys(int dimension) {
+    const bool wire = dimension == 1;
     vector<Form> mass = quantity(positive);
     mass.push_back(one_of({"infinite"}));
-    vector<Form> places{one_of({"random", "lattice"}),
-                        mapping(within, "{within: [x0, y0, x1, y1]}")};
-    places.insert(places.end(), points.begin(), points.end());
+    const Key radius =
+        wire ? otherwise("0", {"radius", "Half the length of each bead: 0 is a point.",
+                               quantity(not_negative)})
+             : otherwise("0.5", {"radius", "The radius of each disk.", quantity(positive)});
+    const string density = wire ? "Instead of a mass: mass = density * 2 radius."
+                                : "Instead of a mass: mass = density * pi * radius^2.";
+    const string direction = wire ? "to the left or to the right" : "in a random direction";
     return {
         left_to(
             "required when there are several species",
             {"name", "The name of the species, shown in legends.", {text(1, most_name_letters)}}),
         left_to("the number of positions listed",
                 {"count", "How many particles.", {integer(1, most_particles)}}),
-        otherwise("0.5", {"radius", "The radius of each disk.", quantity(positive)}),
-        otherwise("1", {"mass", "The mass of each disk; `infinite` is never moved by a collision.",
-                        mass}),
-        {"density", "Instead of a mass: mass = density * pi * radius^2.", quantity(positive)},
-        {"speed", "The speed of each disk, in a random direction.", quantity(not_negative)},
-        {"velocity", "One velocity for all, or a list of one for each particle.", points},
+        radius,
+        otherwise(
+            "1",
+            {"mass", "The mass of each particle; `infinite` is never moved by a collision.", mass}),
+        {"density", density, quantity(positive)},
+        {"speed", "The speed of each particle, " + direction + ".", quantity(not_negative)},
+        {"velocity", "One velocity for all, or a list of one for each particle.",
+         points(dimension)},
         left_to("at rest", {"temperature",
                             "Maxwell-Boltzmann velocities at this temperature.",
                             {number(not_negative)}}),
-        otherwise(
-            "random",
-            {"position",
-             "Where the disks begin: anywhere, in rows, in a part of the box, or in listed places.",
-             places})};
+        otherwise("random", {"position",
+                             "Where the particles begin: anywhere, evenly spaced, in a part of the "
+                             "box, or in listed places.",
+                             places(dimension)})};
 }
 
-Section gas_item() {
-    vector<Key> keys = matter_keys();
-    for (Key& key : look_keys()) keys.push_back(std::move(key));
-    return complete({.name = "an item of `gas`",
-                     .keys = std::move(keys),
-                     .choices = {{{"mass", "density"}}, {{"speed", "velocity", "temperature"}}}});
+Key drawn_radius() {
+    return left_to("the radius, or 0.4 of the mean spacing for points",
+                   {"drawn_radius",
+                    "How large the beads are drawn, pushed apart so that they seem to touch when "
+                    "they meet.",
+                    {number(positive)}});
+}
+
+Section gas_item(int dimension) {
+    Section section{.name = "an item of `gas`", .keys = matter_keys(dimension)};
+    for (Key& key : look_keys()) section.keys.push_back(std::move(key));
+    section.choices = {{{"mass", "density"}}, {{"speed", "velocity", "temperature"}}};
+    if (dimension == 1) section.keys.push_back(drawn_radius());
+    if (dimension == 2)
+        section.refused = {{"drawn_radius", "`drawn_radius` is for beads on a wire (`length`)",
+                            "disks are drawn as large as they are: give `radius`"}};
+    return complete(std::move(section));
 }
 
 Section run() {
@@ -230,7 +274,7 @@ Section template_file() {
         {.name = "a template", .keys = std::move(keys), .choices = {{{"seconds", "pace"}}}});
 }
 
-Section scene() {
+Section scene(int dimension) {
     return complete(
         {.name = "a scene",
          .keys = {
@@ -246,19 +290,20 @@ Section scene() {
                       "What is seen, in words, for those who cannot see it.",
                       {lines(1, most_letters)}}),
              otherwise("1", {"seed", "Fixes every random choice.", {integer(0, largest_seed)}}),
-             required({"box", "The box that holds the gas.", {mapping(box())}}),
-             required({"gas",
-                       "What is in the box: a list of species.",
-                       {list_of({mapping(gas_item())}, 1, most_species, "a list of species")}}),
+             required({"box", "The box that holds the gas.", {mapping(box(dimension))}}),
+             required(
+                 {"gas",
+                  "What is in the box: a list of species.",
+                  {list_of({mapping(gas_item(dimension))}, 1, most_species, "a list of species")}}),
              required({"run", "What happens to the gas.", {mapping(run())}}),
              left_to("the template's", {"film", "What the viewer sees.", {mapping(film())}})}});
 }
 
 }  // namespace
 
-const Section& scene_section() {
-    static const Section section = scene();
-    return section;
+const Section& scene_section(int dimension) {
+    static const std::array sections{scene(1), scene(2)};
+    return sections.at(static_cast<std::size_t>(dimension - 1));
 }
 
 const Section& template_section() {

@@ -74,8 +74,8 @@ struct Section {
     std::size_t index(std::string_view name) const;
 };
 
-/// A whole scene.
-const Section& scene_section();
+/// A whole scene with a box of one dimension or of two.
+const Section& scene_section(int dimension = 2);
 
 /// A template: the keys of `film` but `template`, and `layout`.
 const Section& template_section();

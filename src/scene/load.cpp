@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "scene/template.h"
 #include "scene/timeline.h"
 #include "scene/yaml.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -67,6 +69,22 @@ void refuse_newer_format(const Node& root) {
     errors.throw_if_any();
 }
 
+// Of the box that a scene asks for, before it is checked: keys and forms depend on it.
+int dimension_of(const Node& root) {
+    const Node* box = find(root, "box");
+    if (box == nullptr || !box->is_mapping()) return 2;
+    const Node* length = find(*box, "length");
+    const Node* size = find(*box, "size");
+    if (length != nullptr)
+        return size == nullptr || length->source->origin > size->source->origin ? 1 : 2;
+    const std::vector<std::string> names{"size", "length", "walls"};
+    return std::any_of(
+               box->keys.begin(), box->keys.end(),
+               [&](const Node& key) { return nearest_spelling(key.text, names) == names[1]; })
+               ? 1
+               : 2;
+}
+
 Node empty_mapping(const Source& source) {
     Node node;
     node.kind = Node::Kind::mapping;
@@ -77,7 +95,8 @@ Node empty_mapping(const Source& source) {
 /// A scene's tree with its template's, checked for form.
 struct Tree {
     Node root;
-    Node film;  ///< the scene's, laid over the template's
+    int dimension = 2;  ///< of the box
+    Node film;          ///< the scene's, laid over the template's
     Node template_file;
     std::string template_name;
 };
@@ -114,24 +133,25 @@ double usual_sample_every(const Scene& scene, bool has_film) {
 }
 
 Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
-    const Fields fields{tree.root, scene_section()};
+    const Fields fields{tree.root, scene_section(tree.dimension)};
     Scene scene;
     scene.title = fields.text("title").value_or("");
     scene.subtitle = fields.text("subtitle").value_or("");
     scene.seed = static_cast<std::uint64_t>(fields.integer("seed").value_or(1));
     scene.gas.seed = scene.seed;
-    const auto box = read_box(fields, errors);
-    const std::vector<SpeciesDraft> drafts = read_species(fields, errors);
+    const auto box = read_box(fields, tree.dimension, errors);
+    const std::vector<SpeciesDraft> drafts = read_species(fields, tree.dimension, errors);
+    scene.run = read_run(fields, errors);
     if (box) {
         scene.gas.box = *box;
-        check_room(*box, drafts, errors);
+        if (box->dimension == 1) check_wire(*box, drafts, scene.run, errors);
+        if (box->dimension == 2) check_room(*box, drafts, errors);
     }
     for (const SpeciesDraft& draft : drafts) {
         scene.gas.species.push_back(draft.species);
         scene.looks.push_back(draft.look);
         scene.species_spans.push_back(place_of(*draft.node));
     }
-    scene.run = read_run(fields, errors);
     const bool has_film = fields.mentions("film");
     if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film)) {
         const auto layout = read_layout({tree.template_file, template_section()}, errors);
@@ -163,7 +183,8 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
         errors.throw_if_any();
     }
     refuse_newer_format(tree.root);
-    check_mapping(tree.root, scene_section(), errors);
+    tree.dimension = dimension_of(tree.root);
+    check_mapping(tree.root, scene_section(tree.dimension), errors);
     const Node* film = find(tree.root, "film");
     tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
     read_template(tree, path, templates, sources, errors);

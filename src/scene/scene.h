@@ -25,9 +25,10 @@ struct PictureSize {
 
 /// How a species is drawn.
 struct SpeciesLook {
-    std::optional<std::string> color;  ///< #rrggbb
-    std::string label;                 ///< a word beside it, may be empty
-    std::optional<double> trail;       ///< seconds of film; none: by the film
+    std::optional<std::string> color;    ///< #rrggbb
+    std::string label;                   ///< a word beside it, may be empty
+    std::optional<double> trail;         ///< seconds of film; none: by the film
+    std::optional<double> drawn_radius;  ///< of beads on a wire, length; none: by their radius
 };
 
 /// A rectangle of a template's layout in grid units (template's own grid, origin top left).

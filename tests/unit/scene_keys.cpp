@@ -34,7 +34,7 @@ void visit_keys(const Visit& visit) {
     const auto each = [&](const Section& section) {
         for (std::size_t i = 0; i < section.keys.size(); ++i) visit(section, i);
     };
-    visit_sections(scene_section(), each);
+    for (const int dimension : {1, 2}) visit_sections(scene_section(dimension), each);
     visit_sections(template_section(), each);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("the names of a section are unique, and its choices name its keys") {
         for (const Choice& choice : section.choices)
             for (const std::string& name : choice.names) CHECK(names.count(name) == 1);
     };
-    visit_sections(scene_section(), check);
+    for (const int dimension : {1, 2}) visit_sections(scene_section(dimension), check);
     visit_sections(template_section(), check);
 }
 

@@ -102,10 +102,8 @@ class Chambers {
         across.room = start.position(first, 0) - particles.radius[first] + box.size[0] - last_high;
         const auto is_fixed = [&](Eigen::Index i) { return !(particles.inverse_mass[i] > 0.0); };
         const auto add = [&](auto from, auto to) {
-            for (auto i = from; i != to && !is_fixed(*i); ++i) {
+            for (auto i = from; i != to && !is_fixed(*i); ++i)
                 across.room -= 2.0 * particles.radius[*i];
-                ++across.beads;
-            }
         };
         add(order.begin(), order.end());
         add(order.rbegin(), order.rend());

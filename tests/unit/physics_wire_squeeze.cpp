@@ -59,6 +59,12 @@ TEST_CASE("two beads of infinite mass meet, whatever is between them") {
     // Across the end of a ring: 4 apart, less the radius, closing at 2.
     CHECK(squeeze_of(Wall::periodic, {{2.0, -1.0, fixed, 0.5}, {4.0, 0.0, 1.0}, {8.0, 1.0, fixed}},
                      until(9.0)) == met + " at time 1.75");
+    CHECK(squeeze_of(Wall::periodic,
+                     {{2.0, -1.0, fixed, 0.5},
+                      {0.5, 0.0, 1.0, 0.125},
+                      {8.0, 1.0, fixed},
+                      {9.0, 0.0, 1.0, 0.25}},
+                     until(9.0)) == met + " at time 1.375");
     Run early = until(1.0);
     early.equilibrate = 2.0;
     CHECK(squeeze_of(Wall::solid, far, early) == met + " at time 0.75");

@@ -1,0 +1,34 @@
+// Gases of equal disks in a periodic box, as theory and simulations of reference have them.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "physics/gas.h"
+
+namespace carom::test {
+
+/// Disks of mass 1 and diameter 1 at temperature 1 on a lattice that fits the box without a fault.
+inline Gas equal_disks(double packing, std::int64_t count) {
+    const double area = static_cast<double>(count) * std::numbers::pi * 0.25 / packing;
+    const double shape = std::sqrt(std::sqrt(0.75));  // of hexagonal rows, for a square number
+    Gas gas;
+    gas.box.size = {std::sqrt(area) / shape, std::sqrt(area) * shape};
+    gas.box.walls = {Wall::periodic, Wall::periodic};
+    gas.species = {
+        {.name = "", .count = count, .velocity = Temperature{1.0}, .position = LatticePlaces{}}};
+    return gas;
+}
+
+/// Mean of blocks and its standard error.
+struct Estimate {
+    double mean, error;
+};
+
+inline Estimate estimate(const Eigen::ArrayXd& blocks) {
+    const double n = static_cast<double>(blocks.size()), mean = blocks.mean();
+    return {mean, std::sqrt((blocks - mean).square().sum() / (n * (n - 1.0)))};
+}
+
+}  // namespace carom::test

@@ -36,7 +36,7 @@ void SamplesCsv::name_rows(const Particles& particles) {
 
 void SamplesCsv::add(const Particles& particles, const Sample& sample) {
     if (labels_.empty()) name_rows(particles);
-    const std::string time = fmt::format("{:.17g}", sample.time + 0.0);  // no -0
+    const std::string time = fmt::format("{:.17g}", sample.time);
     const auto out = std::back_inserter(buffer_);
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         fmt::format_to(out, "{}{}", time, labels_[static_cast<std::size_t>(i)]);

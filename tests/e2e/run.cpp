@@ -1,0 +1,474 @@
+// carom run, by the program itself: its JSON and its CSV against truths that are known exactly, and
+// against each other.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/process.h"
+
+using namespace carom::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string root = CAROM_TEST_ROOT;
+const std::string program = CAROM_PROGRAM;
+
+struct Run {
+    json report;
+    std::string csv;
+};
+
+// Both outputs of a scene that is given as text; the seconds apart, nothing may be said.
+Run run_scene(const std::string& scene, const std::vector<std::string>& more = {}) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << scene;
+    std::vector<std::string> command{program,  "run", "scene.yaml", "--quiet",
+                                     "--json", "-",   "--csv",      "samples.csv"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = run(command, folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.err.empty());
+    CHECK(folder.names() == std::vector<std::string>{"samples.csv", "scene.yaml"});
+    return {json::parse(outcome.out), contents(folder.path() / "samples.csv")};
+}
+
+// One row of the CSV.
+struct Row {
+    double time;
+    std::size_t particle;
+    std::string species;
+    double mass, radius, x, y, vx, vy;
+};
+
+double number(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    CHECK(end == text.c_str() + text.size());
+    return value;
+}
+
+std::vector<Row> rows_of(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    CHECK(line == "time,particle,species,mass,radius,x,y,vx,vy");
+    std::vector<Row> rows;
+    while (std::getline(lines, line)) {
+        std::vector<std::string> fields(1);
+        for (const char c : line) {
+            if (c == ',')
+                fields.emplace_back();
+            else
+                fields.back() += c;
+        }
+        REQUIRE(fields.size() == 9);
+        rows.push_back({number(fields[0]), std::stoul(fields[1]), fields[2], number(fields[3]),
+                        number(fields[4]), number(fields[5]), number(fields[6]), number(fields[7]),
+                        number(fields[8])});
+    }
+    return rows;
+}
+
+// Every number of the report is one: no word, no NaN.
+void check_numbers(const json& value) {
+    if (value.is_number_float()) CHECK(std::isfinite(value.get<double>()));
+    if (value.is_structured())
+        for (const json& item : value) check_numbers(item);
+}
+
+const std::string one_disk =  // 3 round trips of 2 * 10 at speed 3 in 20 units of time
+    "box: {size: [12, 10]}\n"
+    "gas: [{name: a, radius: 1, mass: 2, position: [6, 5], velocity: [3, 0]}]\n"
+    "run: {until: 20, sample_every: 3.2}\n";
+
+const std::string small_gas =
+    "box: {size: [20, 15]}\n"
+    "gas:\n"
+    "  - {name: light, count: 30, radius: 0.4, speed: 2}\n"
+    "  - {name: heavy, count: 5, radius: {uniform: [0.6, 1]}, density: 3, temperature: 1}\n"
+    "run: {until: 30, equilibrate: 5, sample_every: 0.7}\n";
+
+}  // namespace
+
+TEST_CASE("a disk between two walls presses with twice its momentum at each return") {
+    const auto [report, csv] = run_scene(one_disk);
+    CHECK(report["scene"] == "scene.yaml");
+    CHECK(report["seed"] == 1);
+    CHECK(report["dimension"] == 2);
+    CHECK(report["particles"] == 1);
+    CHECK(report["time"] == 20.0);
+    CHECK(report["precision_bits"] == 53);
+    CHECK(report["collisions"] == json{{"particle", 0}, {"wall", 6}, {"per_particle", 0.0}});
+    CHECK(report["energy"] ==
+          json{{"initial", 9.0}, {"final", 9.0}, {"largest_relative_error", 0.0}});
+    CHECK(report["momentum"] == json{{"initial", {6.0, 0.0}}, {"final", {6.0, 0.0}}});
+    CHECK(report["overlap"]["largest_relative"] == 0.0);
+    CHECK(report["pressure"]["wall"].get<double>() ==
+          doctest::Approx(6 * 12.0 / (20.0 * 44.0)).epsilon(1e-14));
+    // 2K over (12 * 8 + 10 * 10), the room that its centre can reach
+    CHECK(report["pressure"]["virial"].get<double>() ==
+          doctest::Approx(18.0 / 196.0).epsilon(1e-14));
+    CHECK(report["temperature"] == 9.0);
+    CHECK(report["species"] ==
+          json{{{"name", "a"}, {"count", 1}, {"mean_energy", 9.0}, {"mean_speed", 3.0}}});
+    CHECK(report["reversals"] == json::array());
+    CHECK(report["seconds"]["total"].get<double>() > 0.0);
+    CHECK(report["seconds"]["events_per_second"].get<double>() > 0.0);
+    check_numbers(report);
+
+    const std::vector<Row> rows = rows_of(csv);
+    REQUIRE(rows.size() == 8);  // at 0, 3.2, ..., 19.2 and at the end
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const double time = k < 7 ? 3.2 * static_cast<double>(k) : 20.0;
+        CAPTURE(time);
+        CHECK(rows[k].time == time);
+        CHECK(rows[k].particle == 0);
+        CHECK(rows[k].species == "a");
+        CHECK(rows[k].mass == 2.0);
+        CHECK(rows[k].radius == 1.0);
+        const double way = std::fmod(3.0 * time + 5.0, 20.0);  // from the left end of its way
+        CHECK(rows[k].x == doctest::Approx(1.0 + (way <= 10.0 ? way : 20.0 - way)).epsilon(1e-14));
+        CHECK(rows[k].y == 5.0);
+        CHECK(rows[k].vx == (way < 10.0 ? 3.0 : -3.0));
+        CHECK(rows[k].vy == 0.0);
+    }
+    CHECK(csv.starts_with("time,particle,species,mass,radius,x,y,vx,vy\n0,0,a,2,1,6,5,3,0\n"));
+}
+
+TEST_CASE("pressure times area is the energy of a gas of points") {
+    // Whole numbers of round trips, one along each axis: exact but for the radius.
+    const auto [report, csv] = run_scene(
+        "box: {size: [10, 10]}\n"
+        "gas: [{radius: 1e-9, position: [[2, 5], [7, 1]], velocity: [[2, 0], [0, 2]]}]\n"
+        "run: {until: 30}\n");
+    CHECK(report["collisions"]["wall"] == 12);
+    CHECK(report["pressure"]["wall"].get<double>() == doctest::Approx(4.0 / 100.0).epsilon(1e-8));
+    CHECK(report["pressure"]["virial"].get<double>() == doctest::Approx(4.0 / 100.0).epsilon(1e-8));
+    CHECK(rows_of(csv).size() == 2 * 1001);
+}
+
+TEST_CASE("two disks that meet head on change velocities once") {
+    const auto [report, csv] = run_scene(
+        "box: {size: [30, 10], walls: periodic}\n"
+        "gas: [{position: [[10, 5], [20, 5]], velocity: [[1, 0], [-1, 0]]}]\n"
+        "run: {until: 8, sample_every: 4}\n");
+    CHECK(report["collisions"] == json{{"particle", 1}, {"wall", 0}, {"per_particle", 1.0}});
+    CHECK(report["energy"]["largest_relative_error"] == 0.0);
+    CHECK(report["pressure"]["wall"].is_null());
+    // N T = 1 and r . dp = 1 * 2 in 8 units of time
+    CHECK(report["pressure"]["virial"].get<double>() ==
+          doctest::Approx((1.0 + 2.0 / 16.0) / 300.0).epsilon(1e-14));
+    CHECK(report["temperature"] == 0.5);
+    const std::vector<Row> rows = rows_of(csv);
+    REQUIRE(rows.size() == 6);
+    CHECK(rows[3].x == 16.0);
+    CHECK(rows[4].x == doctest::Approx(11.0).epsilon(1e-14));  // 14.5 at 4.5, then back
+    CHECK(rows[5].x == doctest::Approx(19.0).epsilon(1e-14));
+    CHECK(rows[4].vx == -1.0);
+}
+
+TEST_CASE("a gas at rest has no energy, no error and no pressure") {
+    const auto [report, csv] = run_scene(
+        "box: {size: [30, 10]}\ngas: [{count: 20}, {name: rock, mass: infinite, count: 1}]\n"
+        "run: {until: 8, sample_every: 2}\n",
+        {"--set", "gas.0.name=dust"});
+    CHECK(report["energy"] ==
+          json{{"initial", 0.0}, {"final", 0.0}, {"largest_relative_error", 0.0}});
+    CHECK(report["momentum"]["final"] == json{0.0, 0.0});
+    CHECK(report["pressure"] == json{{"wall", 0.0}, {"virial", 0.0}});
+    CHECK(report["temperature"] == 0.0);
+    CHECK(report["collisions"] == json{{"particle", 0}, {"wall", 0}, {"per_particle", 0.0}});
+    CHECK(report["histograms"]["speed"] == json{{"edges", {0.0, 1.0}}, {"counts", {105}}});
+    CHECK(report["histograms"]["energy"] == json{{"edges", {0.0, 1.0}}, {"counts", {105}}});
+    const std::vector<Row> rows = rows_of(csv);
+    CHECK(rows.size() == 105);
+    CHECK(std::isinf(rows.back().mass));
+}
+
+TEST_CASE("a wall that moves leaves no energy to conserve: null, not a word that is no JSON") {
+    const auto [report, csv] = run_scene(
+        "box: {size: [30, 10], walls: periodic}\n"
+        "gas:\n  - {name: gas, count: 20, speed: 1}\n"
+        "  - {name: piston, mass: infinite, position: [15, 5], velocity: [1, 0]}\n"
+        "run: {until: 20}\n");
+    CHECK(report["energy"] ==
+          json{{"initial", nullptr}, {"final", nullptr}, {"largest_relative_error", nullptr}});
+    CHECK(report["momentum"]["initial"][0].is_null());
+    CHECK(report["momentum"]["initial"][1].is_number());
+    CHECK(report["pressure"] == json{{"wall", nullptr}, {"virial", nullptr}});
+    CHECK(report["species"][0]["mean_energy"].is_number());
+    CHECK(report["species"][1]["mean_energy"].is_null());
+    CHECK(report["species"][1]["mean_speed"] == 1.0);
+    CHECK(rows_of(csv).back().vx == 1.0);
+}
+
+TEST_CASE("the report is what the samples say") {
+    const auto [report, csv] = run_scene(small_gas);
+    const std::vector<Row> rows = rows_of(csv);
+    REQUIRE(rows.size() == 44 * 35);  // ceil(30 / 0.7) + 1 samples
+    std::vector<double> speeds, energies;
+    std::map<std::string, std::pair<double, double>> sums;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const Row& row = rows[k];
+        const auto sample = static_cast<double>(k / 35);
+        CHECK(row.time == (sample == 43.0 ? 30.0 : sample * 0.7));
+        CHECK(row.particle == k % 35);
+        CHECK(row.species == (row.particle < 30 ? "light" : "heavy"));
+        speeds.push_back(std::sqrt(row.vx * row.vx + row.vy * row.vy));
+        energies.push_back(0.5 * row.mass * speeds.back() * speeds.back());
+        sums[row.species].first += energies.back();
+        sums[row.species].second += speeds.back();
+    }
+    CHECK(report["species"][0]["mean_energy"].get<double>() ==
+          doctest::Approx(sums["light"].first / (44.0 * 30.0)).epsilon(1e-13));
+    CHECK(report["species"][1]["mean_speed"].get<double>() ==
+          doctest::Approx(sums["heavy"].second / (44.0 * 5.0)).epsilon(1e-13));
+    CHECK(report["temperature"].get<double>() ==
+          doctest::Approx((sums["light"].first + sums["heavy"].first) / double(rows.size()))
+              .epsilon(1e-13));
+    for (const auto& [name, values] : {std::pair("speed", speeds), {"energy", energies}}) {
+        CAPTURE(name);
+        const std::vector<double> edges = report["histograms"][name]["edges"];
+        const std::vector<std::int64_t> counts = report["histograms"][name]["counts"];
+        REQUIRE(edges.size() == counts.size() + 1);
+        CHECK(counts.size() >= 8);
+        for (std::size_t b = 0; b < counts.size(); ++b)
+            CHECK(counts[b] == std::count_if(values.begin(), values.end(), [&](double value) {
+                      return value >= edges[b] && value < edges[b + 1];
+                  }));
+    }
+    double first = 0.0, last = 0.0, momentum = 0.0;
+    for (std::size_t k = 0; k < 35; ++k) {
+        first += energies[k];
+        last += energies[rows.size() - 35 + k];
+        momentum += rows[k].mass * rows[k].vx;
+    }
+    CHECK(report["energy"]["initial"].get<double>() == doctest::Approx(first).epsilon(1e-13));
+    CHECK(report["energy"]["final"].get<double>() == doctest::Approx(last).epsilon(1e-13));
+    CHECK(report["energy"]["largest_relative_error"].get<double>() < 1e-13);
+    CHECK(report["momentum"]["initial"][0].get<double>() ==
+          doctest::Approx(momentum).epsilon(1e-12));
+    CHECK(report["overlap"]["largest_relative"].get<double>() < 1e-13);
+    CHECK(report["collisions"]["per_particle"].get<double>() ==
+          2.0 * report["collisions"]["particle"].get<double>() / 35.0);
+    check_numbers(report);
+}
+
+TEST_CASE("the same scene and seed give the same bytes, another seed others") {
+    CHECK(run_scene(small_gas).csv == run_scene(small_gas, {"--threads", "2"}).csv);
+    CHECK(run_scene(small_gas).csv != run_scene(small_gas, {"--seed", "2"}).csv);
+    CHECK(run_scene(small_gas, {"--seed", "2"}).report["seed"] == 2);
+}
+
+TEST_CASE("how often samples are taken changes nothing in the run, and none is lost") {
+    const auto [often, csv] = run_scene(small_gas, {"--set", "run.sample_every=0.01"});
+    const json once = run_scene(small_gas, {"--set", "run.sample_every=30"}).report;
+    for (const char* key : {"collisions", "momentum"}) CHECK(often[key] == once[key]);
+    CHECK(often["pressure"]["wall"] == once["pressure"]["wall"]);
+    CHECK(csv.size() > 5'000'000);  // several times what is written at once
+    CHECK(rows_of(csv).size() == 3001 * 35);
+}
+
+TEST_CASE("a reversed gas comes home by as many events as it left") {
+    const std::string gas =
+        "box: {size: [20, 15], walls: periodic}\n"
+        "gas: [{count: 20, speed: 2, position: lattice}]\n";
+    const json once = run_scene(gas + "run: {until: 10, events: [{at: 4, reverse: velocities}]}\n")
+                          .report["reversals"];
+    REQUIRE(once.size() == 1);
+    CHECK(once[0]["at"] == 4.0);
+    CHECK(once[0]["bits"] == 53);
+    CHECK(once[0]["events"]["out"].get<int>() > 5);
+    CHECK(once[0]["events"]["out"] == once[0]["events"]["back"]);
+    const double largest = once[0]["largest_return_distance"];
+    const double mean = once[0]["root_mean_square"];
+    CHECK(largest < 1e-9);  // one or two collisions each
+    CHECK(largest > 0.0);
+    CHECK(mean <= largest);
+    CHECK(mean * std::sqrt(20.0) >= largest);
+
+    const json late = run_scene(gas + "run: {until: 7, events: [{at: 4, reverse: velocities}]}\n")
+                          .report["reversals"];
+    CHECK(late[0]["events"]["out"] == once[0]["events"]["out"]);
+    CHECK(late[0]["events"]["back"].is_null());
+    CHECK(late[0]["largest_return_distance"].is_null());
+    CHECK(late[0]["root_mean_square"].is_null());
+
+    // The second comes before the first has led home; at 8 the gas is elsewhere.
+    const json twice = run_scene(gas +
+                                 "run: {until: 10, events: [{at: 4, reverse: velocities}, "
+                                 "{at: 5, reverse: velocities}]}\n")
+                           .report["reversals"];
+    REQUIRE(twice.size() == 2);
+    CHECK(twice[0]["largest_return_distance"].is_null());
+    CHECK(twice[0]["events"]["back"].is_number());
+    CHECK(twice[1]["largest_return_distance"].is_null());
+
+    // The second comes when it is home: it has been there.
+    const json after = run_scene(gas +
+                                 "run: {until: 16, events: [{at: 4, reverse: velocities}, "
+                                 "{at: 8, reverse: velocities}]}\n")
+                           .report["reversals"];
+    CHECK(after[0]["largest_return_distance"] == once[0]["largest_return_distance"]);
+    CHECK(after[1]["largest_return_distance"].is_null());
+}
+
+TEST_CASE("names with commas and quotes stay one field of the CSV") {
+    const auto [report, csv] = run_scene(
+        "box: {size: [9, 9]}\ngas: [{name: 'a \"hot\", fast one', count: 1, position: [4, 4]}]\n"
+        "run: {until: 1, sample_every: 1}\n");
+    CHECK(csv.find("\n0,0,\"a \"\"hot\"\", fast one\",1,0.5,4,4,0,0\n1,0,") != std::string::npos);
+    CHECK(report["species"][0]["name"] == "a \"hot\", fast one");
+}
+
+TEST_CASE("numbers of the CSV have the 17 digits that give back every bit") {
+    const std::string csv = run_scene(
+                                "box: {size: [9, 9]}\ngas: [{radius: 0.3, mass: 4.9, position: "
+                                "[4.1, 4.7], velocity: [0.1, -0.7]}]\n"
+                                "run: {until: 1, sample_every: 1}\n")
+                                .csv;
+    CHECK(csv.find("\n0,0,gas,4.9000000000000004,0.29999999999999999,4.0999999999999996,"
+                   "4.7000000000000002,0.10000000000000001,-0.69999999999999996\n") !=
+          std::string::npos);
+}
+
+TEST_CASE("without files the report is a table for people; --timings adds to it, --quiet says no") {
+    const std::string scene = root + "/scenes/time-reversal.yaml";
+    const Outcome table = run({program, "run", scene});
+    CHECK(table.exit_code == 0);
+    CHECK(table.err.empty());
+    for (const char* words :
+         {"Reverse every velocity", "132 particles in two dimensions", "for each), ", "kept to ",
+          "reversed at 12", "out, ", "letters", "mean speed", " by the virial", "█"})
+        CHECK(table.out.find(words) != std::string::npos);
+    CHECK(table.out.find("events/s") == std::string::npos);
+    CHECK(run({program, "run", scene, "--timings"}).out.find("events/s") != std::string::npos);
+    const Outcome quiet = run({program, "run", scene, "--quiet"});
+    CHECK(quiet.exit_code == 0);
+    CHECK(quiet.out.empty());
+    CHECK(quiet.err.empty());
+}
+
+TEST_CASE("standard output holds what is asked for and nothing else") {
+    const TemporaryFolder folder;
+    const std::string scene = root + "/scenes/time-reversal.yaml";
+    const Outcome both =
+        run({program, "run", scene, "--json", "-", "--csv", "a.csv", "--timings"}, folder.path());
+    CHECK(both.exit_code == 0);
+    CHECK(json::parse(both.out)["particles"] == 132);
+    CHECK(both.err.find("events/s") != std::string::npos);
+    const Outcome csv =
+        run({program, "run", scene, "--csv", "-", "--json", "a.json"}, folder.path());
+    CHECK(csv.out == contents(folder.path() / "a.csv"));
+    CHECK(csv.err.empty());
+    CHECK(json::parse(contents(folder.path() / "a.json"))["seed"] == 4);
+    const Outcome named =
+        run({program, "run", scene, "--csv", "b.csv", "--json", "b.json"}, folder.path());
+    CHECK(named.out == "b.json\nb.csv\n");
+    CHECK(contents(folder.path() / "b.csv") == csv.out);
+}
+
+TEST_CASE("outputs that would lie on each other or on the scene are refused") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << one_disk;
+    const std::string before = contents(folder.path() / "scene.yaml");
+    for (const char* arguments :
+         {"--json - --csv -", "--json a --csv a", "--json a --csv ./b/../a", "--json scene.yaml",
+          "--csv ./scene.yaml", "other.yaml", "--json", "--at 3"}) {
+        CAPTURE(arguments);
+        const Outcome outcome =
+            shell("'" + program + "' run scene.yaml " + arguments, folder.path());
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.out.empty());
+        CHECK_FALSE(outcome.err.empty());
+        CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
+    }
+    CHECK(contents(folder.path() / "scene.yaml") == before);
+}
+
+TEST_CASE("a scene that does not say how long is told to; the command line can say it") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml")
+        << "title: T\nbox: {size: [12, 10]}\ngas: [{count: 1, speed: 1}]\n";
+    const Outcome outcome = run({program, "run", "scene.yaml"}, folder.path());
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("`run`") != std::string::npos);
+    const Outcome given =
+        run({program, "run", "scene.yaml", "--json", "-", "--set", "run.until=1e5"}, folder.path());
+    CAPTURE(given.err);
+    CHECK(given.exit_code == 0);
+    CHECK(json::parse(given.out)["time"] == 1e5);
+}
+
+TEST_CASE("what cannot be written is exit code 1; earlier files stay and no part is left") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << small_gas;
+    std::ofstream(folder.path() / "a.csv") << "earlier";
+    const auto attempt = [&](const std::string& arguments, const std::string& before = "") {
+        return shell(before + "'" + program + "' run scene.yaml --quiet " + arguments,
+                     folder.path());
+    };
+    const Outcome no_folder = attempt("--json a.csv/a.json --csv b.csv");
+    CHECK(no_folder.exit_code == 1);
+    CHECK(no_folder.err.find("a.csv") != std::string::npos);
+    // A limit on file sizes fails as a full disk does, while samples are written.
+    const Outcome limited =
+        attempt("--csv a.csv --json a.json --set run.sample_every=0.01", "ulimit -f 40; ");
+    CHECK(limited.exit_code == 1);
+    CHECK(limited.err.find("a.csv") != std::string::npos);
+    CHECK(contents(folder.path() / "a.csv") == "earlier");
+    CHECK(folder.names() == std::vector<std::string>{"a.csv", "scene.yaml"});
+
+    for (const char* arguments : {"--json - >/dev/full", "--csv - >/dev/full"}) {
+        CAPTURE(arguments);
+        const Outcome full = attempt(arguments);
+        CHECK(full.exit_code == 1);
+        CHECK(full.err.find("No space left on device") != std::string::npos);
+    }
+    const Outcome table = shell("'" + program + "' run scene.yaml >/dev/full", folder.path());
+    CHECK(table.exit_code == 1);
+}
+
+TEST_CASE("a pipe is written as it stands") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << one_disk;
+    const Outcome outcome =
+        shell("mkfifo pipe; cat pipe & '" + program + "' run scene.yaml --quiet --csv pipe; wait",
+              folder.path());
+    CHECK(outcome.exit_code == 0);
+    CHECK(rows_of(outcome.out).size() == 8);
+    CHECK(fs::is_fifo(folder.path() / "pipe"));
+}
+
+TEST_CASE("Ctrl-C ends a run with exit code 130; earlier files stay and no part is left") {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << small_gas;
+    std::ofstream(folder.path() / "a.csv") << "earlier";
+    // Few events and a million samples, a sample and many events, and some of both
+    for (const char* more :
+         {"--set run.sample_every=100 --set gas.0.speed=1e-9 --set gas.1.speed=0",
+          "--set run.sample_every=1e9 --csv a.csv", "--set run.sample_every=1000 --csv a.csv"}) {
+        CAPTURE(more);
+        const auto begun = std::chrono::steady_clock::now();
+        const Outcome outcome = shell("'" + program + "' run scene.yaml --json a.json " + more +
+                                          " --set run.until=1e9 & sleep 0.5; kill -INT $!; wait $!",
+                                      folder.path());
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+        CHECK(outcome.exit_code == 130);
+        CHECK(outcome.err.find("interrupted") != std::string::npos);
+        CHECK(took.count() < 5.0);  // no measurement: the runs take from half a minute to an hour
+        CHECK(contents(folder.path() / "a.csv") == "earlier");
+        CHECK(folder.names() == std::vector<std::string>{"a.csv", "scene.yaml"});
+    }
+}

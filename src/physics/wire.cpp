@@ -92,7 +92,8 @@ bool Wire::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& c
     Body& a = bodies[static_cast<std::size_t>(i)];
     Body& b = bodies[static_cast<std::size_t>(j)];
     const bool ring_of_two = periodic_ && count_ == 2;
-    const bool a_is_left = ring_of_two ? a.v[0] > b.v[0] : j == i + 1 || (i == last() && j == 0);
+    const bool across_the_end = periodic_ && i == last() && j == 0;
+    const bool a_is_left = ring_of_two ? a.v[0] > b.v[0] : j == i + 1 || across_the_end;
     const Body& left = a_is_left ? a : b;
     const Body& right = a_is_left ? b : a;
     if (!(left.v[0] > right.v[0])) return false;

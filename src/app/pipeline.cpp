@@ -42,7 +42,7 @@ VideoSettings video_settings(const Scene& scene, Quality quality) {
 // The physics alone, so that axes and scales hold for the whole film.
 void survey(const std::vector<Tick>& ticks, Simulation simulation, Observers& observers,
             Progress& progress) {
-    progress.begin("simulating", static_cast<std::int64_t>(ticks.size()));
+    progress.begin("simulating", static_cast<double>(ticks.size()));
     for (const Tick& tick : ticks) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);
@@ -66,7 +66,7 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     Observers observers(scene, simulation.particles(), simulation.sample());
     survey(ticks, simulate(scene), observers, progress);
 
-    progress.begin("rendering", static_cast<std::int64_t>(ticks.size()));
+    progress.begin("rendering", static_cast<double>(ticks.size()));
     simulation.record_collisions(observers.wants_collisions());
     RenderReport report;
     report.path = options.output;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -29,7 +30,7 @@ Progress::Progress(Form form, std::string name) : form_(form), name_(std::move(n
 
 Progress::~Progress() { finish(); }
 
-void Progress::begin(std::string stage, std::int64_t total, std::string unit) {
+void Progress::begin(std::string stage, double total, std::string unit) {
     const std::scoped_lock lock(mutex_);
     stage_ = std::move(stage);
     unit_ = std::move(unit);
@@ -42,6 +43,17 @@ void Progress::advance() {
     if (form_ == Form::silent) return;
     const std::scoped_lock lock(mutex_);
     ++done_;
+    show_now_and_then();
+}
+
+void Progress::reach(double done) {
+    if (form_ == Form::silent) return;
+    const std::scoped_lock lock(mutex_);
+    done_ = done;
+    show_now_and_then();
+}
+
+void Progress::show_now_and_then() {
     const auto now = Clock::now();
     const auto pause =
         form_ == Form::bar ? std::chrono::milliseconds(100) : std::chrono::seconds(4);
@@ -49,10 +61,11 @@ void Progress::advance() {
 }
 
 std::string Progress::line(double elapsed) const {
-    const double speed = static_cast<double>(done_) / elapsed;
-    const double left = static_cast<double>(total_ - done_) / speed;
-    return fmt::format("{}: {} {}/{} {}, {:.0f} {}/s, {} left", name_, stage_, done_, total_, unit_,
-                       speed, unit_, clock_text(left));
+    constexpr double longest = 1e9;  // seconds: nobody waits so long
+    const double speed = done_ / elapsed;
+    const double left = std::min((total_ - done_) / speed, longest);
+    return fmt::format("{}: {} {:.6g}/{:.6g} {}, {:.3g} {}/s, {} left", name_, stage_, done_,
+                       total_, unit_, speed, unit_, clock_text(left));
 }
 
 void Progress::show(Clock::time_point now) {
@@ -62,7 +75,7 @@ void Progress::show(Clock::time_point now) {
         say(text + "\n");
         return;
     }
-    constexpr std::int64_t width = 24;
+    constexpr std::size_t width = 24;
     const auto filled = static_cast<std::size_t>(width * done_ / total_);
     std::string bar;
     for (std::size_t i = 0; i < width; ++i) bar += i < filled ? "█" : "░";

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -21,13 +20,15 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// A stage of `total` frames, or whatever `unit` calls what is counted.
-    void begin(std::string stage, std::int64_t total, std::string unit = "frames");
-    void advance();  ///< one more is done; called from any thread
-    void finish();   ///< clears the bar
+    /// A stage of `total` frames, or whatever `unit` calls what is counted or measured.
+    void begin(std::string stage, double total, std::string unit = "frames");
+    void advance();           ///< one more is done; called from any thread
+    void reach(double done);  ///< so much of the total is done, above 0
+    void finish();            ///< clears the bar
 
   private:
     using Clock = std::chrono::steady_clock;
+    void show_now_and_then();
     void show(Clock::time_point now);
     std::string line(double elapsed) const;
 
@@ -35,8 +36,8 @@ class Progress {
     std::string name_;
     std::string stage_;
     std::string unit_;
-    std::int64_t total_ = 0;
-    std::int64_t done_ = 0;
+    double total_ = 0.0;
+    double done_ = 0.0;
     bool bar_stands_ = false;
     Clock::time_point begun_;
     Clock::time_point shown_;

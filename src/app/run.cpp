@@ -90,8 +90,8 @@ class ReversalWatch {
     std::size_t next_ = 0;
 };
 
-// A run of few samples tells how far it has come all the same.
-constexpr std::int64_t least_steps = 1000;
+// Between two looks at how far the run has come: some hundredths of a second.
+constexpr std::int64_t events_in_a_stretch = 20'000;
 
 class Course {
   public:
@@ -101,10 +101,9 @@ class Course {
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(scene.gas.species.size()), sample_count(scene.run)),
           reversals_(scene.run, simulation_.sample()),
-          progress_(progress) {
-        const std::int64_t steps = std::max(sample_count(run_) - 1, least_steps);
-        step_ = run_.until / static_cast<double>(steps);
-        progress_.begin("simulating", steps, "steps");
+          progress_(progress),
+          stretch_(1e-6 * scene.run.until) {
+        progress_.begin("simulating", run_.until, "time units");
     }
 
     RunReport run(const SampleTaker& take) {
@@ -139,7 +138,7 @@ class Course {
     // Stops on the way change nothing in the course of the events.
     void go_on_to(double time) {
         while (now_ < time) {
-            advance_to(std::min({time, reversals_.next_time(), next_step()}));
+            advance_to(std::min({time, reversals_.next_time(), now_ + stretch_}));
             if (now_ == reversals_.next_time()) reversals_.look(simulation_, passage_.counts);
         }
     }
@@ -147,12 +146,20 @@ class Course {
     void advance_to(double time) {
         throw_if_interrupted();
         const Stopwatch watch(seconds_.simulate);
+        const std::int64_t before = events(passage_.counts);
         passage_ = simulation_.advance_to(time);
+        adapt_stretch(events(passage_.counts) - before, time - now_);
         now_ = time;
-        for (; next_step() <= now_; ++steps_done_) progress_.advance();
+        progress_.reach(now_);
     }
 
-    double next_step() const { return static_cast<double>(steps_done_ + 1) * step_; }
+    // By counts of events, not by the clock: a run makes the same stops wherever it runs.
+    void adapt_stretch(std::int64_t happened, double went) {
+        const double least = 1e-12 * run_.until;  // time must go on
+        if (happened > events_in_a_stretch) stretch_ = std::max(0.5 * went, least);
+        const bool was_whole = went > 0.99 * stretch_;  // not cut off by a sample or a reversal
+        if (4 * happened < events_in_a_stretch && was_whole) stretch_ = 2.0 * went;
+    }
 
     Clock::time_point begun_ = Clock::now();
     RunSeconds seconds_;
@@ -163,8 +170,7 @@ class Course {
     Progress& progress_;
     Passage passage_;
     double now_ = 0.0;
-    double step_ = 0.0;
-    std::int64_t steps_done_ = 0;
+    double stretch_;  ///< simulated time of at most some events_in_a_stretch
 };
 
 }  // namespace

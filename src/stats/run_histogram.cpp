@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::int64_t most_fine_bins = 100'000;
 
-double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
-
 double largest_finite(const Eigen::ArrayXd& values) {
     double largest = 0.0;
     for (const double value : values)
@@ -24,7 +22,7 @@ void RunHistogram::add(const Eigen::ArrayXd& values) {
     const double largest = largest_finite(values);
     if (fine_.empty() && largest > 0.0) look_first(largest);
     if (!fine_.empty())
-        while (largest / power_of_ten(exponent_) >= double(most_fine_bins - 1)) coarsen();
+        while (largest / width_ >= double(most_fine_bins - 1)) coarsen();
     for (const double value : values) {
         if (!std::isfinite(value)) continue;
         ++total_;
@@ -41,7 +39,7 @@ void RunHistogram::add(const Eigen::ArrayXd& values) {
 // At least a thousand bins up to the largest value of the first look, at most ten thousand.
 void RunHistogram::look_first(double largest) {
     constexpr int least_exponent = -300;  // below, powers of ten lose their digits
-    exponent_ = std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3);
+    set_exponent(std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3));
     fine_.assign(1, zeros_);
 }
 
@@ -49,17 +47,23 @@ void RunHistogram::coarsen() {
     std::vector<std::int64_t> coarse((fine_.size() + 9) / 10);
     for (std::size_t bin = 0; bin < fine_.size(); ++bin) coarse[bin / 10] += fine_[bin];
     fine_.swap(coarse);
-    ++exponent_;
+    set_exponent(exponent_ + 1);
+}
+
+void RunHistogram::set_exponent(int exponent) {
+    exponent_ = exponent;
+    width_ = std::pow(10.0, exponent);
+    bins_per_unit_ = std::pow(10.0, -exponent);
 }
 
 // A decimal number to the last digit: 3 bins of 0.1 end at 0.3.
 double RunHistogram::edge(std::int64_t bin) const {
     const auto count = static_cast<double>(bin);
-    return exponent_ < 0 ? count / power_of_ten(-exponent_) : count * power_of_ten(exponent_);
+    return exponent_ < 0 ? count / bins_per_unit_ : count * width_;
 }
 
 std::int64_t RunHistogram::bin_of(double value) const {
-    auto bin = static_cast<std::int64_t>(value / power_of_ten(exponent_));
+    auto bin = static_cast<std::int64_t>(value / width_);
     while (bin > 0 && value < edge(bin)) --bin;
     while (value >= edge(bin + 1)) ++bin;
     return bin;
@@ -74,12 +78,12 @@ double RunHistogram::quantile(double share) const {
         seen += static_cast<double>(fine_[bin++]);
     const auto here = static_cast<double>(fine_[bin]);
     const double within = here > 0.0 ? (wanted - seen) / here : 0.0;
-    return edge(static_cast<std::int64_t>(bin)) + within * power_of_ten(exponent_);
+    return edge(static_cast<std::int64_t>(bin)) + within * width_;
 }
 
 // The least of 1, 2, 5, 10, 20, ... fine bins that is as wide.
 std::int64_t RunHistogram::bins_together(double width) const {
-    const double fine = width / power_of_ten(exponent_);
+    const double fine = width / width_;
     for (std::int64_t decade = 1;; decade *= 10)
         for (const std::int64_t step : {1, 2, 5})
             if (static_cast<double>(step * decade) >= fine) return step * decade;

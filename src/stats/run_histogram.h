@@ -27,6 +27,7 @@ class RunHistogram {
   private:
     void look_first(double largest);
     void coarsen();
+    void set_exponent(int exponent);
     double edge(std::int64_t bin) const;
     std::int64_t bin_of(double value) const;
     double quantile(double share) const;
@@ -34,7 +35,8 @@ class RunHistogram {
 
     std::int64_t zeros_ = 0;  ///< values of 0, counted until a larger one has set the scale
     std::int64_t total_ = 0;
-    int exponent_ = 0;  ///< fine bins are 10^exponent_ wide
+    int exponent_ = 0;                          ///< fine bins are 10^exponent_ wide
+    double width_ = 1.0, bins_per_unit_ = 1.0;  ///< 10^exponent_ and 10^-exponent_
     std::vector<std::int64_t> fine_;
 };
 

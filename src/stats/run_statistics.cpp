@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-// Particles looked at in all audits of a run: a second or so, whatever its size.
-constexpr double most_audited = 5e6;
+// Particles looked at in all audits of a run: half a second or so, whatever its size.
+constexpr double most_audited = 2e6;
 
 std::optional<double> if_finite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;

@@ -472,3 +472,46 @@ TEST_CASE("Ctrl-C ends a run with exit code 130; earlier files stay and no part 
         CHECK(folder.names() == std::vector<std::string>{"a.csv", "scene.yaml"});
     }
 }
+
+TEST_CASE("on a terminal a bar tells how far a long run has come") {
+    if (!is_installed("script")) {
+        MESSAGE("no `script` here to play the terminal: the bar is not tested");
+        return;
+    }
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << small_gas;
+    const Outcome outcome =
+        shell("script -qec \"timeout -s INT 0.7 '" + program +
+                  "' run scene.yaml --set run.until=1e9 --set run.sample_every=1e9\" /dev/null",
+              folder.path());
+    CHECK(outcome.out.find("░ scene: simulating ") != std::string::npos);
+    CHECK(outcome.out.find("/1e+09 time units, ") != std::string::npos);
+    CHECK(outcome.out.find(" left\r\x1b[K") != std::string::npos);
+    CHECK(outcome.out.ends_with("carom: interrupted; nothing was written\r\n"));
+}
+
+TEST_CASE("beads on a wire have one coordinate, and press with a force") {
+    // Points of equal masses pass their velocities on: as if each flew alone from end to end.
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml")
+        << "title: T\nbox: {length: 10}\n"
+           "gas: [{position: [2, 7], velocity: [1, -2]}]\nrun: {until: 20, sample_every: 10}\n";
+    const Outcome outcome =
+        run({program, "run", "scene.yaml", "--quiet", "--json", "-", "--csv", "samples.csv"},
+            folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["dimension"] == 1);
+    CHECK(report["momentum"] == json{{"initial", {-1.0}}, {"final", {-1.0}}});
+    CHECK(report["collisions"]["wall"] == 6);
+    CHECK(report["collisions"]["particle"].get<int>() > 0);
+    CHECK(report["energy"]["largest_relative_error"] == 0.0);
+    // Momentum 2 * 1 * 2 hits and 2 * 2 * 4 hits on two ends in 20 units of time; 2E / L
+    CHECK(report["pressure"]["wall"].get<double>() == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(report["pressure"]["virial"].get<double>() == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(report["temperature"] == 2.5);  // twice the mean energy
+    CHECK(contents(folder.path() / "samples.csv")
+              .starts_with("time,particle,species,mass,radius,x,vx\n"
+                           "0,0,gas,1,0,2,1\n0,1,gas,1,0,7,-2\n10,0,"));
+}

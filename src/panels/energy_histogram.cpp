@@ -14,6 +14,10 @@ std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& 
         .density = {}};
     if (cast.equilibrium)
         subject.density = [&gas = *cast.equilibrium](double e) { return energy_density(gas, e); };
+    if (cast.equilibrium && cast.equilibrium->alpha < 1.0)
+        subject.probability = [&gas = *cast.equilibrium](double low, double high) {
+            return energy_probability(gas, low, high);
+        };
     return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "panels/gas_panel.h"
+#include "panels/monitors_panel.h"
 #include "panels/registry.h"
+#include "panels/wire_panel.h"
 
 namespace carom {
 namespace {
@@ -41,20 +44,28 @@ std::vector<Slot> panel_slots(const LayoutSpec& layout, std::size_t count) {
     return slots;
 }
 
+std::unique_ptr<Panel> make_gas_panel(const Cast& cast) {
+    if (cast.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(cast);
+    return std::make_unique<GasPanel>(cast);
+}
+
 }  // namespace
 
 Observers::Observers(const Scene& scene, const Particles& particles, const Sample& start)
     : particles_(particles), equilibrium_(equilibrium(scene.gas.box, particles, start)) {
     const Cast cast{scene, particles_, frame_count(scene.film), equilibrium_};
     const LayoutSpec& layout = scene.film.layout;
-    auto gas = std::make_unique<GasPanel>(cast);
-    gas_ = gas.get();
-    panels_.push_back({layout.gas, std::move(gas)});
+    panels_.push_back({layout.gas, make_gas_panel(cast)});
     if (layout.monitors)
         panels_.push_back({*layout.monitors, std::make_unique<MonitorsPanel>(cast)});
     const std::vector<Slot> slots = panel_slots(layout, scene.film.panels.size());
     for (std::size_t i = 0; i < scene.film.panels.size(); ++i)
         panels_.push_back({slots[i], make_panel(cast, scene.film.panels[i])});
+}
+
+bool Observers::wants_collisions() const {
+    return std::ranges::any_of(
+        panels_, [](const Placed& placed) { return placed.panel->wants_collisions(); });
 }
 
 void Observers::survey(const Tick& tick, const Sample& sample, const Passage& passage) {
@@ -94,9 +105,9 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
     for (const Observers::Placed& placed : observers_.panels())
         placed.panel->draw_ground(ground_, page(placed.slot));
     const Page key = page(scene_.film.layout.color_bar);
-    const Rect box = observers_.gas().box_on(place(scene_.film.layout.gas));
+    const Rect box = observers_.gas().frame_in(place(scene_.film.layout.gas));
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
-    observers_.gas().draw_color_key(ground_, {beside, unit_, theme_, disks_});
+    observers_.gas().draw_key(ground_, {beside, unit_, theme_, disks_});
     for (const Observers::Placed& placed : observers_.panels()) {
         const Rect area = place(placed.slot);
         changing_.push_back(
@@ -143,7 +154,7 @@ const Canvas& FramePainter::paint(const FrameData& frame) {
 }
 
 void FramePainter::draw_announcement(const Tick& tick) {
-    const Rect box = observers_.gas().box_on(place(scene_.film.layout.gas));
+    const Rect box = observers_.gas().frame_in(place(scene_.film.layout.gas));
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const Rect plate{box.x, box.y + 0.5 * box.height - 2.0 * unit_, box.width, 4.0 * unit_};
     canvas_.fill(plate, with_alpha(theme_.page, 0.82 * alpha));

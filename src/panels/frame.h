@@ -5,8 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "panels/gas_panel.h"
-#include "panels/monitors_panel.h"
 #include "panels/panel.h"
 
 namespace carom {
@@ -32,21 +30,20 @@ class Observers {
     void settle();
     FrameData frame_data(const Tick& tick, const Sample& sample, const Passage& passage);
 
-    bool wants_collisions() const { return gas_->wants_collisions(); }
+    bool wants_collisions() const;
 
     /// A panel and its place in the template's grid.
     struct Placed {
         Slot slot;
         std::unique_ptr<Panel> panel;
     };
-    const std::vector<Placed>& panels() const { return panels_; }
-    const GasPanel& gas() const { return *gas_; }
+    const std::vector<Placed>& panels() const { return panels_; }  ///< the gas is the first
+    const Panel& gas() const { return *panels_.front().panel; }
 
   private:
     Particles particles_;
     std::optional<EquilibriumGas> equilibrium_;
     std::vector<Placed> panels_;
-    const GasPanel* gas_ = nullptr;  ///< in panels_
 };
 
 /// Draws frames of one film on one thread. After settle(), any number of painters may share the

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/histogram.h"
 #include "util/text.h"
 
 namespace carom {
@@ -14,7 +13,6 @@ namespace {
 constexpr double default_trail_seconds = 1.0;
 constexpr double label_seconds = 3.0;  // of film, for the name of a chosen particle
 constexpr double least_radius = 1.2;   // pixels: smaller disks are no longer round
-constexpr std::size_t pool_size = 200'000;
 
 struct GasState : PanelState {
     struct Trail {
@@ -43,12 +41,8 @@ struct Mapping {
 };
 
 Mapping mapping(const GasPanel& panel, const Page& page, const Box& box) {
-    const Rect rect = panel.box_on(page.area);
+    const Rect rect = panel.frame_in(page.area);
     return {rect, rect.width / box.size[0]};
-}
-
-bool by_kind(ColorBy color_by) {
-    return color_by == ColorBy::species || color_by == ColorBy::speed_class;
 }
 
 // How far away a disk that reaches over a periodic side is seen again; 0 if it is not.
@@ -67,13 +61,6 @@ void for_each_image(const Box& box, Point place, double radius, const Draw& draw
     if (across != 0.0) draw(Point{place.x + across, place.y});
     if (up != 0.0) draw(Point{place.x, place.y + up});
     if (across != 0.0 && up != 0.0) draw(Point{place.x + across, place.y + up});
-}
-
-// On a dark ground the slow end is dark, on a light one light: fast disks stand out. Cut where it
-// would fade into the ground.
-ColorMap scale_colors(const Scene& scene, bool dark) {
-    const std::string name = scene.film.palette.value_or("viridis");
-    return dark ? color_map(name, 0.33, 1.0) : color_map(name, 0.58, 0.0);
 }
 
 // A name on a plate of the ground, so that disks behind it do not cut it up. Above the disk if
@@ -96,20 +83,9 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
     draw_text(canvas, foot, markup, style);
 }
 
-std::string scale_title(ColorBy color_by) {
-    switch (color_by) {
-        case ColorBy::energy:
-            return "energy";
-        case ColorBy::mass:
-            return "mass";
-        default:
-            return "speed";
-    }
-}
-
 }  // namespace
 
-GasPanel::GasPanel(const Cast& cast) : cast_(cast) {
+GasPanel::GasPanel(const Cast& cast) : cast_(cast), colors_(cast) {
     choose_particles();
     trails_.resize(chosen_.size());
 }
@@ -128,65 +104,6 @@ void GasPanel::choose_particles() {
                 chosen_.push_back({first + i, trail});
         first += species[k].count;
     }
-}
-
-double GasPanel::color_value(const Observation& observation, Eigen::Index i) const {
-    switch (cast_.scene.film.color_by) {
-        case ColorBy::energy:
-            return observation.energy[i];
-        case ColorBy::mass:
-            return 1.0 / cast_.particles.inverse_mass[i];
-        default:
-            return observation.speed[i];
-    }
-}
-
-void GasPanel::survey(const Observation& observation) {
-    const Eigen::Index n = cast_.particles.count();
-    const auto stride = std::max<Eigen::Index>(
-        1, static_cast<Eigen::Index>(static_cast<double>(n) * cast_.frames / pool_size));
-    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride) {
-        const double value = color_value(observation, i);
-        if (std::isfinite(value)) pool_.push_back(value);
-    }
-    ++surveyed_;
-}
-
-void GasPanel::settle() {
-    // A quarter above the 95th percentile: the 99th of a Maxwell-Boltzmann gas, but deaf to a start
-    // far from it.
-    const double top = pool_.empty() ? 0.0 : 1.25 * quantile(pool_, 0.95);
-    scale_top_ = top > 0.0 ? round_up_for_axis(top) : 1.0;
-    pool_ = {};
-}
-
-std::uint8_t GasPanel::shade(const Observation& observation, Eigen::Index i) const {
-    switch (cast_.scene.film.color_by) {
-        case ColorBy::species:
-            return static_cast<std::uint8_t>(cast_.particles.species[i]);
-        case ColorBy::speed_class: {
-            const double ratio = observation.speed[i] / observation.speed.mean();
-            return ratio < 0.5 ? 0 : ratio > 1.5 ? 2 : 1;
-        }
-        default: {
-            const double share = color_value(observation, i) / scale_top_;
-            return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-        }
-    }
-}
-
-std::vector<Color> GasPanel::shades(const Theme& theme) const {
-    std::vector<Color> colors;
-    if (cast_.scene.film.color_by == ColorBy::species) {
-        for (std::size_t k = 0; k < cast_.scene.gas.species.size(); ++k)
-            colors.push_back(species_color(cast_, k, theme));
-        return colors;
-    }
-    const ColorMap map = scale_colors(cast_.scene, theme.dark);
-    if (cast_.scene.film.color_by == ColorBy::speed_class)
-        return {map.at(0.0), map.at(0.5), map.at(1.0)};
-    for (int i = 0; i < 256; ++i) colors.push_back(map.at(i / 255.0));
-    return colors;
 }
 
 void GasPanel::extend_trails(const Observation& observation) {
@@ -215,11 +132,12 @@ void GasPanel::extend_trails(const Observation& observation) {
 
 std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation) {
     auto state = std::make_shared<GasState>();
+    const double mean_speed = observation.speed.mean();
     const Eigen::Index n = cast_.particles.count();
     for (Eigen::Index i = 0; i < n; ++i) {
         state->x.push_back(static_cast<float>(observation.sample.position(i, 0)));
         state->y.push_back(static_cast<float>(observation.sample.position(i, 1)));
-        state->shades.push_back(shade(observation, i));
+        state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
     }
     extend_trails(observation);
     for (const std::deque<TrailPoint>& trail : trails_) {
@@ -234,7 +152,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
     return state;
 }
 
-Rect GasPanel::box_on(const Rect& area) const {
+Rect GasPanel::frame_in(const Rect& area) const {
     const Eigen::Array2d& size = cast_.scene.gas.box.size;
     const double scale = std::min(area.width / size[0], area.height / size[1]);
     const double height = size[1] * scale;
@@ -242,7 +160,7 @@ Rect GasPanel::box_on(const Rect& area) const {
 }
 
 void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    const Rect box = box_on(page.area);
+    const Rect box = frame_in(page.area);
     canvas.fill(box, page.theme.ground);
     const double line = 0.11 * page.unit;
     const Rect edge{box.x - line / 2, box.y - line / 2, box.width + line, box.height + line};
@@ -250,7 +168,7 @@ void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
 }
 
 void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
-    canvas.clip_to(box_on(page.area));
+    canvas.clip_to(frame_in(page.area));
     draw_trails(canvas, page, state);
     draw_disks(canvas, page, state);
     draw_chosen(canvas, page, state);
@@ -261,7 +179,7 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
     const auto& gas = static_cast<const GasState&>(state);
     const Box& box = cast_.scene.gas.box;
     const Mapping to_pixels = mapping(*this, page, box);
-    const std::vector<Color> colors = shades(page.theme);
+    const std::vector<Color> colors = colors_.of_shades(page.theme);
     std::vector<std::uint32_t> pixels;
     pixels.reserve(colors.size());
     for (const Color& color : colors) pixels.push_back(to_pixel(color) & 0xFFFFFF);
@@ -326,60 +244,6 @@ void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& s
         const Rect disk{at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius};
         draw_name(canvas, page, to_pixels.box, disk, escape_markup(name),
                   static_cast<double>(gas.label_alpha));
-    }
-}
-
-void GasPanel::draw_color_key(Canvas& canvas, const Page& page) const {
-    if (by_kind(cast_.scene.film.color_by))
-        draw_legend(canvas, page);
-    else
-        draw_scale(canvas, page);
-}
-
-void GasPanel::draw_scale(Canvas& canvas, const Page& page) const {
-    const double u = page.unit;
-    const double height = std::max(6.0 * u, page.area.height - 1.8 * u);
-    const double middle = page.area.y + page.area.height / 2;
-    const Rect bar{page.area.x, std::max(page.area.y + 1.8 * u, middle - height / 2), 0.8 * u,
-                   height};
-    const ColorMap map = scale_colors(cast_.scene, page.theme.dark);
-    constexpr int steps = 256;
-    for (int i = 0; i < steps; ++i) {
-        const double top = bar.bottom() - bar.height * (i + 1) / steps;
-        canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / steps) + 1.0},
-                    map.at(i / (steps - 1.0)));
-    }
-    draw_text(canvas, {page.area.x, bar.y - 0.9 * u}, scale_title(cast_.scene.film.color_by),
-              label_style(page));
-    const Scale scale{0.0, scale_top_, bar.bottom(), bar.y};
-    for (const TickMark& tick : ticks(0.0, scale_top_, 3))
-        draw_text(canvas,
-                  {bar.right() + 0.4 * u,
-                   std::clamp(scale(tick.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
-                  tick.label, label_style(page));
-}
-
-void GasPanel::draw_legend(Canvas& canvas, const Page& page) const {
-    const double u = page.unit;
-    std::vector<std::string> names{"slow", "medium", "fast"};
-    if (cast_.scene.film.color_by == ColorBy::species) {
-        names.clear();
-        for (const Species& species : cast_.scene.gas.species) names.push_back(species.name);
-    }
-    const std::vector<Color> colors = shades(page.theme);
-    const auto rows = static_cast<std::size_t>(std::max(2.0, page.area.height / (1.8 * u)));
-    if (names.size() > rows) {
-        const std::size_t more = names.size() - (rows - 1);
-        names.resize(rows - 1);
-        draw_text(canvas, {page.area.x, page.area.y + (0.9 + 1.8 * double(rows - 1)) * u},
-                  fmt::format("and {} more", more), label_style(page));
-    }
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const double y = page.area.y + (0.9 + 1.8 * static_cast<double>(k)) * u;
-        canvas.fill_circle({page.area.x + 0.5 * u, y - 0.35 * u}, 0.45 * u, colors[k]);
-        TextStyle style = label_style(page);
-        style.max_width = page.area.width - 1.4 * u;
-        draw_text(canvas, {page.area.x + 1.4 * u, y}, escape_markup(names[k]), style);
     }
 }
 

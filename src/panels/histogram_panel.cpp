@@ -55,14 +55,22 @@ void HistogramPanel::settle() {
     choose_bins();
     if (spec_.theory && subject_.density) {
         constexpr int points = 80;
+        const double first = bins_.low + (subject_.probability ? 0.5 * bins_.width() : 0.0);
         for (int i = 0; i <= points; ++i) {
-            const double value = bins_.low + (bins_.high - bins_.low) * i / points;
-            curve_.push_back({value, sharing_ * bins_.width() * subject_.density(value)});
+            const double value = first + (bins_.high - first) * i / points;
+            curve_.push_back({value, sharing_ * expected_share(value)});
         }
     }
     choose_height();
     pool_ = {};
     probes_ = {};
+}
+
+// Of a bar around `value`: where a density is infinite at the first edge its bars are not, and a
+// curve through their middles says what they will be.
+double HistogramPanel::expected_share(double value) const {
+    if (!subject_.probability) return bins_.width() * subject_.density(value);
+    return subject_.probability(value - 0.5 * bins_.width(), value + 0.5 * bins_.width());
 }
 
 double HistogramPanel::curve_top() const {

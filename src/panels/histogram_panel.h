@@ -20,6 +20,8 @@ struct HistogramSubject {
     std::function<const Eigen::ArrayXd&(const Observation&)> values;
     std::function<double(double value)>
         density;  ///< per particle, at equilibrium; empty where there is no such curve
+    std::function<double(double low, double high)> probability =
+        {};  ///< of a value in between; wanted where the density is not finite
 };
 
 class HistogramPanel : public Panel {
@@ -39,6 +41,7 @@ class HistogramPanel : public Panel {
   private:
     struct Scales;
     Scales scales(const Page& page) const;
+    double expected_share(double value) const;
     double curve_top() const;
     void choose_bins();
     void choose_height();

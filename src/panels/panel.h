@@ -68,6 +68,15 @@ class Panel {
     /// Draws what changes, over the ground, at most one unit outside of the area. A pure function
     /// of the state.
     virtual void draw(Canvas& canvas, const Page& page, const PanelState& state) const = 0;
+
+    /// Whether its states need the collisions on the way.
+    virtual bool wants_collisions() const { return false; }
+
+    /// What the panel fills of its area.
+    virtual Rect frame_in(const Rect& area) const { return area; }
+
+    /// Draws what its colours mean into an area beside it.
+    virtual void draw_key(Canvas&, const Page&) const {}
 };
 
 /// Text of the panels: labels at the smallest size, titles a little larger.

@@ -24,8 +24,10 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media"}},
 };
 
-// What scene/ may know of physics/: its plain types.
-const std::set<std::string> plain_physics{"physics/gas.h", "physics/run.h"};
+// What scene/ may know of physics/: its plain types, and what is known of them without a
+// simulation.
+const std::set<std::string> plain_physics{"physics/gas.h", "physics/run.h",
+                                          "physics/wire_squeeze.h"};
 
 struct Door {
     std::regex header;

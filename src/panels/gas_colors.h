@@ -1,0 +1,40 @@
+// What the colour of a particle says (speed, energy, mass, species): one scale for the whole film,
+// and its key. Knows no places.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "draw/palette.h"
+#include "panels/panel.h"
+
+namespace carom {
+
+class GasColors {
+  public:
+    explicit GasColors(const Cast& cast) : cast_(cast) {}
+
+    /// First pass, every frame in order; then settle() fixes the scale.
+    void survey(const Observation& observation);
+    void settle();
+
+    /// The colour of a particle at a speed, as an index into of_shades(); `mean_speed` is that of
+    /// all.
+    std::uint8_t shade(Eigen::Index particle, double speed, double mean_speed) const;
+    std::vector<Color> of_shades(const Theme& theme) const;
+
+    /// Draws the colour bar, or the legend of species, into `page.area`.
+    void draw_key(Canvas& canvas, const Page& page) const;
+
+  private:
+    double value(Eigen::Index particle, double speed) const;
+    void draw_scale(Canvas& canvas, const Page& page) const;
+    void draw_legend(Canvas& canvas, const Page& page) const;
+
+    Cast cast_;
+    std::vector<double> pool_;
+    int surveyed_ = 0;
+    double scale_top_ = 1.0;  ///< the value at the bright end of the scale
+};
+
+}  // namespace carom

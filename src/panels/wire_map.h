@@ -1,0 +1,40 @@
+// Where the beads of a wire are drawn. Beads are drawn larger than they are where the dynamics is
+// of points, and pushed apart by as much, so that neighbours seem to touch when they meet, and so
+// do a bead and a wall. Knows no canvas: lengths are of the scene.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "panels/panel.h"
+
+namespace carom {
+
+class WireMap {
+  public:
+    /// `start` gives the order of the beads, which never changes.
+    WireMap(const Cast& cast, const Sample& start);
+
+    /// The particles from left to right.
+    const std::vector<Eigen::Index>& order() const { return order_; }
+
+    double radius(Eigen::Index i) const { return radius_[i]; }  ///< as drawn
+    double length() const { return length_; }                   ///< of the wire as drawn
+
+    /// Places as drawn. On a ring they go on beyond its length, without jumps, and are told apart
+    /// by `last`, those drawn before.
+    Eigen::ArrayXd places(const Sample& sample, const Eigen::ArrayXd& last) const;
+
+    /// The same for one particle at x, near `last`.
+    double place(Eigen::Index i, double x, double last) const;
+
+  private:
+    double true_length_;
+    bool ring_;
+    std::vector<Eigen::Index> order_;
+    Eigen::ArrayXd radius_;
+    Eigen::ArrayXd push_;  ///< to the right of the true place
+    double length_;
+};
+
+}  // namespace carom

@@ -1,0 +1,419 @@
+#include "panels/wire_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stats/histogram.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double most_film_seconds = 12.0;  // that world lines go back
+constexpr double least_film_seconds = 2.5;  // below, they would rush by
+constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds allow
+constexpr std::size_t most_lines = 150;     // more do not part on a screen
+constexpr double finest = 1.0 / 2000.0;     // of the memory: bends closer than this are one
+constexpr double rod_from = 2.0;            // units of radius: longer beads are drawn as rods
+constexpr double rod_half_height = 1.3;
+constexpr double label_seconds = 3.0;  // of film, for the name of a chosen bead
+
+struct WireState : PanelState {
+    double time = 0.0;
+    std::vector<float> places;                        // of all beads, as drawn
+    std::vector<std::uint8_t> shades;                 // index into the film's colours
+    std::vector<std::vector<WirePanel::Bend>> lines;  // oldest bend first, the present last
+    std::vector<double> reversals;                    // simulated times in memory
+    double label_alpha = 0.0;
+
+    std::size_t bytes() const override {
+        std::size_t sum = places.size() * (sizeof(float) + 1);
+        for (const auto& line : lines) sum += line.size() * sizeof(WirePanel::Bend);
+        return sum;
+    }
+};
+
+// Dark letters on light beads, light ones on dark.
+Color letters_on(Color bead, const Theme& theme) {
+    return contrast(bead, theme.page) > contrast(bead, theme.ink) ? theme.page : theme.ink;
+}
+
+std::string mass_text(double inverse_mass) {
+    if (!(inverse_mass > 0.0)) return "∞";
+    const double mass = 1.0 / inverse_mass, whole = std::round(mass);
+    if (mass < 1e6 && std::abs(mass - whole) < 1e-6 * mass) return fmt::format("{:.0f}", whole);
+    return mass < 1000.0 ? fmt::format("{:.3g}", mass) : three_digits(mass);
+}
+
+double film_seconds_of(const Scene& scene) {
+    return static_cast<double>(moving_steps(scene.film, scene.run)) / scene.film.fps;
+}
+
+}  // namespace
+
+// Where things are, in pixels.
+struct WirePanel::View {
+    Rect plot;      // of the world lines
+    double wire_y;  // the height of the wire
+    double scale;   // pixels of a length
+    Scale time;     // time before now
+    double unit;
+    double x(double place) const { return plot.x + place * scale; }
+};
+
+bool WirePanel::is_ring() const { return cast_.scene.gas.box.walls[0] == Wall::periodic; }
+
+// Small beads stay visible, chosen ones above all.
+double WirePanel::shown_radius(Eigen::Index i, const View& v) const {
+    return std::max((is_chosen(i) ? 0.4 : 0.15) * v.unit, map_->radius(i) * v.scale);
+}
+
+WirePanel::View WirePanel::view(const Page& page) const {
+    const double u = page.unit;
+    View view;
+    view.unit = u;
+    view.wire_y = page.area.y + 3.4 * u;
+    view.plot = {page.area.x + 3.4 * u, page.area.y + 7.6 * u, page.area.width - 4.0 * u,
+                 page.area.height - 8.0 * u};
+    view.scale = view.plot.width / map_->length();
+    view.time = {0.0, memory_, view.plot.y, view.plot.bottom()};
+    return view;
+}
+
+void WirePanel::survey(const Observation& observation) {
+    if (!map_) map_.emplace(cast_, observation.sample);
+    colors_.survey(observation);
+    const CollisionCounts& counts = observation.passage.counts;
+    const double bends = 2.0 * static_cast<double>(counts.particle) + double(counts.wall);
+    if (observation.tick.time > last_time_)
+        rates_.push_back((bends - bends_so_far_) / (observation.tick.time - last_time_));
+    last_time_ = observation.tick.time;
+    bends_so_far_ = bends;
+}
+
+// So long that each bead has a few collisions in it most of the time, as far as that is neither too
+// fast nor too slow to be followed.
+void WirePanel::settle() {
+    colors_.settle();
+    choose_lines();
+    const double until = cast_.scene.run.until;
+    const double pace = until / film_seconds_of(cast_.scene);
+    const auto beads = static_cast<double>(cast_.particles.count());
+    const double rate = rates_.empty() ? 0.0 : quantile(rates_, 0.5) / beads;
+    const double wanted = rate > 0.0 ? bends_in_memory / rate : until;
+    const double bounded = std::clamp(wanted, least_film_seconds * pace, most_film_seconds * pace);
+    memory_ = std::min(until, bounded);
+    if (memory_ < until) memory_ = round_up_for_axis(memory_);
+}
+
+// Evenly along the wire, and those that the film is about.
+void WirePanel::choose_lines() {
+    const auto beads = static_cast<std::size_t>(cast_.particles.count());
+    const std::size_t stride = (beads + most_lines - 1) / most_lines;
+    line_of_.assign(beads, -1);
+    for (std::size_t k = 0; k < beads; ++k) {
+        const Eigen::Index i = map_->order()[k];
+        if (k % stride != stride / 2 && !is_chosen(i)) continue;
+        line_of_[static_cast<std::size_t>(i)] = static_cast<std::ptrdiff_t>(lines_.size());
+        lines_.push_back(i);
+    }
+    bends_.resize(lines_.size());
+}
+
+// A single bead among many, and those whose species asks for a trail.
+bool WirePanel::is_chosen(Eigen::Index i) const {
+    const auto species = static_cast<std::size_t>(cast_.particles.species[i]);
+    const auto count = cast_.scene.gas.species[species].count;
+    return cast_.scene.looks[species].trail.value_or(0.0) > 0.0 ||
+           (count == 1 && cast_.particles.count() > 4);
+}
+
+void WirePanel::bend(std::size_t line, double time, double place, double mean_speed) {
+    std::deque<Bend>& bends = bends_[line];
+    if (!bends.empty() && time - bends.back().time < finest * memory_) return;
+    const double speed =
+        bends.empty() ? 0.0 : std::abs(place - bends.back().place) / (time - bends.back().time);
+    bends.push_back({time, place, colors_.shade(lines_[line], speed, mean_speed)});
+}
+
+void WirePanel::extend_lines(const Observation& observation, const Eigen::ArrayXd& places) {
+    const double now = observation.tick.time;
+    const double mean_speed = observation.speed.mean();
+    const auto bend_at = [&](std::int32_t particle, double time, double x) {
+        const std::ptrdiff_t line = line_of_[static_cast<std::size_t>(particle)];
+        if (line < 0) return;
+        const auto index = static_cast<std::size_t>(line);
+        bend(index, time, map_->place(particle, x, last_places_[particle]), mean_speed);
+    };
+    if (last_places_.size() == 0) last_places_ = places;
+    for (std::size_t line = 0; line < lines_.size(); ++line)
+        if (bends_[line].empty()) bend(line, now, places[lines_[line]], mean_speed);
+    for (const Collision& collision : observation.passage.collisions) {
+        bend_at(collision.first, collision.time, collision.first_position[0]);
+        if (collision.second >= 0)
+            bend_at(collision.second, collision.time, collision.second_position[0]);
+    }
+    const bool turned = observation.tick.phase == Phase::reversing &&
+                        (reversals_.empty() || reversals_.back() < now);
+    if (turned) reversals_.push_back(now);
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+        if (turned) bend(line, now, places[lines_[line]], mean_speed);
+        while (bends_[line].size() > 1 && bends_[line][1].time < now - memory_)
+            bends_[line].pop_front();
+    }
+}
+
+std::shared_ptr<const PanelState> WirePanel::state(const Observation& observation) {
+    auto state = std::make_shared<WireState>();
+    const double now = observation.tick.time;
+    const double mean_speed = observation.speed.mean();
+    const Eigen::ArrayXd places = map_->places(observation.sample, last_places_);
+    extend_lines(observation, places);
+    last_places_ = places;
+    state->time = now;
+    for (Eigen::Index i = 0; i < places.size(); ++i) {
+        state->places.push_back(static_cast<float>(places[i]));
+        state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
+    }
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+        auto& copy = state->lines.emplace_back(bends_[line].begin(), bends_[line].end());
+        const Eigen::Index i = lines_[line];
+        copy.push_back({now, places[i], state->shades[static_cast<std::size_t>(i)]});
+    }
+    for (const double time : reversals_)
+        if (time >= now - memory_) state->reversals.push_back(time);
+    const double seconds = static_cast<double>(observation.tick.frame) / cast_.scene.film.fps;
+    state->label_alpha = std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0);
+    return state;
+}
+
+void WirePanel::draw_ground(Canvas& canvas, const Page& page) const {
+    const View v = view(page);
+    const double u = page.unit;
+    canvas.fill(v.plot, page.theme.ground);
+    for (const double side : {-1.0, 1.0}) draw_end(canvas, page, side);
+    canvas.stroke_line({v.plot.x, v.wire_y}, {v.plot.right(), v.wire_y}, 0.12 * u, page.theme.wall);
+    draw_y_axis(canvas, v.plot, v.time, "", axis_style(page));
+    draw_captions(canvas, page);
+}
+
+// A wall and its world line, or where a ring is cut open.
+void WirePanel::draw_end(Canvas& canvas, const Page& page, double side) const {
+    const View v = view(page);
+    const double u = page.unit;
+    const double x = side < 0.0 ? v.plot.x : v.plot.right();
+    const double top = v.wire_y - 2.2 * u, bottom = v.wire_y + 2.2 * u;
+    if (is_ring()) {
+        canvas.stroke_dashed({x, top}, {x, bottom}, 0.1 * u, 0.4 * u, page.theme.wall);
+        canvas.stroke_dashed({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, 0.4 * u,
+                             page.theme.wall);
+    } else {
+        const double thick = 0.5 * u;
+        canvas.fill({side < 0.0 ? x - thick : x, top, thick, bottom - top}, page.theme.wall);
+        canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, page.theme.wall);
+    }
+}
+
+// What the axis is, what the lines are, and that beads are not as large as they look.
+void WirePanel::draw_captions(Canvas& canvas, const Page& page) const {
+    const View v = view(page);
+    const double u = page.unit;
+    const double baseline = v.plot.y - 0.8 * u;
+    TextStyle words = label_style(page);
+    draw_text(canvas, {page.area.x, baseline}, "time ago", words);
+    const bool all = lines_.size() == static_cast<std::size_t>(cast_.particles.count());
+    const double end = v.plot.x + 1.6 * u +
+                       draw_text(canvas, {v.plot.x + 1.6 * u, baseline},
+                                 all ? "where each bead was"
+                                     : fmt::format("where {} of the beads were", lines_.size()),
+                                 words)
+                           .width;
+    const bool larger = map_->length() > cast_.scene.gas.box.size[0];
+    words.align = Align::right;
+    const std::string remark = "beads drawn larger than they are";
+    if (larger && end + u + measure_text(remark, words).width < v.plot.right())
+        draw_text(canvas, {v.plot.right(), baseline}, remark, words);
+}
+
+void WirePanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const View v = view(page);
+    canvas.clip_to(v.plot);
+    draw_lines(canvas, page, state);
+    draw_reversals(canvas, page, state);
+    canvas.release_clip();
+    canvas.clip_to({v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
+    draw_beads(canvas, page, state);
+    canvas.release_clip();
+    draw_words(canvas, page, state);
+}
+
+void WirePanel::draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const double apart = view(page).plot.width / static_cast<double>(lines_.size());
+    const double width = std::clamp(0.3 * apart, 0.08 * page.unit, 0.26 * page.unit);
+    for (std::size_t line = 0; line < lines_.size(); ++line) draw_band(canvas, page, state, line);
+    for (std::size_t line = 0; line < lines_.size(); ++line)
+        if (!is_chosen(lines_[line])) draw_line(canvas, page, state, line, std::nullopt, width);
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+        if (!is_chosen(lines_[line])) continue;
+        draw_line(canvas, page, state, line, page.theme.ink, width + 0.24 * page.unit);
+        draw_line(canvas, page, state, line, std::nullopt, width + 0.08 * page.unit);
+    }
+}
+
+// As wide as the bead is drawn, so that those of neighbours touch where they meet.
+void WirePanel::draw_band(Canvas& canvas, const Page& page, const PanelState& state,
+                          std::size_t line) const {
+    const auto& now = static_cast<const WireState&>(state);
+    const std::vector<Bend>& bends = now.lines[line];
+    const View v = view(page);
+    const double radius = map_->radius(lines_[line]) * v.scale;
+    if (radius < 0.2 * page.unit) return;
+    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const bool ring = is_ring();
+    for (std::size_t k = 1; k < bends.size(); ++k) {
+        const Color color = mix(page.theme.ground, colors[bends[k].shade % colors.size()], 0.3);
+        const double left = std::min(bends[k - 1].place, bends[k].place);
+        const double right = std::max(bends[k - 1].place, bends[k].place);
+        const double r = map_->radius(lines_[line]), whole = map_->length();
+        const double first = ring ? std::floor((left - r) / whole) : 0.0;
+        const double last = ring ? std::floor((right + r) / whole) : 0.0;
+        for (double turn = first; turn <= last; turn += 1.0) {
+            const double from = v.x(bends[k - 1].place - turn * whole);
+            const double to = v.x(bends[k].place - turn * whole);
+            // Whole pixels: half-covered rows would show as seams.
+            const double low = std::round(v.time(now.time - bends[k - 1].time));
+            const double high = std::round(v.time(now.time - bends[k].time));
+            canvas.fill_polygon(std::array{Point{from - radius, low}, Point{from + radius, low},
+                                           Point{to + radius, high}, Point{to - radius, high}},
+                                color);
+        }
+    }
+}
+
+// In one colour, or in those of the speeds. Drawn again wherever a turn round a ring brings it into
+// view.
+void WirePanel::draw_line(Canvas& canvas, const Page& page, const PanelState& state,
+                          std::size_t line, std::optional<Color> color, double width) const {
+    const auto& now = static_cast<const WireState&>(state);
+    const std::vector<Bend>& bends = now.lines[line];
+    const View v = view(page);
+    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const auto [least, most] = std::minmax_element(
+        bends.begin(), bends.end(), [](const Bend& a, const Bend& b) { return a.place < b.place; });
+    const bool ring = is_ring();
+    const double first = ring ? std::floor(least->place / map_->length()) : 0.0;
+    const double last = ring ? std::floor(most->place / map_->length()) : 0.0;
+    for (double turn = first; turn <= last; turn += 1.0) {
+        std::vector<Point> path;
+        for (std::size_t k = 0; k < bends.size(); ++k) {
+            const Point at{v.x(bends[k].place - turn * map_->length()),
+                           v.time(now.time - bends[k].time)};
+            const bool other = !color && k > 1 && bends[k].shade != bends[k - 1].shade;
+            if (other) {
+                canvas.stroke_path(path, width, colors[bends[k - 1].shade % colors.size()]);
+                path = {path.back()};
+            }
+            path.push_back(at);
+        }
+        canvas.stroke_path(path, width, color.value_or(colors[bends.back().shade % colors.size()]));
+    }
+}
+
+void WirePanel::draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const WireState&>(state);
+    const View v = view(page);
+    for (const double time : now.reversals) {
+        const double y = v.time(now.time - time);
+        canvas.stroke_line({v.plot.x, y}, {v.plot.right(), y}, 0.1 * page.unit, page.theme.muted);
+        TextStyle style = label_style(page);
+        style.align = Align::right;
+        const double width = measure_text("reversed", style).width + page.unit;
+        canvas.fill({v.plot.right() - width, y - 1.35 * page.unit, width, 1.3 * page.unit},
+                    with_alpha(page.theme.ground, 0.85));
+        draw_text(canvas, {v.plot.right() - 0.5 * page.unit, y - 0.4 * page.unit}, "reversed",
+                  style);
+    }
+}
+
+void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const WireState&>(state);
+    const View v = view(page);
+    const double u = page.unit;
+    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const bool ring = is_ring();
+    std::vector<Disk> disks;
+    std::vector<std::pair<Point, double>> rings;
+    for (std::size_t i = 0; i < now.places.size(); ++i) {
+        const auto particle = static_cast<Eigen::Index>(i);
+        const double radius = shown_radius(particle, v);
+        const Color color = colors[now.shades[i] % colors.size()];
+        const double whole = v.plot.width;
+        double x = static_cast<double>(now.places[i]) * v.scale;
+        if (ring) x -= whole * std::floor(x / whole);
+        for (const double shift : {0.0, -whole, whole}) {
+            const Point at{v.plot.x + x + shift, v.wire_y};
+            const bool seen = at.x + radius > v.plot.x && at.x - radius < v.plot.right();
+            if (!seen || (shift != 0.0 && !ring)) continue;
+            if (is_chosen(particle)) rings.push_back({at, radius});
+            if (radius > rod_from * u)
+                canvas.fill({at.x - radius + 0.04 * u, v.wire_y - rod_half_height * u,
+                             2.0 * radius - 0.08 * u, 2.0 * rod_half_height * u},
+                            color);
+            else
+                disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
+                                 static_cast<float>(radius), to_pixel(color) & 0xFFFFFF});
+        }
+    }
+    page.disks.draw(canvas, disks, {v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
+}
+
+void WirePanel::draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
+                          double alpha) const {
+    const auto species = static_cast<std::size_t>(cast_.particles.species[particle]);
+    if (cast_.scene.gas.species[species].count > 1) return;
+    const std::string& label = cast_.scene.looks[species].label;
+    const std::string& name = label.empty() ? cast_.scene.gas.species[species].name : label;
+    const View v = view(page);
+    TextStyle style = title_style(page);
+    style.align = Align::center;
+    style.color = with_alpha(page.theme.ink, alpha);
+    style.max_width = v.plot.width;
+    const double half = measure_text(escape_markup(name), style).width / 2.0;
+    const double x = std::clamp(v.x(place), v.plot.x + half, v.plot.right() - half);
+    const double radius = shown_radius(particle, v);
+    const double top = v.wire_y - (radius > rod_from * v.unit ? rod_half_height * v.unit : radius);
+    draw_text(canvas, {x, top - 0.7 * page.unit}, escape_markup(name), style);
+}
+
+// The masses of beads that are large enough, where they differ; the names of chosen beads, at the
+// start.
+void WirePanel::draw_words(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const WireState&>(state);
+    const View v = view(page);
+    const double u = page.unit;
+    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const Eigen::ArrayXd& inverse_mass = cast_.particles.inverse_mass;
+    const bool masses_differ = (inverse_mass != inverse_mass[0]).any();
+    for (std::size_t i = 0; i < now.places.size(); ++i) {
+        const auto particle = static_cast<Eigen::Index>(i);
+        double place = static_cast<double>(now.places[i]);
+        place -= map_->length() * std::floor(place / map_->length());
+        const double radius = map_->radius(particle) * v.scale;
+        TextStyle style = label_style(page);
+        style.align = Align::center;
+        style.weight = 600;
+        if (masses_differ && radius > 0.6 * u) {
+            style.color = letters_on(colors[now.shades[i] % colors.size()], page.theme);
+            const std::string mass = mass_text(inverse_mass[particle]);
+            if (measure_text(mass, style).width < 1.9 * radius)
+                draw_text(canvas, {v.x(place), v.wire_y + 0.36 * u}, mass, style);
+        }
+        if (now.label_alpha > 0.0 && is_chosen(particle))
+            draw_name(canvas, page, particle, place, now.label_alpha);
+    }
+}
+
+}  // namespace carom

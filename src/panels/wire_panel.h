@@ -1,0 +1,75 @@
+// The wire with its beads, and under it their world lines: where each bead was during the last
+// while, time flowing down. The picture a film of one dimension is about.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "panels/gas_colors.h"
+#include "panels/panel.h"
+#include "panels/wire_map.h"
+
+namespace carom {
+
+class WirePanel : public Panel {
+  public:
+    explicit WirePanel(const Cast& cast) : cast_(cast), colors_(cast) {}
+
+    void survey(const Observation& observation) override;
+    void settle() override;
+    std::shared_ptr<const PanelState> state(const Observation& observation) override;
+    void draw_ground(Canvas& canvas, const Page& page) const override;
+    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    void draw_key(Canvas& canvas, const Page& page) const override {
+        colors_.draw_key(canvas, page);
+    }
+    bool wants_collisions() const override { return true; }
+
+    /// For tests: the simulated time that the world lines show.
+    double memory() const { return memory_; }
+
+    /// A place and a time of a world line where its velocity changes.
+    struct Bend {
+        double time;         ///< simulated
+        double place;        ///< as drawn, length
+        std::uint8_t shade;  ///< of the piece that ends here
+    };
+
+  private:
+    struct View;
+    View view(const Page& page) const;
+    bool is_ring() const;
+    double shown_radius(Eigen::Index particle, const View& view) const;
+    void choose_lines();
+    void extend_lines(const Observation& observation, const Eigen::ArrayXd& places);
+    void bend(std::size_t line, double time, double place, double mean_speed);
+    bool is_chosen(Eigen::Index particle) const;
+    void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,
+                   std::optional<Color> color, double width) const;
+    void draw_band(Canvas& canvas, const Page& page, const PanelState& state,
+                   std::size_t line) const;
+    void draw_end(Canvas& canvas, const Page& page, double side) const;
+    void draw_captions(Canvas& canvas, const Page& page) const;
+    void draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
+                   double alpha) const;
+    void draw_words(Canvas& canvas, const Page& page, const PanelState& state) const;
+
+    Cast cast_;
+    GasColors colors_;
+    std::optional<WireMap> map_;  ///< from the first frame on
+    std::vector<double> rates_;   ///< bends of all world lines in a unit of time, at each frame
+    double bends_so_far_ = 0.0;
+    double last_time_ = 0.0;
+    double memory_ = 1.0;
+    std::vector<Eigen::Index> lines_;      ///< particles whose world lines are drawn
+    std::vector<std::ptrdiff_t> line_of_;  ///< of each particle, or -1
+    std::vector<std::deque<Bend>> bends_;  ///< of each line, as of the last state
+    std::vector<double> reversals_;        ///< simulated times
+    Eigen::ArrayXd last_places_;
+};
+
+}  // namespace carom

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -39,7 +38,7 @@ long double folded(long double x, long double length) {
     return turn <= length ? turn : 2.0L * length - turn;
 }
 
-// Rods of any lengths and masses with random gaps between them, none of them near another's twin.
+// Rods of one length with random gaps and velocities.
 std::vector<Bead> random_rods(Random& random, int count, double length, double rod) {
     std::vector<double> free(static_cast<std::size_t>(count));
     for (double& x : free) x = random.uniform(0.0, length - count * rod);

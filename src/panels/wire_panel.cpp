@@ -15,23 +15,21 @@ namespace {
 constexpr double most_film_seconds = 12.0;  // that world lines go back
 constexpr double least_film_seconds = 2.5;  // below, they would rush by
 constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds allow
-constexpr std::size_t most_lines = 150;     // more do not part on a screen
-constexpr double finest = 1.0 / 2000.0;     // of the memory: bends closer than this are one
 constexpr double rod_from = 2.0;            // units of radius: longer beads are drawn as rods
 constexpr double rod_half_height = 1.3;
 constexpr double label_seconds = 3.0;  // of film, for the name of a chosen bead
 
 struct WireState : PanelState {
     double time = 0.0;
-    std::vector<float> places;                        // of all beads, as drawn
-    std::vector<std::uint8_t> shades;                 // index into the film's colours
-    std::vector<std::vector<WirePanel::Bend>> lines;  // oldest bend first, the present last
-    std::vector<double> reversals;                    // simulated times in memory
+    std::vector<float> places;                         // of all beads, as drawn
+    std::vector<std::uint8_t> shades;                  // index into the film's colours
+    std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last
+    std::vector<double> reversals;                     // simulated times in memory
     double label_alpha = 0.0;
 
     std::size_t bytes() const override {
         std::size_t sum = places.size() * (sizeof(float) + 1);
-        for (const auto& line : lines) sum += line.size() * sizeof(WirePanel::Bend);
+        for (const auto& line : lines) sum += line.size() * sizeof(WorldLines::Bend);
         return sum;
     }
 };
@@ -68,7 +66,7 @@ bool WirePanel::is_ring() const { return cast_.scene.gas.box.walls[0] == Wall::p
 
 // Small beads stay visible, chosen ones above all.
 double WirePanel::shown_radius(Eigen::Index i, const View& v) const {
-    return std::max((is_chosen(i) ? 0.4 : 0.15) * v.unit, map_->radius(i) * v.scale);
+    return std::max((stands_out(cast_, i) ? 0.4 : 0.15) * v.unit, map_->radius(i) * v.scale);
 }
 
 WirePanel::View WirePanel::view(const Page& page) const {
@@ -98,7 +96,6 @@ void WirePanel::survey(const Observation& observation) {
 // fast nor too slow to be followed.
 void WirePanel::settle() {
     colors_.settle();
-    choose_lines();
     const double until = cast_.scene.run.until;
     const double pace = until / film_seconds_of(cast_.scene);
     const auto beads = static_cast<double>(cast_.particles.count());
@@ -107,84 +104,28 @@ void WirePanel::settle() {
     const double bounded = std::clamp(wanted, least_film_seconds * pace, most_film_seconds * pace);
     memory_ = std::min(until, bounded);
     if (memory_ < until) memory_ = round_up_for_axis(memory_);
-}
-
-// Evenly along the wire, and those that the film is about.
-void WirePanel::choose_lines() {
-    const auto beads = static_cast<std::size_t>(cast_.particles.count());
-    const std::size_t stride = (beads + most_lines - 1) / most_lines;
-    line_of_.assign(beads, -1);
-    for (std::size_t k = 0; k < beads; ++k) {
-        const Eigen::Index i = map_->order()[k];
-        if (k % stride != stride / 2 && !is_chosen(i)) continue;
-        line_of_[static_cast<std::size_t>(i)] = static_cast<std::ptrdiff_t>(lines_.size());
-        lines_.push_back(i);
-    }
-    bends_.resize(lines_.size());
-}
-
-// A single bead among many, and those whose species asks for a trail.
-bool WirePanel::is_chosen(Eigen::Index i) const {
-    const auto species = static_cast<std::size_t>(cast_.particles.species[i]);
-    const auto count = cast_.scene.gas.species[species].count;
-    return cast_.scene.looks[species].trail.value_or(0.0) > 0.0 ||
-           (count == 1 && cast_.particles.count() > 4);
-}
-
-void WirePanel::bend(std::size_t line, double time, double place, double mean_speed) {
-    std::deque<Bend>& bends = bends_[line];
-    if (!bends.empty() && time - bends.back().time < finest * memory_) return;
-    const double speed =
-        bends.empty() ? 0.0 : std::abs(place - bends.back().place) / (time - bends.back().time);
-    bends.push_back({time, place, colors_.shade(lines_[line], speed, mean_speed)});
-}
-
-void WirePanel::extend_lines(const Observation& observation, const Eigen::ArrayXd& places) {
-    const double now = observation.tick.time;
-    const double mean_speed = observation.speed.mean();
-    const auto bend_at = [&](std::int32_t particle, double time, double x) {
-        const std::ptrdiff_t line = line_of_[static_cast<std::size_t>(particle)];
-        if (line < 0) return;
-        const auto index = static_cast<std::size_t>(line);
-        bend(index, time, map_->place(particle, x, last_places_[particle]), mean_speed);
-    };
-    if (last_places_.size() == 0) last_places_ = places;
-    for (std::size_t line = 0; line < lines_.size(); ++line)
-        if (bends_[line].empty()) bend(line, now, places[lines_[line]], mean_speed);
-    for (const Collision& collision : observation.passage.collisions) {
-        bend_at(collision.first, collision.time, collision.first_position[0]);
-        if (collision.second >= 0)
-            bend_at(collision.second, collision.time, collision.second_position[0]);
-    }
-    const bool turned = observation.tick.phase == Phase::reversing &&
-                        (reversals_.empty() || reversals_.back() < now);
-    if (turned) reversals_.push_back(now);
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-        if (turned) bend(line, now, places[lines_[line]], mean_speed);
-        while (bends_[line].size() > 1 && bends_[line][1].time < now - memory_)
-            bends_[line].pop_front();
-    }
+    lines_.emplace(cast_, *map_, colors_, memory_);
 }
 
 std::shared_ptr<const PanelState> WirePanel::state(const Observation& observation) {
     auto state = std::make_shared<WireState>();
     const double now = observation.tick.time;
     const double mean_speed = observation.speed.mean();
+    if (last_places_.size() == 0) last_places_ = map_->places(observation.sample, {});
     const Eigen::ArrayXd places = map_->places(observation.sample, last_places_);
-    extend_lines(observation, places);
+    lines_->see(observation, places, last_places_);
     last_places_ = places;
     state->time = now;
     for (Eigen::Index i = 0; i < places.size(); ++i) {
         state->places.push_back(static_cast<float>(places[i]));
         state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
     }
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-        auto& copy = state->lines.emplace_back(bends_[line].begin(), bends_[line].end());
-        const Eigen::Index i = lines_[line];
-        copy.push_back({now, places[i], state->shades[static_cast<std::size_t>(i)]});
+    for (std::size_t line = 0; line < lines_->count(); ++line) {
+        const Eigen::Index i = lines_->particle(line);
+        state->lines.push_back(
+            lines_->line(line, {now, places[i], state->shades[static_cast<std::size_t>(i)]}));
     }
-    for (const double time : reversals_)
-        if (time >= now - memory_) state->reversals.push_back(time);
+    state->reversals = lines_->reversals(now);
     const double seconds = static_cast<double>(observation.tick.frame) / cast_.scene.film.fps;
     state->label_alpha = std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0);
     return state;
@@ -224,11 +165,11 @@ void WirePanel::draw_captions(Canvas& canvas, const Page& page) const {
     const double baseline = v.plot.y - 0.8 * u;
     TextStyle words = label_style(page);
     draw_text(canvas, {page.area.x, baseline}, "time ago", words);
-    const bool all = lines_.size() == static_cast<std::size_t>(cast_.particles.count());
+    const bool all = lines_->count() == static_cast<std::size_t>(cast_.particles.count());
     const double end = v.plot.x + 1.6 * u +
                        draw_text(canvas, {v.plot.x + 1.6 * u, baseline},
                                  all ? "where each bead was"
-                                     : fmt::format("where {} of the beads were", lines_.size()),
+                                     : fmt::format("where {} of the beads were", lines_->count()),
                                  words)
                            .width;
     const bool larger = map_->length() > cast_.scene.gas.box.size[0];
@@ -251,13 +192,14 @@ void WirePanel::draw(Canvas& canvas, const Page& page, const PanelState& state) 
 }
 
 void WirePanel::draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const {
-    const double apart = view(page).plot.width / static_cast<double>(lines_.size());
+    const double apart = view(page).plot.width / static_cast<double>(lines_->count());
     const double width = std::clamp(0.3 * apart, 0.08 * page.unit, 0.26 * page.unit);
-    for (std::size_t line = 0; line < lines_.size(); ++line) draw_band(canvas, page, state, line);
-    for (std::size_t line = 0; line < lines_.size(); ++line)
-        if (!is_chosen(lines_[line])) draw_line(canvas, page, state, line, std::nullopt, width);
-    for (std::size_t line = 0; line < lines_.size(); ++line) {
-        if (!is_chosen(lines_[line])) continue;
+    for (std::size_t line = 0; line < lines_->count(); ++line) draw_band(canvas, page, state, line);
+    for (std::size_t line = 0; line < lines_->count(); ++line)
+        if (!stands_out(cast_, lines_->particle(line)))
+            draw_line(canvas, page, state, line, std::nullopt, width);
+    for (std::size_t line = 0; line < lines_->count(); ++line) {
+        if (!stands_out(cast_, lines_->particle(line))) continue;
         draw_line(canvas, page, state, line, page.theme.ink, width + 0.24 * page.unit);
         draw_line(canvas, page, state, line, std::nullopt, width + 0.08 * page.unit);
     }
@@ -267,9 +209,9 @@ void WirePanel::draw_lines(Canvas& canvas, const Page& page, const PanelState& s
 void WirePanel::draw_band(Canvas& canvas, const Page& page, const PanelState& state,
                           std::size_t line) const {
     const auto& now = static_cast<const WireState&>(state);
-    const std::vector<Bend>& bends = now.lines[line];
+    const std::vector<WorldLines::Bend>& bends = now.lines[line];
     const View v = view(page);
-    const double radius = map_->radius(lines_[line]) * v.scale;
+    const double radius = map_->radius(lines_->particle(line)) * v.scale;
     if (radius < 0.2 * page.unit) return;
     const std::vector<Color> colors = colors_.of_shades(page.theme);
     const bool ring = is_ring();
@@ -277,7 +219,7 @@ void WirePanel::draw_band(Canvas& canvas, const Page& page, const PanelState& st
         const Color color = mix(page.theme.ground, colors[bends[k].shade % colors.size()], 0.3);
         const double left = std::min(bends[k - 1].place, bends[k].place);
         const double right = std::max(bends[k - 1].place, bends[k].place);
-        const double r = map_->radius(lines_[line]), whole = map_->length();
+        const double r = map_->radius(lines_->particle(line)), whole = map_->length();
         const double first = ring ? std::floor((left - r) / whole) : 0.0;
         const double last = ring ? std::floor((right + r) / whole) : 0.0;
         for (double turn = first; turn <= last; turn += 1.0) {
@@ -298,11 +240,12 @@ void WirePanel::draw_band(Canvas& canvas, const Page& page, const PanelState& st
 void WirePanel::draw_line(Canvas& canvas, const Page& page, const PanelState& state,
                           std::size_t line, std::optional<Color> color, double width) const {
     const auto& now = static_cast<const WireState&>(state);
-    const std::vector<Bend>& bends = now.lines[line];
+    const std::vector<WorldLines::Bend>& bends = now.lines[line];
     const View v = view(page);
     const std::vector<Color> colors = colors_.of_shades(page.theme);
     const auto [least, most] = std::minmax_element(
-        bends.begin(), bends.end(), [](const Bend& a, const Bend& b) { return a.place < b.place; });
+        bends.begin(), bends.end(),
+        [](const WorldLines::Bend& a, const WorldLines::Bend& b) { return a.place < b.place; });
     const bool ring = is_ring();
     const double first = ring ? std::floor(least->place / map_->length()) : 0.0;
     const double last = ring ? std::floor(most->place / map_->length()) : 0.0;
@@ -357,7 +300,7 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
             const Point at{v.plot.x + x + shift, v.wire_y};
             const bool seen = at.x + radius > v.plot.x && at.x - radius < v.plot.right();
             if (!seen || (shift != 0.0 && !ring)) continue;
-            if (is_chosen(particle)) rings.push_back({at, radius});
+            if (stands_out(cast_, particle)) rings.push_back({at, radius});
             if (radius > rod_from * u)
                 canvas.fill({at.x - radius + 0.04 * u, v.wire_y - rod_half_height * u,
                              2.0 * radius - 0.08 * u, 2.0 * rod_half_height * u},
@@ -411,7 +354,7 @@ void WirePanel::draw_words(Canvas& canvas, const Page& page, const PanelState& s
             if (measure_text(mass, style).width < 1.9 * radius)
                 draw_text(canvas, {v.x(place), v.wire_y + 0.36 * u}, mass, style);
         }
-        if (now.label_alpha > 0.0 && is_chosen(particle))
+        if (now.label_alpha > 0.0 && stands_out(cast_, particle))
             draw_name(canvas, page, particle, place, now.label_alpha);
     }
 }

@@ -2,13 +2,13 @@
 // while, time flowing down. The picture a film of one dimension is about.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <vector>
 
 #include "panels/gas_colors.h"
 #include "panels/panel.h"
 #include "panels/wire_map.h"
+#include "panels/world_lines.h"
 
 namespace carom {
 
@@ -29,22 +29,11 @@ class WirePanel : public Panel {
     /// For tests: the simulated time that the world lines show.
     double memory() const { return memory_; }
 
-    /// A place and a time of a world line where its velocity changes.
-    struct Bend {
-        double time;         ///< simulated
-        double place;        ///< as drawn, length
-        std::uint8_t shade;  ///< of the piece that ends here
-    };
-
   private:
     struct View;
     View view(const Page& page) const;
     bool is_ring() const;
     double shown_radius(Eigen::Index particle, const View& view) const;
-    void choose_lines();
-    void extend_lines(const Observation& observation, const Eigen::ArrayXd& places);
-    void bend(std::size_t line, double time, double place, double mean_speed);
-    bool is_chosen(Eigen::Index particle) const;
     void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,
                    std::optional<Color> color, double width) const;
@@ -65,10 +54,7 @@ class WirePanel : public Panel {
     double bends_so_far_ = 0.0;
     double last_time_ = 0.0;
     double memory_ = 1.0;
-    std::vector<Eigen::Index> lines_;      ///< particles whose world lines are drawn
-    std::vector<std::ptrdiff_t> line_of_;  ///< of each particle, or -1
-    std::vector<std::deque<Bend>> bends_;  ///< of each line, as of the last state
-    std::vector<double> reversals_;        ///< simulated times
+    std::optional<WorldLines> lines_;  ///< after settle()
     Eigen::ArrayXd last_places_;
 };
 

@@ -85,11 +85,21 @@ void WirePanel::survey(const Observation& observation) {
     if (!map_) map_.emplace(cast_, observation.sample);
     colors_.survey(observation);
     const CollisionCounts& counts = observation.passage.counts;
-    const double bends = 2.0 * static_cast<double>(counts.particle) + double(counts.wall);
-    if (observation.tick.time > last_time_)
-        rates_.push_back((bends - bends_so_far_) / (observation.tick.time - last_time_));
-    last_time_ = observation.tick.time;
-    bends_so_far_ = bends;
+    bends_.push_back(
+        {observation.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
+}
+
+// The median over parts of the run, so that a short burst does not count.
+double WirePanel::usual_rate() const {
+    constexpr std::size_t parts = 20;
+    std::vector<double> rates;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const Bends& from = bends_[part * (bends_.size() - 1) / parts];
+        const Bends& to = bends_[(part + 1) * (bends_.size() - 1) / parts];
+        if (to.time > from.time) rates.push_back((to.count - from.count) / (to.time - from.time));
+    }
+    return rates.empty() ? 0.0
+                         : quantile(rates, 0.5) / static_cast<double>(cast_.particles.count());
 }
 
 // So long that each bead has a few collisions in it most of the time, as far as that is neither too
@@ -98,8 +108,7 @@ void WirePanel::settle() {
     colors_.settle();
     const double until = cast_.scene.run.until;
     const double pace = until / film_seconds_of(cast_.scene);
-    const auto beads = static_cast<double>(cast_.particles.count());
-    const double rate = rates_.empty() ? 0.0 : quantile(rates_, 0.5) / beads;
+    const double rate = usual_rate();
     const double wanted = rate > 0.0 ? bends_in_memory / rate : until;
     const double bounded = std::clamp(wanted, least_film_seconds * pace, most_film_seconds * pace);
     memory_ = std::min(until, bounded);

@@ -31,6 +31,11 @@ class WirePanel : public Panel {
 
   private:
     struct View;
+    struct Bends {
+        double time;
+        double count;  ///< of all world lines since the start
+    };
+    double usual_rate() const;  ///< bends of one world line in a unit of time
     View view(const Page& page) const;
     bool is_ring() const;
     double shown_radius(Eigen::Index particle, const View& view) const;
@@ -50,9 +55,7 @@ class WirePanel : public Panel {
     Cast cast_;
     GasColors colors_;
     std::optional<WireMap> map_;  ///< from the first frame on
-    std::vector<double> rates_;   ///< bends of all world lines in a unit of time, at each frame
-    double bends_so_far_ = 0.0;
-    double last_time_ = 0.0;
+    std::vector<Bends> bends_;    ///< at each frame of the first pass
     double memory_ = 1.0;
     std::optional<WorldLines> lines_;  ///< after settle()
     Eigen::ArrayXd last_places_;

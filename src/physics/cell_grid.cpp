@@ -89,11 +89,11 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
     fine_ = {Axis{columns_, periodic_x, box.size[0]}, Axis{rows_, periodic_y, box.size[1]}};
     coarse_ = {Axis{coarse_column_.back() + 1, periodic_x, box.size[0]},
                Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
-    fine_heads_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
-    coarse_heads_.assign(
-        static_cast<std::size_t>(coarse_[0].cells) * static_cast<std::size_t>(coarse_[1].cells),
-        -1);
-    links_.assign(static_cast<std::size_t>(radii.size()), Links{-1, -1});
+    fine_slots_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    coarse_slots_.resize(has_large_ ? static_cast<std::size_t>(coarse_[0].cells) *
+                                          static_cast<std::size_t>(coarse_[1].cells)
+                                    : 0);
+    next_.assign(static_cast<std::size_t>(radii.size()), -1);
 }
 
 Cell CellGrid::cell_at(double x, double y) const {
@@ -105,35 +105,72 @@ Cell CellGrid::cell_at(double x, double y) const {
 }
 
 void CellGrid::clear() {
-    std::fill(fine_heads_.begin(), fine_heads_.end(), -1);
-    std::fill(coarse_heads_.begin(), coarse_heads_.end(), -1);
+    std::fill(fine_slots_.begin(), fine_slots_.end(), Slots{});
+    std::fill(coarse_slots_.begin(), coarse_slots_.end(), Slots{});
 }
 
 void CellGrid::add(std::int32_t particle, double radius, Cell cell) {
-    link(particle, head_of(radius, cell));
+    put_in(particle, slots_of(radius, cell));
 }
 
 void CellGrid::move(std::int32_t particle, double radius, Cell from, Cell to) {
-    std::int32_t& old_head = head_of(radius, from);
-    std::int32_t& new_head = head_of(radius, to);
-    if (&old_head == &new_head) return;
-    unlink(particle, old_head);
-    link(particle, new_head);
+    Slots& old_slots = slots_of(radius, from);
+    Slots& new_slots = slots_of(radius, to);
+    if (&old_slots == &new_slots) return;
+    take_out(particle, old_slots);
+    put_in(particle, new_slots);
 }
 
-void CellGrid::link(std::int32_t particle, std::int32_t& head) {
-    links_[static_cast<std::size_t>(particle)] = {-1, head};
-    if (head >= 0) links_[static_cast<std::size_t>(head)].previous = particle;
-    head = particle;
+void CellGrid::put_in(std::int32_t particle, Slots& slots) {
+    if (slots.rest_ < Slots::most) {
+        slots.particle_[static_cast<std::size_t>(slots.rest_++)] = particle;
+        return;
+    }
+    next_[static_cast<std::size_t>(particle)] = slots.rest_ - (Slots::most + 1);
+    slots.rest_ = particle + Slots::most + 1;
 }
 
-void CellGrid::unlink(std::int32_t particle, std::int32_t& head) {
-    const Links links = links_[static_cast<std::size_t>(particle)];
-    if (links.previous >= 0)
-        links_[static_cast<std::size_t>(links.previous)].next = links.next;
-    else
-        head = links.next;
-    if (links.next >= 0) links_[static_cast<std::size_t>(links.next)].previous = links.previous;
+// The chain's first fills the gap.
+void CellGrid::take_out(std::int32_t particle, Slots& slots) {
+    const std::int32_t count = std::min(slots.rest_, Slots::most);
+    for (std::int32_t k = 0; k < count; ++k) {
+        if (slots.particle_[static_cast<std::size_t>(k)] != particle) continue;
+        std::int32_t& gap = slots.particle_[static_cast<std::size_t>(k)];
+        if (slots.rest_ <= Slots::most) {
+            gap = slots.particle_[static_cast<std::size_t>(--slots.rest_)];
+            return;
+        }
+        gap = slots.rest_ - (Slots::most + 1);
+        slots.rest_ = next_[static_cast<std::size_t>(gap)] + Slots::most + 1;
+        return;
+    }
+    std::int32_t before = slots.rest_ - (Slots::most + 1);
+    if (before == particle) {
+        slots.rest_ = next_[static_cast<std::size_t>(particle)] + Slots::most + 1;
+        return;
+    }
+    while (next_[static_cast<std::size_t>(before)] != particle)
+        before = next_[static_cast<std::size_t>(before)];
+    next_[static_cast<std::size_t>(before)] = next_[static_cast<std::size_t>(particle)];
+}
+
+void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
+                            std::size_t& size) const {
+    size += Slots::most;
+    for (std::int32_t i = slots.rest_ - (Slots::most + 1); i >= 0;
+         i = next_[static_cast<std::size_t>(i)]) {
+        if (size + 2 * spare > list.size()) list.resize(2 * list.size() + 2 * spare);
+        list[size++] = i;
+    }
+}
+
+void CellGrid::fetch_ahead(Cell cell) const {
+    const std::int32_t first_row = std::max(0, cell.row - 1);
+    const std::int32_t last_row = std::min(rows_ - 1, cell.row + 1);
+    for (std::int32_t row = first_row; row <= last_row; ++row)
+        __builtin_prefetch(
+            &fine_slots_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                         cell.column]);
 }
 
 }  // namespace carom

@@ -3,18 +3,23 @@
 // wide as two small disks that touch. Disks much larger than the others would make such cells
 // useless: they are listed in a coarse grid of their own, which every disk looks at, and look
 // for small ones only in the ring of cells that their rim can touch.
-// Membership is a state that the owner changes at each crossing; it is never recomputed from
+// A cell has room for three particles; more (points may crowd) are chained behind them. All three
+// are handed out with one copy of 16 bytes and no branch, which matters: this is the innermost
+// loop. Membership is a state that the owner changes at each crossing; it is never recomputed from
 // positions, whose round-off could put a particle into the wrong cell.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "physics/gas.h"
+#include "util/large_pages.h"
 
 namespace carom {
 
@@ -43,9 +48,21 @@ class CellGrid {
     void add(std::int32_t particle, double radius, Cell cell);
     void move(std::int32_t particle, double radius, Cell from, Cell to);
 
-    /// Calls f(other, shift_x, shift_y) for every disk that could touch one of `radius` while both
-    /// stay in their cells; the shift (0 or plus or minus the box) takes `other` to the image
-    /// meant. The particle itself is among them.
+    /// What a cell holds.
+    class Slots {
+      public:
+        Slots() = default;
+
+      private:
+        friend class CellGrid;
+        static constexpr std::int32_t most = 3;
+        std::array<std::int32_t, most> particle_{};
+        std::int32_t rest_ = 0;  ///< how many; if more than `most`: `most` + 1 + the chain's first
+    };
+
+    /// Calls f(slots, shift_x, shift_y) for every cell with disks that could touch one of `radius`
+    /// while both stay in their cells; the shift (0 or plus or minus the box) takes them to the
+    /// images meant. The particle itself is among them.
     template <typename Function>
     void for_each_near(double radius, Cell cell, Function&& f) const;
 
@@ -54,10 +71,20 @@ class CellGrid {
     template <typename Function>
     void for_each_newly_near(double radius, Cell cell, int side, Function&& f) const;
 
+    /// Appends the particles of a cell to `list`, of which `size` entries are used; there is always
+    /// room for `spare` more.
+    static constexpr std::size_t spare = 64;
+    void append(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
+
+    /// Appends at once all that for_each_near() would hand out, false (and nothing done) where that
+    /// is not simply the 9 cells around: at the edge of the box, or with large disks about.
+    bool append_around(double radius, Cell cell, std::vector<std::int32_t>& list,
+                       std::size_t& size) const;
+
+    /// Asks the processor for the cells around one, which will be looked at soon.
+    void fetch_ahead(Cell cell) const;
+
   private:
-    struct Links {
-        std::int32_t previous, next;
-    };
     /// Columns (or rows) of one grid and what lies beyond its ends.
     struct Axis {
         std::int32_t cells;
@@ -84,18 +111,19 @@ class CellGrid {
                    static_cast<std::size_t>(coarse_[0].cells) +
                static_cast<std::size_t>(coarse_column_[cell.column]);
     }
-    std::int32_t& head_of(double radius, Cell cell) {
-        return radius > small_radius_ ? coarse_heads_[coarse_index(cell)]
-                                      : fine_heads_[fine_index(cell)];
+    Slots& slots_of(double radius, Cell cell) {
+        return radius > small_radius_ ? coarse_slots_[coarse_index(cell)]
+                                      : fine_slots_[fine_index(cell)];
     }
-    void link(std::int32_t particle, std::int32_t& head);
-    void unlink(std::int32_t particle, std::int32_t& head);
+    void put_in(std::int32_t particle, Slots& slots);
+    void take_out(std::int32_t particle, Slots& slots);
+    void append_chain(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
 
     template <typename Function>
-    void for_each_in(const std::vector<std::int32_t>& heads, std::int32_t columns, Wrapped column,
+    void for_each_in(const LargeVector<Slots>& cells, std::int32_t columns, Wrapped column,
                      Wrapped row, Function&& f) const;
     template <typename Function>
-    void for_each_around(const std::vector<std::int32_t>& heads, const std::array<Axis, 2>& axes,
+    void for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
                          std::int32_t column, std::int32_t row, Function&& f) const;
     template <typename Function>
     void for_each_at_rim(double radius, Cell cell, Function&& f) const;
@@ -105,33 +133,60 @@ class CellGrid {
     double small_radius_ = 0.0;
     bool has_large_ = false;
     std::array<Axis, 2> fine_{}, coarse_{};
-    std::vector<std::int32_t> fine_heads_, coarse_heads_;
+    LargeVector<Slots> fine_slots_, coarse_slots_;
     std::vector<std::int32_t> coarse_column_, coarse_row_;  ///< of each column, row of fine cells
-    std::vector<Links> links_;
+    std::vector<std::int32_t> next_;                        ///< of each particle in a chain
 };
 
-template <typename Function>
-void CellGrid::for_each_in(const std::vector<std::int32_t>& heads, std::int32_t columns,
-                           Wrapped column, Wrapped row, Function&& f) const {
-    const std::size_t cell =
-        static_cast<std::size_t>(row.cell) * static_cast<std::size_t>(columns) +
-        static_cast<std::size_t>(column.cell);
-    for (std::int32_t i = heads[cell]; i >= 0; i = links_[static_cast<std::size_t>(i)].next)
-        f(i, column.shift, row.shift);
+inline void CellGrid::append(const Slots& slots, std::vector<std::int32_t>& list,
+                             std::size_t& size) const {
+    std::memcpy(list.data() + size, &slots, sizeof slots);
+    if (slots.rest_ > Slots::most) [[unlikely]] {
+        append_chain(slots, list, size);
+        return;
+    }
+    size += static_cast<std::size_t>(slots.rest_);
+}
+
+inline bool CellGrid::append_around(double radius, Cell cell, std::vector<std::int32_t>& list,
+                                    std::size_t& size) const {
+    if (has_large_ || radius > small_radius_ || cell.column == 0 || cell.row == 0 ||
+        cell.column + 1 >= columns_ || cell.row + 1 >= rows_)
+        return false;
+    const Slots* const middle = &fine_slots_[fine_index(cell)];
+    std::int32_t* const out = list.data();
+    std::size_t used = size;
+    std::int32_t fullest = 0;
+    for (std::ptrdiff_t dy = -columns_; dy <= columns_; dy += columns_)
+        for (std::ptrdiff_t dx = -1; dx <= 1; ++dx) {
+            const Slots& slots = middle[dy + dx];
+            std::memcpy(out + used, &slots, sizeof slots);
+            used += static_cast<std::size_t>(std::min(slots.rest_, Slots::most));
+            fullest |= slots.rest_;
+        }
+    if (fullest > Slots::most) [[unlikely]]
+        return false;
+    size = used;
+    return true;
 }
 
 template <typename Function>
-void CellGrid::for_each_around(const std::vector<std::int32_t>& heads,
-                               const std::array<Axis, 2>& axes, std::int32_t column,
-                               std::int32_t row, Function&& f) const {
+void CellGrid::for_each_in(const LargeVector<Slots>& cells, std::int32_t columns, Wrapped column,
+                           Wrapped row, Function&& f) const {
+    const std::size_t cell =
+        static_cast<std::size_t>(row.cell) * static_cast<std::size_t>(columns) +
+        static_cast<std::size_t>(column.cell);
+    f(cells[cell], column.shift, row.shift);
+}
+
+template <typename Function>
+void CellGrid::for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
+                               std::int32_t column, std::int32_t row, Function&& f) const {
     if (column > 0 && column < axes[0].cells - 1 && row > 0 && row < axes[1].cells - 1) {
-        const std::int32_t* middle =
-            heads.data() + static_cast<std::ptrdiff_t>(row) * axes[0].cells + column;
+        const Slots* middle =
+            cells.data() + static_cast<std::ptrdiff_t>(row) * axes[0].cells + column;
         for (std::ptrdiff_t dy = -axes[0].cells; dy <= axes[0].cells; dy += axes[0].cells)
-            for (std::ptrdiff_t dx = -1; dx <= 1; ++dx)
-                for (std::int32_t i = middle[dy + dx]; i >= 0;
-                     i = links_[static_cast<std::size_t>(i)].next)
-                    f(i, 0.0, 0.0);
+            for (std::ptrdiff_t dx = -1; dx <= 1; ++dx) f(middle[dy + dx], 0.0, 0.0);
         return;
     }
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
@@ -139,7 +194,7 @@ void CellGrid::for_each_around(const std::vector<std::int32_t>& heads,
         if (y.cell < 0) continue;
         for (std::int32_t dx = -1; dx <= 1; ++dx) {
             const Wrapped x = wrap(column + dx, axes[0]);
-            if (x.cell >= 0) for_each_in(heads, axes[0].cells, x, y, f);
+            if (x.cell >= 0) for_each_in(cells, axes[0].cells, x, y, f);
         }
     }
 }
@@ -163,7 +218,7 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
             if (std::abs(dx) <= inner) dx = inner + 1;
             if (dx > outer) break;
             const Wrapped x = wrap(cell.column + dx, fine_[0]);
-            if (x.cell >= 0) for_each_in(fine_heads_, columns_, x, y, f);
+            if (x.cell >= 0) for_each_in(fine_slots_, columns_, x, y, f);
         }
     }
 }
@@ -171,12 +226,12 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
 template <typename Function>
 void CellGrid::for_each_near(double radius, Cell cell, Function&& f) const {
     if (has_large_)
-        for_each_around(coarse_heads_, coarse_, coarse_column_[cell.column], coarse_row_[cell.row],
+        for_each_around(coarse_slots_, coarse_, coarse_column_[cell.column], coarse_row_[cell.row],
                         f);
     if (radius > small_radius_)
         for_each_at_rim(radius, cell, f);
     else
-        for_each_around(fine_heads_, fine_, cell.column, cell.row, f);
+        for_each_around(fine_slots_, fine_, cell.column, cell.row, f);
 }
 
 template <typename Function>
@@ -189,7 +244,7 @@ void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&
     for (int across = -1; across <= 1; ++across) {
         const Wrapped x = wrap(cell.column + (side < 2 ? ahead : across), fine_[0]);
         const Wrapped y = wrap(cell.row + (side < 2 ? across : ahead), fine_[1]);
-        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_heads_, columns_, x, y, f);
+        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, columns_, x, y, f);
     }
 }
 

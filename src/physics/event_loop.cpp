@@ -14,6 +14,9 @@ namespace {
 // A lap is one or two collisions of each disk; it takes some tens for neighbours to part.
 constexpr int laps_between_sorts = 20;
 
+// Fewer lie near the processor anyhow.
+constexpr std::size_t least_fetched_ahead = 8192;
+
 template <std::size_t Dimension>
 Eigen::Array2d in_plane(const std::array<double, Dimension>& x) {
     if constexpr (Dimension == 1)
@@ -30,6 +33,7 @@ EventLoop<Dimension>::EventLoop(const Box& box, const Particles& particles)
       bodies_(static_cast<std::size_t>(particles.count())),
       space_(box, particles.radius),
       queue_(static_cast<std::int32_t>(particles.count())) {
+    many_ = bodies_.size() >= least_fetched_ahead;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         number_.push_back(static_cast<std::int32_t>(i));
         bodies_[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
@@ -66,7 +70,7 @@ template <int Dimension>
 void EventLoop<Dimension>::put_in_order() {
     laps_since_sorted_ = 0;
     const std::vector<std::int32_t> order = space_.order(bodies_);
-    std::vector<Body> bodies(bodies_.size());
+    typename Space::Bodies bodies(bodies_.size());
     std::vector<std::int32_t> number(number_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         bodies[k] = body(order[k]);
@@ -117,6 +121,7 @@ void EventLoop<Dimension>::advance(double time, std::vector<Collision>* record) 
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.event(i).time <= clock_.local(time))) break;
+        if (many_) fetch_ahead();
         if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
         if (--until_look == 0) {
             throw_if_interrupted();
@@ -149,6 +154,29 @@ void EventLoop<Dimension>::sample(double time, Sample& state) const {
             state.position(number_[k], axis) =
                 box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x;
             state.velocity(number_[k], axis) = b.v[a];
+        }
+    }
+}
+
+// Of many particles most lie far from the processor. The calendar tells whose events are near, so
+// what these will need is asked for in time: the event, the body, its cells, those in them, each
+// when the one before has come.
+template <int Dimension>
+void EventLoop<Dimension>::fetch_ahead() {
+    if constexpr (Dimension == 2) {
+        const std::int32_t bucket = queue_.bucket();
+        if (bucket < fetched_) fetched_ = bucket;
+        const auto in_bucket = [&](std::int32_t ahead, auto&& f) {
+            const std::int32_t one = fetched_ + ahead;
+            if (one >= queue_.buckets()) return;
+            for (std::int32_t i = queue_.first_in(one); i >= 0; i = queue_.next_in_bucket(i)) f(i);
+        };
+        for (; fetched_ < bucket; ++fetched_) {
+            in_bucket(4, [&](std::int32_t i) { space_.fetch_bodies_ahead(bodies_, i); });
+            in_bucket(10, [&](std::int32_t i) { space_.fetch_cells_ahead(body(i)); });
+            in_bucket(18, [&](std::int32_t i) { __builtin_prefetch(&body(i)); });
+            if (const std::int32_t one = fetched_ + 26; one < queue_.buckets())
+                if (const std::int32_t i = queue_.first_in(one); i >= 0) queue_.fetch_ahead(i);
         }
     }
 }

@@ -66,6 +66,7 @@ class EventLoop {
     void foresee_all();
     void move_epoch_to(double local_time);
     std::int32_t next_particle();
+    void fetch_ahead();
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
@@ -74,13 +75,15 @@ class EventLoop {
     void count_tie(std::int32_t first, std::int32_t second);
 
     Box box_;
-    std::vector<Body> bodies_;
+    typename Space::Bodies bodies_;
     std::vector<std::int32_t> number_;  ///< of each body as listed by the user
     Space space_;
     EventQueue queue_;
     LocalClock clock_;
     double now_ = 0.0;  ///< local
     int laps_since_sorted_ = 0;
+    bool many_ = false;         ///< worth fetching ahead
+    std::int32_t fetched_ = 0;  ///< bucket of the queue up to which fetch_ahead() has looked
     CollisionCounts counts_;
     Transfers transfers_;
     double last_collision_ = -1.0;

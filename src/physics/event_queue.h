@@ -2,15 +2,18 @@
 // one replaces the old. Times are local (local_clock.h) and lie in laps.
 //
 // A calendar: a lap is cut into buckets of equal width, each an unsorted doubly linked list through
-// the events themselves; only the present bucket is ordered, in a small heap. So scheduling costs
-// the same for any number of particles. Events beyond the lap wait in one more list until
-// begin_lap(). Does not know what an event means.
+// the events themselves, and the earliest of the present bucket is looked for among the few in it.
+// So scheduling costs the same for any number of particles. A present bucket with too many events
+// (a lattice that starts all at once) is ordered in a heap. Events beyond the lap wait in one more
+// list until begin_lap(). Does not know what an event means.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "util/large_pages.h"
 
 namespace carom {
 
@@ -41,6 +44,18 @@ class EventQueue {
     /// -1 when the lap is over.
     std::int32_t earliest();
 
+    /// The present bucket, and how many there are in a lap.
+    std::int32_t bucket() const { return bucket_; }
+    std::int32_t buckets() const { return buckets_; }
+
+    /// The particles of a bucket to come, in no order: the first, and the next after one, or -1.
+    /// For those who fetch ahead what these events will need.
+    std::int32_t first_in(std::int32_t bucket) const { return heads_[index(bucket)]; }
+    std::int32_t next_in_bucket(std::int32_t particle) const {
+        return nodes_[index(particle)].next;
+    }
+    void fetch_ahead(std::int32_t particle) const { __builtin_prefetch(&nodes_[index(particle)]); }
+
     /// How far the next lap begins after the present one: a whole number of laps, so that an event
     /// lies in it; infinity when there is no event at all.
     double next_lap() const;
@@ -68,17 +83,21 @@ class EventQueue {
     void insert(std::int32_t particle);
     void link(std::int32_t particle, std::int32_t list);
     void unlink(std::int32_t particle);
-    void open_bucket(std::int32_t bucket);
+    std::int32_t earliest_in_heap();
+    void order_present_bucket();
     void forget_replaced();
 
-    std::vector<Node> nodes_;
-    std::vector<std::int32_t> heads_;  ///< of the buckets, then of the list beyond the lap
-    std::vector<Present> present_;     ///< heap; entries replaced since are dropped when met
+    LargeVector<Node> nodes_;
+    LargeVector<std::int32_t> heads_;  ///< of the buckets, then of the list beyond the lap
+    std::vector<Present> heap_;        ///< of a crowded bucket; entries replaced since are dropped
+                                       ///< when met
+    bool crowded_ = false;             ///< the present bucket is in the heap, not in its list
     std::int32_t buckets_;
     std::int32_t bucket_ = 0;  ///< the present one
     double width_ = 1.0;       ///< a power of two, so that laps add up exactly
     double per_width_ = 1.0;
     double lap_ = 1.0;
+    double first_beyond_ = std::numeric_limits<double>::infinity();  ///< none beyond is earlier
     std::int64_t events_in_lap_ = 0;
 };
 

@@ -58,29 +58,25 @@ template <typename Scalar>
             abs(m.y) * (abs(first_vy) + abs(second_vy)));
 }
 
-/// Whether two disks might touch at all: false only when they recede (or approach by no more than
-/// `round_off` in r . v) or pass wide of each other. Plain arithmetic without branches; the margin
-/// of 1e-4 sigma |v| is above the rounding error of the cross product for pairs less than 1e10
-/// diameters apart.
+/// A quick look at a pair, for one or for several at once (Scalar may be a vector of lanes): plain
+/// arithmetic without branches. The disks certainly do not touch unless approach > 0 and slack >=
+/// 0, and not before gap / (approach + sqrt(slack)): the time of disks a little larger and a little
+/// nearer, by margins far above the rounding errors, some 1e-15 (r^2 + sigma^2) in r^2 - sigma^2,
+/// for pairs less than 1e10 diameters apart.
 template <typename Scalar>
-[[gnu::always_inline]] inline bool may_touch(const RelativeMotion<Scalar>& m, const Scalar& sigma,
-                                             const Scalar& round_off) {
-    const Scalar miss = m.x * m.vy - m.y * m.vx;
-    const Scalar square_speed = m.vx * m.vx + m.vy * m.vy;
-    const bool approaching = m.x * m.vx + m.y * m.vy < -round_off;
-    const bool near = miss * miss <= Scalar(1.0001) * (sigma * sigma * square_speed);
-    return static_cast<bool>(static_cast<unsigned>(approaching) & static_cast<unsigned>(near));
-}
-
-/// Whether two approaching disks touch after `time` for certain: t >= c / -2b, with a margin far
-/// above the rounding error of c = |r|^2 - sigma^2, some 1e-15 (r^2 + sigma^2).
+struct QuickLook {
+    Scalar approach;  ///< -r . v
+    Scalar slack;     ///< sigma^2 v^2 - |r x v|^2 and a margin
+    Scalar gap;       ///< |r|^2 - sigma^2 less a margin
+};
 template <typename Scalar>
-[[gnu::always_inline]] inline bool touch_after(const RelativeMotion<Scalar>& m, const Scalar& sigma,
-                                               const Scalar& time) {
+[[gnu::always_inline]] inline QuickLook<Scalar> quick_look(const RelativeMotion<Scalar>& m,
+                                                           const Scalar& sigma) {
     const Scalar square_sigma = sigma * sigma;
-    const Scalar rough_gap = m.x * m.x + m.y * m.y - square_sigma;
-    return Scalar(0.999) * rough_gap - Scalar(1e-10) * square_sigma >
-           -2 * (m.x * m.vx + m.y * m.vy) * time;
+    const Scalar miss = m.x * m.vy - m.y * m.vx;
+    return {-(m.x * m.vx + m.y * m.vy),
+            1.0001 * (square_sigma * (m.vx * m.vx + m.vy * m.vy)) - miss * miss,
+            0.999 * (m.x * m.x + m.y * m.y - square_sigma) - 1e-10 * square_sigma};
 }
 
 /// Time until two approaching disks with sum of radii `sigma` touch: 0 when they overlap, `never`
@@ -102,8 +98,9 @@ template <typename Scalar>
 /// Time until two disks touch: as time_of_contact(), and `never` when they recede or approach by no
 /// more than `round_off` in r . v.
 template <typename Scalar>
-Scalar contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, const Scalar& round_off) {
-    return may_touch(m, sigma, round_off) ? time_of_contact(m, sigma) : never<Scalar>;
+[[gnu::always_inline]] inline Scalar contact_time(const RelativeMotion<Scalar>& m,
+                                                  const Scalar& sigma, const Scalar& round_off) {
+    return m.x * m.vx + m.y * m.vy < -round_off ? time_of_contact(m, sigma) : never<Scalar>;
 }
 
 /// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2

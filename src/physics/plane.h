@@ -11,6 +11,7 @@
 #include "physics/cell_grid.h"
 #include "physics/event_queue.h"
 #include "physics/pair_collision.h"
+#include "util/large_pages.h"
 
 namespace carom {
 
@@ -30,7 +31,7 @@ class Plane {
         Cell cell;
     };
     static_assert(sizeof(Body) == 64);
-    using Bodies = std::vector<Body>;
+    using Bodies = LargeVector<Body>;
 
     Plane(const Box& box, const Eigen::ArrayXd& radii);
 
@@ -59,31 +60,45 @@ class Plane {
     /// approach (a graze, by round-off).
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
+    /// Asks the processor for what an event of this body will need: its cells; and, when these are
+    /// there, the bodies in them.
+    void fetch_cells_ahead(const Body& body) const { grid_.fetch_ahead(body.cell); }
+    void fetch_bodies_ahead(const Bodies& bodies, std::int32_t i);
+
   private:
-    struct Near {
-        std::int32_t other;
+    /// The end in `near_` of those seen as images at one shift.
+    struct Group {
+        std::size_t end;
         double shift_x, shift_y;
     };
-    /// A disk that may be touched.
-    struct Suitor {
-        RelativeMotion<double> motion;
-        double sigma;
-        std::int32_t other;
-    };
 
-    void note_near(const Bodies& bodies, std::int32_t i, std::int32_t other, double shift_x,
-                   double shift_y);
-    Event first_event(const Bodies& bodies, const Body& a, double now, Event first);
-    void consider(const Bodies& bodies, const Body& a, const Suitor& s, double now,
+    struct Viewer;
+
+    void list_near(const Bodies& bodies, std::int32_t i);
+    void list(std::int32_t i, const CellGrid::Slots& slots, double shift_x, double shift_y);
+    void end_group(std::int32_t i);
+    std::size_t estimate_times(const Bodies& bodies, const Viewer& a, double& second);
+    std::size_t next_suitor(double bound) const;
+    void consider(const Bodies& bodies, const Viewer& a, std::size_t k, const EventQueue& queue,
                   Event& first) const;
+    Event first_event(const Bodies& bodies, std::int32_t i, double now, Event first,
+                      const EventQueue& queue);
     void foresee_border(const Body& d, double x, double y, double now, Event& first) const;
     bool separation_at_contact(const Body& a, const Body& b, double& x, double& y) const;
 
     Box box_;
     CellGrid grid_;
-    std::vector<Near> near_;           ///< scratch: the disks to be looked at
-    std::vector<Suitor> suitors_;      ///< scratch, as many as near_
-    bool narrow_[2] = {false, false};  ///< periodic and so narrow that two images may touch
+    // Scratch of foresee():
+    std::vector<std::int32_t> near_ =
+        std::vector<std::int32_t>(2 * CellGrid::spare);  ///< the disks to be looked at
+    std::size_t near_count_ = 0;
+    std::vector<Group> groups_;
+    std::vector<double> earliest_;  ///< no contact with each in near_ before this, from now
+
+    std::array<double, 2> cell_size_{};
+    std::array<int, 2> last_cell_{};
+    std::array<bool, 2> narrow_{};            ///< periodic and so narrow that two images may touch
+    std::array<double, 2> surely_nearest_{};  ///< a disk less far away is the image in contact
 };
 
 }  // namespace carom

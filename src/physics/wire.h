@@ -10,6 +10,7 @@
 
 #include "physics/arena.h"
 #include "physics/event_queue.h"
+#include "util/large_pages.h"
 
 namespace carom {
 
@@ -26,7 +27,7 @@ class Wire {
         std::uint32_t collisions;
         std::int32_t turns;  ///< how often it has gone round a periodic wire
     };
-    using Bodies = std::vector<Body>;
+    using Bodies = LargeVector<Body>;
 
     Wire(const Box& box, const Eigen::ArrayXd& radii);
 

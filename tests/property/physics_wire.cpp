@@ -1,0 +1,145 @@
+// The event loop in one dimension against the slow, obvious wire.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "physics/event_loop.h"
+#include "physics/placement.h"
+#include "support/slow_wire.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+// A small wire of any kind: points and rods, mixed masses, a fixed bead, walls or a ring, one bead
+// alone, all at rest.
+Gas small_wire(std::uint64_t seed) {
+    Random random(seed, "small wire");
+    Gas gas;
+    gas.seed = seed;
+    const double length = random.uniform(5.0, 20.0);
+    const Wall ends = random.uniform() < 0.5 ? Wall::periodic : Wall::solid;
+    gas.box = {1, {length, 0.0}, {ends, Wall::solid}};
+    const double rod = random.uniform() < 0.4 ? 0.0 : 0.04 * length * random.uniform();
+    gas.species.push_back({.name = "points",
+                           .count = 1 + static_cast<int>(random.below(5)),
+                           .radius = 0.0,
+                           .mass = UniformLaw{0.1, 10.0},
+                           .velocity = Temperature{1.0}});
+    gas.species.push_back({.name = "rods",
+                           .count = static_cast<int>(random.below(5)),
+                           .radius = rod,
+                           .mass = Quantity{random.uniform(0.01, 100.0)},
+                           .velocity = Speed{random.uniform() < 0.2 ? 0.0 : 1.0}});
+    if (random.uniform() < 0.3)
+        gas.species.push_back({.name = "fixed", .count = 1, .radius = rod, .mass = Infinite{}});
+    return gas;
+}
+
+}  // namespace
+
+TEST_CASE("on a wire the same events in the same order as the slow, obvious simulator") {
+    int compared = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        CAPTURE(seed);
+        const Gas gas = small_wire(seed);
+        const auto [particles, start] = place(gas);
+        EventLoop<1> fast(gas.box, particles);
+        fast.start(start);
+        test::SlowWire slow(gas.box, particles, start);
+        // Round-off grows slowly here; events are compared while it is small.
+        double deviation = 1e-14;
+        for (int k = 0; k < 300 && deviation < 1e-9; ++k) {
+            CAPTURE(k);
+            const auto expected = slow.next(1e5L);
+            Collision found{};
+            REQUIRE(fast.advance_one(1e5, found) == expected.has_value());
+            if (!expected) break;
+            std::int32_t first = found.first, second = found.second;
+            if (second >= 0 && second < first) std::swap(first, second);
+            REQUIRE(first == expected->first);
+            REQUIRE(second == expected->second);
+            const double time = static_cast<double>(expected->time);
+            const double off = std::abs(found.time - time) / std::max(1.0, time);
+            REQUIRE(off <= 1e4 * deviation);
+            deviation = std::max(deviation, off);
+            ++compared;
+        }
+    }
+    CHECK(compared > 20'000);
+}
+
+TEST_CASE("beads keep their order, their energy and on a ring their momentum") {
+    for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
+        CAPTURE(seed);
+        const Gas gas = small_wire(seed);
+        const auto [particles, start] = place(gas);
+        EventLoop<1> beads(gas.box, particles);
+        beads.start(start);
+        Sample sample;
+        Collision collision{};
+        const double scale = gas.box.size[0] + speeds(start).sum();
+        for (int k = 0; k < 500 && beads.advance_one(1e5, collision); ++k) {
+            CAPTURE(k);
+            if (collision.second < 0) continue;
+            beads.sample(collision.time, sample);
+            const double sigma =
+                particles.radius[collision.first] + particles.radius[collision.second];
+            // Positions and the time are rounded.
+            const double apart = (collision.second_position - collision.first_position).abs()[0];
+            REQUIRE(std::abs(apart - sigma) <= 1e-15 * scale);
+            double distance = std::abs(sample.position(collision.first, 0) -
+                                       sample.position(collision.second, 0));
+            if (gas.box.walls[0] == Wall::periodic)
+                distance = std::min(distance, gas.box.size[0] - distance);
+            REQUIRE(std::abs(distance - sigma) <= 1e-14 * scale * (1.0 + collision.time));
+        }
+        beads.sample(collision.time, sample);
+        CHECK(kinetic_energies(particles, sample).sum() ==
+              doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-12));
+        if (gas.box.walls[0] == Wall::solid || (particles.inverse_mass == 0.0).any()) continue;
+        const Eigen::ArrayXd masses = particles.inverse_mass.inverse();
+        const double change = (masses * (sample.velocity - start.velocity).col(0)).sum();
+        CHECK(std::abs(change) <= 1e-12 * (masses * speeds(start)).sum());
+    }
+}
+
+TEST_CASE("beads that touch at the moment of a reversal keep their order") {
+    // Two points, listed from right to left, are at one place when they turn round.
+    for (const Wall ends : {Wall::solid, Wall::periodic}) {
+        const Box box{1, {10.0, 0.0}, {ends, Wall::solid}};
+        Particles particles{Eigen::ArrayXd::Zero(3), Eigen::ArrayXd::Zero(3),
+                            Eigen::ArrayXi::Zero(3)};
+        particles.inverse_mass << 1.0, 0.5, 0.25;
+        Sample start{0.0, Eigen::ArrayXXd(3, 1), Eigen::ArrayXXd(3, 1)};
+        start.position << 6.0, 4.0, 8.0;
+        start.velocity << -1.0, 1.0, 0.0;
+        EventLoop<1> beads(box, particles);
+        beads.start(start);
+        beads.advance(1.0, nullptr);
+        CHECK(beads.counts().particle == 1);
+        beads.reverse(1.0);
+        beads.advance(2.0, nullptr);
+        CHECK(beads.counts().particle == 2);
+        Sample end;
+        beads.sample(2.0, end);
+        CHECK((end.position - start.position).abs().maxCoeff() <= 1e-14);
+        CHECK((end.velocity + start.velocity).abs().maxCoeff() <= 1e-15);
+    }
+}
+
+TEST_CASE("two infinite masses that meet are refused") {
+    const Box box{1, {10.0, 0.0}, {Wall::solid, Wall::solid}};
+    Particles particles{Eigen::ArrayXd::Zero(2), Eigen::ArrayXd::Zero(2), Eigen::ArrayXi::Zero(2)};
+    Sample start{0.0, Eigen::ArrayXXd(2, 1), Eigen::ArrayXXd(2, 1)};
+    start.position << 2.0, 5.0;
+    start.velocity << 1.0, 0.0;
+    EventLoop<1> beads(box, particles);
+    beads.start(start);
+    CHECK_NOTHROW(beads.advance(2.9, nullptr));
+    CHECK_THROWS_AS(beads.advance(3.1, nullptr), std::runtime_error);
+}

@@ -53,5 +53,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 void add_render(CLI::App& app);
 void add_still(CLI::App& app);
 void add_run(CLI::App& app);
+void add_check(CLI::App& app);
+void add_schema(CLI::App& app);
 
 }  // namespace carom

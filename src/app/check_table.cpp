@@ -1,0 +1,117 @@
+#include "app/check_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/progress.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+std::string row(const char* name, const std::string& words) {
+    return fmt::format("  {:<12} {}\n", name, words);
+}
+
+// Two digits: it is an estimate.
+std::string about(double value) {
+    if (value >= 1e15) return fmt::format("{:.1e}", value);
+    const double digits = std::floor(std::log10(std::max(1.0, value))) - 1.0;
+    const double unit = std::pow(10.0, std::max(0.0, digits));
+    return grouped(static_cast<long long>(unit * std::round(value / unit)));
+}
+
+std::string walls(const Box& box) {
+    const bool across = box.walls[0] == Wall::periodic;
+    if (box.dimension == 1) return across ? "ends joined" : "between walls";
+    const bool up = box.walls[1] == Wall::periodic;
+    if (across == up) return across ? "periodic" : "solid walls";
+    return across ? "periodic across, solid below and above"
+                  : "periodic up and down, solid left and right";
+}
+
+std::string box(const Box& box) {
+    if (box.dimension == 1)
+        return fmt::format("one dimension, length {}, {}", box.size[0], walls(box));
+    return fmt::format("two dimensions, {} by {}, {}", box.size[0], box.size[1], walls(box));
+}
+
+std::string species(const Gas& gas, std::int64_t particles) {
+    constexpr std::size_t most_shown = 8;
+    std::vector<std::string> words;
+    for (const Species& one : gas.species) {
+        if (words.size() == most_shown) {
+            words.push_back(fmt::format("{} more", gas.species.size() - most_shown));
+            break;
+        }
+        words.push_back(fmt::format("{} {}", grouped(one.count), one.name));
+    }
+    std::string text = fmt::format("{}", fmt::join(words, ", "));
+    if (gas.species.size() > 1) text += fmt::format("; {} in all", grouped(particles));
+    return text;
+}
+
+std::string packing(const Scene& scene, const SceneFacts& facts) {
+    return fmt::format("{:.4g} of the {}", facts.packing_fraction,
+                       scene.gas.box.dimension == 1 ? "length" : "area");
+}
+
+std::string collisions(const SceneFacts& facts) {
+    if (!facts.collisions) return "no estimate: the gas has no equilibrium that theory knows";
+    const double of_each = 2.0 * *facts.collisions / static_cast<double>(facts.particles);
+    return fmt::format(
+        "about {} between particles, {:.2g} for each (kinetic theory, in equilibrium)",
+        about(*facts.collisions), of_each);
+}
+
+std::string run(const Run& run) {
+    std::string text = fmt::format("time 0 to {}", run.until);
+    if (run.equilibrate > 0.0) text += fmt::format(", after {} not shown", run.equilibrate);
+    if (!run.events.empty())
+        text +=
+            fmt::format(", {} {}", run.events.size(), run.events.size() == 1 ? "event" : "events");
+    return text;
+}
+
+std::string film(const Film& film, const SceneFacts& facts) {
+    if (!facts.cost) return "none: for `carom run` only";
+    return fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(facts.frames),
+                       clock_text(film.seconds), film.fps, film.size.width, film.size.height,
+                       film.template_name);
+}
+
+std::string cost(const FilmCost& cost) {
+    return fmt::format("{} on {} {}, {:.2g} MB in quality standard (may be off by half)",
+                       cost.seconds < 1.0 ? "a second" : clock_text(cost.seconds), cost.cores,
+                       cost.cores == 1 ? "core" : "cores", 1e-6 * cost.bytes);
+}
+
+std::string table(const CheckedScene& checked) {
+    if (!checked.scene)
+        return fmt::format("{}: not valid, {} {}\n", checked.path, checked.errors.size(),
+                           checked.errors.size() == 1 ? "error" : "errors");
+    const Scene& scene = *checked.scene;
+    const SceneFacts& facts = checked.facts;
+    std::string text = fmt::format("{}: valid\n", checked.path);
+    text += row("title", scene.title) + row("box", box(scene.gas.box)) +
+            row("species", species(scene.gas, facts.particles)) +
+            row("packing", packing(scene, facts)) + row("run", run(scene.run)) +
+            row("collisions", collisions(facts)) + row("film", film(scene.film, facts));
+    if (facts.cost) text += row("rough cost", cost(*facts.cost));
+    return text;
+}
+
+}  // namespace
+
+std::string check_table(std::span<const CheckedScene> scenes) {
+    std::string text;
+    for (const CheckedScene& checked : scenes) {
+        if (!text.empty() && checked.scene) text += "\n";
+        text += table(checked);
+    }
+    return text;
+}
+
+}  // namespace carom

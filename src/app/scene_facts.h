@@ -1,0 +1,41 @@
+// What a scene is and what it will cost, told before anything is simulated.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace carom {
+
+/// What the film of a scene needs, roughly: interpolated from films that were measured
+/// (docs/encoding.md), for quality `standard`, on a machine like the one they were made on.
+struct FilmCost {
+    double seconds = 0.0;  ///< of work on `cores` cores
+    double bytes = 0.0;
+    int cores = 1;
+};
+
+struct SceneFacts {
+    std::int64_t particles = 0;
+    double packing_fraction = 0.0;     ///< of the area; of the length on a wire
+    std::optional<double> collisions;  ///< expected from 0 to `until`; none: no theory
+    int frames = 0;                    ///< of the film; 0 without
+    std::optional<FilmCost> cost;      ///< none without a film
+};
+
+/// Draws the particles, without placing them. `has_film`: whether a film can be made of it. Throws
+/// SceneError (a law that gives no mass above zero).
+SceneFacts facts_of(const Scene& scene, bool has_film, int cores);
+
+/// A scene file as `carom check` found it.
+struct CheckedScene {
+    std::string path;
+    std::optional<Scene> scene;  ///< none: not valid
+    SceneFacts facts;            ///< of a valid scene
+    std::vector<Diagnostic> errors;
+};
+
+}  // namespace carom

@@ -1,0 +1,13 @@
+// The key table as a JSON Schema, for editors and for programs that write scenes.
+#pragma once
+
+#include <string>
+
+namespace carom {
+
+/// The JSON Schema of scenes: UTF-8, indented, ends with a line break. It says what one value or
+/// one mapping can say: forms, ranges, defaults, keys that are required or exclude one another.
+/// What depends on several places (overlaps, packing, counts against lists) only loading tells.
+std::string scene_schema_json();
+
+}  // namespace carom

@@ -1,0 +1,172 @@
+// carom check, by the program itself: what it says of scenes, against what they are.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+using namespace carom::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = CAROM_TEST_ROOT;
+const std::string program = CAROM_PROGRAM;
+
+json checked(const std::string& scene) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << scene;
+    const Outcome outcome = run({program, "check", "--json", "scene.yaml"}, folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.err.empty());
+    return json::parse(outcome.out).at(0);
+}
+
+// Collisions between particles in the run itself.
+double counted(const std::string& scene) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << scene;
+    const Outcome outcome =
+        run({program, "run", "--quiet", "--json", "-", "scene.yaml"}, folder.path());
+    REQUIRE(outcome.exit_code == 0);
+    return json::parse(outcome.out).at("collisions").at("particle");
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("carom check tells what a scene is") {
+    const json found = checked(
+        "seed: 5\nbox: {size: [40, 30], walls: {left: periodic, right: periodic}}\n"
+        "gas: [{name: a, count: 30}, {name: b, radius: 2, position: [[9, 9], [20, 20]]}]\n"
+        "run: {until: 12, equilibrate: 3}\nfilm: {seconds: 8, fps: 25, size: [640, 360]}\n");
+    CHECK(found.at("scene") == "scene.yaml");
+    CHECK(found.at("valid") == true);
+    CHECK(found.at("errors") == json::array());
+    CHECK(found.at("title") == "T");
+    CHECK(found.at("seed") == 5);
+    CHECK(found.at("dimension") == 2);
+    CHECK(found.at("box") == json{{"size", {40, 30}},
+                                  {"walls",
+                                   {{"left", "periodic"},
+                                    {"right", "periodic"},
+                                    {"bottom", "solid"},
+                                    {"top", "solid"}}}});
+    CHECK(found.at("particles") == 32);
+    CHECK(found.at("species") ==
+          json{{{"name", "a"}, {"count", 30}}, {{"name", "b"}, {"count", 2}}});
+    const double area = std::numbers::pi * (30 * 0.25 + 2 * 4.0);
+    CHECK(std::abs(found.at("packing_fraction").get<double>() - area / 1200.0) < 1e-14);
+    CHECK(found.at("time") == 12);
+    CHECK(found.at("equilibrate") == 3);
+    CHECK(found.at("expected_collisions") == 0);
+    CHECK(found.at("film").at("frames") == 200);
+    CHECK(found.at("film").at("seconds") == 8);
+    CHECK(found.at("film").at("size") == json{640, 360});
+    CHECK(found.at("film").at("template") == "lecture");
+}
+
+TEST_CASE("a wire has a line fraction") {
+    const json found = checked(
+        "box: {length: 20}\ngas: [{count: 8, radius: 0.25, temperature: 1}]\nrun: {until: 5}\n");
+    CHECK(found.at("dimension") == 1);
+    CHECK(found.at("packing_fraction") == 0.2);
+    CHECK(found.at("box") ==
+          json{{"length", 20}, {"walls", {{"left", "solid"}, {"right", "solid"}}}});
+}
+
+// 20,000 collisions scatter by less than 1 %, theory is off by as much.
+TEST_CASE("a gas in equilibrium collides as often as carom check expects") {
+    const std::string scene =
+        "box: {size: [60, 45], walls: periodic}\n"
+        "gas: [{name: a, count: 300, temperature: 1}, {name: b, count: 100, radius: 1, mass: 4, "
+        "temperature: 1}]\nrun: {until: 60, equilibrate: 5}\n";
+    const double expected = checked(scene).at("expected_collisions");
+    CHECK(std::abs(counted(scene) / expected - 1.0) < 0.03);
+}
+
+// As measured: docs/encoding.md has 6.86 s of two cores and 7.9 MB for 200 disks, 15.2 for 1,000.
+TEST_CASE("the rough cost of a film is that of the films that were measured") {
+    const std::string rest = "run: {until: 0.001}\nfilm: {seconds: 30}\n";
+    for (const auto& [disks, seconds, bytes] :
+         {std::tuple{200, 6.86, 7.9e6}, {1000, 9.04, 15.2e6}}) {
+        const json rough =
+            checked("box: {size: [64, 48]}\ngas: [{radius: 0.3, count: " + std::to_string(disks) +
+                    "}]\n" + rest)
+                .at("film")
+                .at("rough");
+        const double cores = rough.at("cores");
+        CHECK(std::abs(rough.at("seconds").get<double>() * cores / (2 * seconds) - 1) < 0.01);
+        CHECK(std::abs(rough.at("bytes").get<double>() / bytes - 1) < 0.01);
+    }
+}
+
+TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2") {
+    const std::string good = (root / "scenes/time-reversal.yaml").string();
+    const std::vector<std::string> scenes{(root / "tests/scenes_bad/box_both.yaml").string(), good,
+                                          (root / "tests/scenes_bad/run_times.yaml").string()};
+    const Outcome table = run({program, "check", scenes[0], scenes[1], scenes[2]});
+    CHECK(table.exit_code == 2);
+    CHECK(has(table.out, scenes[0] + ": not valid, 1 error\n"));
+    CHECK(has(table.out, good + ": valid\n  title        Reverse every velocity"));
+    CHECK(has(table.out, "\n  species      132 letters\n  packing      0.06 of the area\n"));
+    CHECK(has(table.out, "\n  run          time 0 to 24, 1 event\n"));
+    CHECK(has(table.out,
+              "\n  film         720 frames, 0:24 at 30 a second, 1920 by 1080, template "
+              "lecture\n"));
+    CHECK(has(table.out, "(may be off by half)\n"));
+    CHECK(has(table.out, scenes[2] + ": not valid, 2 errors\n"));
+    CHECK(has(table.err, "box_both.yaml:2:21: error: `size` and `length` exclude one another"));
+    CHECK(has(table.err, "run_times.yaml:5:14: error: "));
+    const Outcome machine = run({program, "check", scenes[0], scenes[1], scenes[2], "--json"});
+    CHECK(machine.exit_code == 2);
+    CHECK(machine.err == "carom: 2 of 3 scenes are not valid\n");
+    const json list = json::parse(machine.out);
+    CHECK(list.size() == 3);
+    CHECK(list.at(0).at("valid") == false);
+    CHECK(list.at(0).at("errors") == json{{{"file", scenes[0]},
+                                           {"line", 2},
+                                           {"column", 21},
+                                           {"length", 6},
+                                           {"message", "`size` and `length` exclude one another"},
+                                           {"hint", "keep one of them"}}});
+    CHECK(list.at(1).at("valid") == true);
+    CHECK(list.at(2).at("errors").size() == 2);
+}
+
+TEST_CASE("what cannot be read, or drawn, is not valid") {
+    const Outcome none = run({program, "check", "none.yaml", "--json"});
+    CHECK(none.exit_code == 2);
+    const json found = json::parse(none.out).at(0);
+    CHECK(found.at("valid") == false);
+    CHECK(found.at("errors").at(0).at("line") == nullptr);
+    CHECK(found.at("errors").at(0).at("message") == "cannot be read: No such file or directory");
+}
+
+TEST_CASE("a scene without a film may be too long for one") {
+    const std::string physics =
+        "box: {length: 10}\ngas: [{count: 2, speed: 1}]\nrun: {until: 1e9}\n";
+    CHECK(checked(physics).at("film") == nullptr);
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << physics << "film: {fps: 30}\n";
+    CHECK(run({program, "check", "scene.yaml"}, folder.path()).exit_code == 2);
+}
+
+TEST_CASE("values of the command line are checked as in the file") {
+    const std::string scene = (root / "scenes/one-hot-particle.yaml").string();
+    const Outcome good = run({program, "check", "--json", "--set", "gas.0.count=50", scene});
+    CHECK(json::parse(good.out).at(0).at("particles") == 51);
+    CHECK(run({program, "check", "--quiet", "--set", "gas.0.count=-5", scene}).exit_code == 2);
+    CHECK(run({program, "check"}).exit_code == 2);
+}

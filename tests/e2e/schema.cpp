@@ -1,0 +1,200 @@
+// carom schema against an independent validator, Debian's python3-jsonschema: it takes every good
+// scene and refuses every bad one whose fault one place of a scene can show.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+using namespace carom::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = CAROM_TEST_ROOT;
+const std::string program = CAROM_PROGRAM;
+
+// Debian's own: another one on PATH does not see Debian's packages.
+const std::string python = "/usr/bin/python3";
+
+// What the validator says of each file: null where it takes it.
+json verdicts(const std::vector<fs::path>& files) {
+    const TemporaryFolder folder;
+    const fs::path schema = folder.path() / "schema.json";
+    const Outcome made = run({program, "schema"});
+    REQUIRE(made.exit_code == 0);
+    CHECK(made.err.empty());
+    std::ofstream(schema) << made.out;
+    std::vector<std::string> command{python, (root / "tests/support/validate.py").string(),
+                                     schema.string()};
+    for (const fs::path& file : files) command.push_back(file.string());
+    const Outcome outcome = run(command);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return json::parse(outcome.out);
+}
+
+std::vector<fs::path> scenes_in(const fs::path& folder) {
+    std::vector<fs::path> scenes;
+    for (const auto& entry : fs::directory_iterator(root / folder))
+        if (entry.path().extension() == ".yaml") scenes.push_back(entry.path());
+    return scenes;
+}
+
+const char* const several_places = "the fault is between several places, or in what numbers mean";
+const char* const other_file = "the fault is in the template, which is another file";
+const char* const below_json = "YAML that no JSON can show";
+
+// Bad scenes that the schema takes, and why it cannot do otherwise.
+const std::map<std::string, const char*> beyond_the_schema{
+    {"count_missing", several_places},     // a count, or a list of positions
+    {"event_at_the_end", several_places},  // `at` against `until`
+    {"events_too_dense", several_places},
+    {"film_too_long", several_places},  // seconds, or until / pace, times fps
+    {"film_too_many_frames", several_places},
+    {"film_too_short", several_places},
+    {"list_lengths", several_places},  // against the count
+    {"outside", several_places},
+    {"overlap", several_places},
+    {"overlap_around", several_places},
+    {"packing", several_places},
+    {"radius_too_large", several_places},
+    {"sample_every", several_places},
+    {"total_too_large", several_places},
+    {"wire_filling", several_places},
+    {"wire_outside", several_places},
+    {"wire_overlap", several_places},
+    {"wire_piston_presses", several_places},
+    {"wire_pistons_meet", several_places},
+    {"wire_too_long", several_places},
+    {"within", several_places},
+    {"panels_too_many", other_file},  // the template's places
+    {"template_broken", other_file},
+    {"template_not_yaml", other_file},
+    {"template_nowhere", other_file},
+    {"template_path", other_file},
+    {"template_unknown", other_file},
+    {"yaml_tag", below_json},
+};
+
+// A scene of a plane and one of a wire, and lines that replace the one with the same key.
+std::string plane(const std::string& species, const std::string& more = "") {
+    return "title: T\nbox: {size: [40, 30]}\ngas: [{name: a, count: 2" + species +
+           "}]\nrun: {until: 10}\n" + more;
+}
+
+std::string wire(const std::string& species, const std::string& box = "length: 40") {
+    return "title: T\nbox: {" + box + "}\ngas: [{name: a, count: 2" + species +
+           "}]\nrun: {until: 10}\n";
+}
+
+struct Case {
+    std::string scene;
+    bool good;
+};
+
+// One fault each, or none.
+const std::vector<Case> cases{
+    {plane(""), true},
+    {wire(""), true},
+    {plane(", position: lattice, mass: infinite, color: teal"), true},
+    {plane(", position: lattice, mass: infinite, color: beige"), false},
+    {plane(", radius: {uniform: [0.1, 1e0]}, velocity: [1, -2]"), true},
+    {plane(", radius: {uniform: [0.1, 1], normal: [1, 0.1]}"), false},
+    {plane(", radius: {}"), false},
+    {plane(", velocity: [1, 2, 3]"), false},
+    {plane(", velocity: 3"), false},
+    {wire(", velocity: 3"), true},
+    {wire(", velocity: [1, 2]"), true},
+    {wire(", velocity: [[1, 2], [1, 2]]"), false},
+    {plane(", radius: 0"), false},
+    {wire(", radius: 0"), true},
+    {plane(", drawn_radius: 1"), false},
+    {wire(", drawn_radius: 1"), true},
+    {plane(", mass: 1, density: 1"), false},
+    {plane(", speed: 1, temperature: 1"), false},
+    {plane(", count: 2.0").replace(plane("").find(", count: 2"), 10, ""), true},
+    {plane(", speed: yes"), false},
+    {plane(", speed: \"1\""), false},
+    {plane(", label: 7"), true},
+    {plane(", position: {within: [1, 1, 9, 9]}"), true},
+    {plane(", position: {within: [1, 9]}"), false},
+    {wire(", position: {within: [1, 9]}"), true},
+    {wire("", "length: 40, walls: {left: periodic, right: periodic}"), true},
+    {wire("", "length: 40, walls: {left: solid, top: solid}"), false},
+    {wire("", "length: 40, size: [40, 40]"), false},
+    {plane("", "carom: 2\n"), false},
+    {plane("", "seed: -1\n"), false},
+    {plane("", "seed: 9007199254740991\n"), true},
+    {plane("", "seed: 9007199254740992\n"), false},
+    {plane("", "subtitle: \"\"\n"), true},
+    {plane("", "subtitle: \"a\\nb\"\n"), false},
+    {plane("", "subtitle: >\n  a\n  b\n"), true},
+    {plane("", "description: \"\"\n"), false},
+    {plane("", "description: |\n  a\n  b\n"), true},
+    {plane("", "film: {seconds: 5, size: [640, 360], panels: [speed-histogram]}\n"), true},
+    {plane("", "film: {seconds: 5, pace: 1}\n"), false},
+    {plane("", "film: {panels: [{kind: speed-histogram, bins: 10, theory: false}]}\n"), true},
+    {plane("", "film: {panels: [{kind: energy-by-species, bins: 10}]}\n"), false},
+    {plane("", "film: {panels: [{title: words}]}\n"), false},
+    {plane("", "film:\n"), false},
+};
+
+}  // namespace
+
+TEST_CASE("every good scene fits the schema") {
+    std::vector<fs::path> scenes = scenes_in("scenes");
+    for (const fs::path& scene : scenes_in("tests/golden")) scenes.push_back(scene);
+    CHECK(scenes.size() >= 5);
+    const json found = verdicts(scenes);
+    for (const auto& [file, verdict] : found.items()) {
+        CAPTURE(file);
+        CAPTURE(verdict);
+        CHECK(verdict.is_null());
+    }
+}
+
+TEST_CASE("every bad scene is refused by the schema, where a schema can") {
+    std::vector<fs::path> scenes = scenes_in("tests/scenes_bad");
+    std::erase_if(scenes, [](const fs::path& scene) {  // templates
+        return scene.stem().string().starts_with("with_");
+    });
+    std::size_t taken = 0;
+    const json found = verdicts(scenes);
+    for (const auto& [file, verdict] : found.items()) {
+        const auto reason = beyond_the_schema.find(fs::path(file).stem().string());
+        CAPTURE(file);
+        CAPTURE(verdict);
+        const bool beyond = reason != beyond_the_schema.end();
+        const std::string why = beyond ? reason->second : "a schema can show it";
+        CAPTURE(why);
+        CHECK(verdict.is_null() == beyond);
+        taken += verdict.is_null() ? 1 : 0;
+    }
+    CHECK(taken == beyond_the_schema.size());
+}
+
+TEST_CASE("the schema and the loader say the same of single faults") {
+    const TemporaryFolder folder;
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        files.push_back(folder.path() / (std::to_string(i) + ".yaml"));
+        std::ofstream(files.back()) << cases[i].scene;
+    }
+    const json found = verdicts(files);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const json verdict = found.at(files[i].string());
+        const Outcome outcome = run({program, "check", "--quiet", files[i].string()});
+        CAPTURE(cases[i].scene);
+        CAPTURE(verdict);
+        CAPTURE(outcome.err);
+        CHECK(verdict.is_null() == cases[i].good);
+        CHECK(outcome.exit_code == (cases[i].good ? 0 : 2));
+    }
+}

@@ -1,6 +1,6 @@
-// A histogram of one number per particle as it is now: bars, the equilibrium curve of this finite
-// gas, the mean now and at the start. Which number, and its curve, is given by the panel's own
-// file.
+// Histograms of one number of particles, of all or of those chosen, drawn together: now, over a
+// while, or since the start; with the equilibrium curves of this finite gas, a fitted normal curve,
+// and means. Which number, and its curve, is given by the panel's own file.
 #pragma once
 
 #include <functional>
@@ -8,20 +8,25 @@
 #include <vector>
 
 #include "panels/panel.h"
-#include "stats/histogram.h"
+#include "stats/running_histogram.h"
 
 namespace carom {
 
 /// What a histogram shows.
 struct HistogramSubject {
-    std::string title;     ///< "Speed"
+    std::string title;     ///< "Particles by speed"
     std::string quantity;  ///< "speed": the axis title
     std::string beyond;    ///< "faster": what lies beyond the end of the axis
-    std::function<const Eigen::ArrayXd&(const Observation&)> values;
-    std::function<double(double value)>
-        density;  ///< per particle, at equilibrium; empty where there is no such curve
-    std::function<double(double low, double high)> probability =
-        {};  ///< of a value in between; wanted where the density is not finite
+    std::function<Eigen::ArrayXXd(const Observation&)>
+        values;  ///< a row for each particle: one number, or several that count alike
+    std::function<double(const EquilibriumGas& gas, double value)> density =
+        {};  ///< of a number at equilibrium; empty where there is no such curve
+    std::function<double(const EquilibriumGas& gas, double low, double high)> probability =
+        {};                  ///< of a value in between; wanted where the density is not finite
+    bool symmetric = false;  ///< about 0; else values are never negative
+    std::optional<std::pair<double, double>> extent =
+        {};             ///< all values are in here; none: as the run shows
+    bool means = true;  ///< marked where the scene does not say
 };
 
 class HistogramPanel : public Panel {
@@ -38,34 +43,74 @@ class HistogramPanel : public Panel {
     const Bins& bins() const { return bins_; }
     double tallest() const { return tallest_; }
 
+    /// For tests: the histograms of a state, one for each choice of particles.
+    static const std::vector<MeanHistogram>& histograms(const PanelState& state);
+
   private:
+    struct Probe {
+        double time;
+        Eigen::ArrayXd values;
+    };
+    struct Series {
+        Chosen chosen;
+        std::vector<Eigen::Index> members = {};
+        std::optional<EquilibriumGas> equilibrium = {};
+        double mean_start = 0.0;
+        std::vector<Probe> probes = {};  ///< whole samples at a few frames, for the height of bars
+        std::vector<Point> curve = {};   ///< value, expected number in a bin around it
+        std::vector<RunningHistogram> running = {};  ///< one, from settle() on
+    };
     struct Scales;
-    Scales scales(const Page& page) const;
-    double expected_share(double value) const;
+    struct Ink {
+        Color bar, curve, fit;
+    };
+
+    Eigen::ArrayXd values_of(const Series& series, const Eigen::ArrayXXd& all) const;
+    std::optional<double> window() const;
+    double numbers_at_a_time() const;
+    double numbers_in_bars() const;
+    double expected_share(const Series& series, double value) const;
     double curve_top() const;
     void choose_bins();
+    void choose_curves();
     void choose_height();
-    void draw_bars(Canvas& canvas, const Page& page, const Histogram& histogram) const;
-    void draw_curve(Canvas& canvas, const Page& page) const;
-    void draw_means(Canvas& canvas, const Page& page, double mean_now) const;
+    bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means); }
+    bool marks_mean_start() const { return spec_.mean_start.value_or(subject_.means); }
+
+    Scales scales(const Page& page) const;
+    Ink ink(std::size_t series, const Page& page) const;
+    std::string time_words() const;
+    std::string title(const Page& page) const;
+    int rows_above() const;
+    Point row_above(const Page& page, int row) const;
+    void draw_bars(Canvas& canvas, const Page& page, std::size_t series,
+                   const MeanHistogram& now) const;
+    void draw_outline(Canvas& canvas, const Page& page, std::size_t series,
+                      const MeanHistogram& now) const;
+    void draw_curve(Canvas& canvas, const Page& page, const std::vector<Point>& curve,
+                    Color color) const;
+    void draw_fit(Canvas& canvas, const Page& page, std::size_t series,
+                  const MeanHistogram& now) const;
+    void draw_means(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
+    void draw_mark(Canvas& canvas, const Page& page, double value, bool solid, Color color) const;
     double names_x(const Page& page) const;
+    Point name_place(const Page& page, int index) const;
     void draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
                    Color color) const;
-    void draw_ends(Canvas& canvas, const Page& page, const Histogram& histogram) const;
+    void draw_cuts(Canvas& canvas, const Page& page, const MeanHistogram& now) const;
+    void draw_beyond(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
 
+    Cast cast_;
     PanelSpec spec_;
     HistogramSubject subject_;
-    double particles_;
-    double sharing_;  ///< those that share the energy: infinite masses at rest do not
-    int frames_;
-    std::vector<double> pool_;  ///< values of the whole run, thinned
-    std::vector<Eigen::ArrayXd>
-        probes_;  ///< whole samples at a few frames, for the height of the bars
+    std::vector<Series> series_;
+    double numbers_each_ = 1.0;  ///< of one particle at a time
+    std::vector<double> pool_;   ///< values of the whole run, thinned
     int surveyed_ = 0;
-    double mean_start_ = 0.0;
+    double span_ = 0.0;       ///< of simulated time in the film
+    double seen_until_ = -1;  ///< time of the last sample in a mean
     Bins bins_;
     double tallest_ = 1.0;
-    std::vector<Point> curve_;  ///< value, expected number of particles in a bin around it
 };
 
 }  // namespace carom

@@ -14,6 +14,7 @@ struct Entry {
 const std::array entries{
     Entry{"speed-histogram", make_speed_histogram},
     Entry{"energy-histogram", make_energy_histogram},
+    Entry{"velocity-histogram", make_velocity_histogram},
     Entry{"energy-by-species", make_energy_by_species},
 };
 

@@ -18,6 +18,7 @@ std::span<const std::string> registered_panels();
 
 std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_energy_by_species(const Cast& cast, const PanelSpec& spec);
 
 }  // namespace carom

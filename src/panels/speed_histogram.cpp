@@ -1,4 +1,4 @@
-// How many particles have which speed now, beside what this finite gas has at equilibrium.
+// How many particles have which speed, beside what this finite gas has at equilibrium.
 #include "panels/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory.h"
@@ -6,14 +6,11 @@
 namespace carom {
 
 std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& spec) {
-    HistogramSubject subject{
-        .title = "Particles by speed",
-        .quantity = "speed",
-        .beyond = "faster",
-        .values = [](const Observation& o) -> const Eigen::ArrayXd& { return o.speed; },
-        .density = {}};
-    if (cast.equilibrium)
-        subject.density = [&gas = *cast.equilibrium](double v) { return speed_density(gas, v); };
+    HistogramSubject subject{.title = "Particles by speed",
+                             .quantity = "speed",
+                             .beyond = "faster",
+                             .values = [](const Observation& o) { return o.speed; },
+                             .density = speed_density};
     return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
 }
 

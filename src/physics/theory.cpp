@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -139,6 +140,23 @@ std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& parti
     return gas;
 }
 
+std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,
+                                    const std::vector<Eigen::Index>& chosen) {
+    std::vector<double> wanted;
+    for (const Eigen::Index i : chosen)
+        if (particles.inverse_mass[i] > 0.0) wanted.push_back(1.0 / particles.inverse_mass[i]);
+    if (wanted.empty()) return std::nullopt;
+    EquilibriumGas some = gas;
+    some.groups = group_by_mass(std::move(wanted));
+    for (MassGroup& group : some.groups) {
+        const auto heavier =
+            std::upper_bound(gas.groups.begin(), gas.groups.end(), group.mass,
+                             [](double mass, const MassGroup& other) { return mass < other.mass; });
+        group.largest_share = std::prev(heavier)->largest_share;
+    }
+    return some;
+}
+
 double energy_density(const EquilibriumGas& gas, double e) {
     if (e < 0.0) return 0.0;
     return average(gas, [&](const MassGroup& group) {
@@ -178,6 +196,24 @@ double speed_density(const EquilibriumGas& gas, double v) {
         const double fastest = std::sqrt(2.0 * group.largest_share * gas.energy / group.mass);
         return fastest > 0.0 ? root_density(gas, v / fastest) / fastest : 0.0;
     });
+}
+
+double velocity_density(const EquilibriumGas& gas, double v) {
+    const double power = gas.alpha + gas.beta - 0.5;  // (D - 1)/2
+    return average(gas, [&](const MassGroup& group) {
+        const double fastest = std::sqrt(2.0 * group.largest_share * gas.energy / group.mass);
+        const double u = v / fastest;
+        if (!(std::abs(u) <= 1.0)) return 0.0;
+        const double tail = power == 1.0 ? 1.0 : std::exp((power - 1.0) * std::log1p(-u * u));
+        return tail / (std::exp(log_beta(0.5, power)) * fastest);
+    });
+}
+
+double velocity_deviation(const EquilibriumGas& gas) {
+    const double dimensions = 2.0 * (gas.alpha + gas.beta);
+    return std::sqrt(average(gas, [&](const MassGroup& group) {
+        return 2.0 * group.largest_share * gas.energy / (group.mass * dimensions);
+    }));
 }
 
 double mean_energy(const EquilibriumGas& gas) {

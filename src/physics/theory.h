@@ -41,6 +41,11 @@ std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& parti
                                           const Sample& sample,
                                           const std::vector<int>& species = {});
 
+/// The same equilibrium, asked for those particles of it alone that are listed by their number;
+/// nothing if none of these has a finite mass.
+std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,
+                                    const std::vector<Eigen::Index>& chosen);
+
 /// Probability density of a particle's kinetic energy at e, averaged over the groups; 1/energy.
 /// Infinite at 0 in one dimension.
 double energy_density(const EquilibriumGas& gas, double e);
@@ -51,6 +56,14 @@ double energy_probability(const EquilibriumGas& gas, double low, double high);
 
 /// Probability density of a particle's speed at v, averaged over the groups; time/length.
 double speed_density(const EquilibriumGas& gas, double v);
+
+/// Probability density of one component of a particle's velocity at v (of either sign), averaged
+/// over the groups; time/length. A coordinate of a point that is uniform on a sphere in D = d N, in
+/// a periodic box d (N - 1), dimensions has the density (1 - u^2)^((D - 3)/2) / B(1/2, (D - 1)/2).
+double velocity_density(const EquilibriumGas& gas, double v);
+
+/// Standard deviation of that component, whose mean is 0; length/time.
+double velocity_deviation(const EquilibriumGas& gas);
 
 /// Mean kinetic energy of a particle, averaged over the groups.
 double mean_energy(const EquilibriumGas& gas);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "scene/limits.h"
+#include "scene/panel_reading.h"
 #include "scene/timeline.h"
 
 namespace carom {
@@ -73,40 +74,6 @@ ColorBy read_color_by(const std::string& word) {
                                                      {"species", ColorBy::species},
                                                      {"mass", ColorBy::mass}};
     return ways.at(word);
-}
-
-PanelSpec read_options(const Fields& fields, Errors& errors) {
-    PanelSpec panel;
-    panel.kind = fields.text("kind").value_or("");
-    panel.title = fields.text("title");
-    if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
-    if (const Node* range = fields.given("range")) {
-        const Eigen::Array2d ends = pair(*range);
-        if (ends[0] >= ends[1])
-            errors.add(*range, "expected [low, high] with low < high for `range`");
-        panel.range = {ends[0], ends[1]};
-    }
-    panel.theory = fields.flag("theory").value_or(true);
-    panel.mean_now = fields.flag("mean_now").value_or(true);
-    panel.mean_start = fields.flag("mean_start").value_or(true);
-    return panel;
-}
-
-std::vector<PanelSpec> read_panels(const Fields& film, Errors& errors) {
-    std::vector<PanelSpec> panels;
-    const Node* list = film.given("panels");
-    if (list == nullptr) return panels;
-    const Section& section = section_of(film.section(), "panels");
-    for (const Node& item : list->items) {
-        if (!item.valid) continue;
-        if (item.is_mapping()) {
-            panels.push_back(read_options({item, section}, errors));
-        } else {
-            panels.push_back({});
-            panels.back().kind = item.text;
-        }
-    }
-    return panels;
 }
 
 void check_slots(const Fields& fields, const Film& film, Errors& errors) {
@@ -204,7 +171,7 @@ std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& error
     return layout;
 }
 
-Film read_film(const Fields& fields, const Fields& scene, const Run& run,
+Film read_film(const Fields& fields, const Fields& scene, const Run& run, const Gas& gas,
                const std::optional<LayoutSpec>& layout, Errors& errors) {
     Film film;
     film.template_name = fields.text("template").value_or("");
@@ -217,7 +184,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run,
     film.seconds = read_seconds(fields, run);
     if (film.seconds > 0.0 && check_frames(film, fields, scene, errors))
         check_legs(film, run, scene, errors);
-    film.panels = read_panels(fields, errors);
+    film.panels = read_panels(fields, gas, errors);
     if (layout) check_slots(fields, film, errors);
     return film;
 }

@@ -12,8 +12,9 @@ Run read_run(const Fields& scene, Errors& errors);
 /// Where things stand, from a checked template; nothing when an error leaves it open.
 std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors);
 
-/// The film, from `film` laid over its template. `run` gives the length where the film does not.
-Film read_film(const Fields& film, const Fields& scene, const Run& run,
+/// The film, from `film` laid over its template. `run` gives the length where the film does not,
+/// `gas` what its panels may choose from.
+Film read_film(const Fields& film, const Fields& scene, const Run& run, const Gas& gas,
                const std::optional<LayoutSpec>& layout, Errors& errors);
 
 /// What the film shows, in a plain sentence or two.

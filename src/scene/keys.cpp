@@ -16,8 +16,34 @@ constexpr Range not_negative{0.0, largest_quantity.value, largest_quantity.meani
 constexpr Range positive{smallest_quantity.value, largest_quantity.value, largest_quantity.meaning};
 
 const vector<string>& histograms() {
-    static const vector<string> kinds{"speed-histogram", "energy-histogram"};
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram"};
     return kinds;
+}
+
+// Those that show particles which a scene may choose.
+const vector<string>& choosing() {
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram"};
+    return kinds;
+}
+
+const vector<string>& directed() {
+    static const vector<string> kinds{"velocity-histogram"};
+    return kinds;
+}
+
+// A text, since a species may be called anything.
+vector<Form> chosen() {
+    Form one = text(1, most_name_letters);
+    one.phrase = "`all`, a species or the number of a particle";
+    return {one, list_of({one}, 1, most_chosen, "a list of species and particles")};
+}
+
+Form window() {
+    return mapping(complete({.name = "`over`",
+                             .keys = {required({"window",
+                                                "How far back from the present, in simulated time.",
+                                                {number(positive)}})}}),
+                   "{window: time}");
 }
 
 Section walls(int dimension) {
@@ -189,7 +215,22 @@ Section panel() {
                        left_to("by rule, from the whole run",
                                {"range",
                                 "The first and the last edge of the bars.",
-                                {list_of({number(not_negative)}, 2, 2, "[low, high]")}})),
+                                {list_of({number(any_number)}, 2, 2, "[low, high]")}})),
+             only_with(choosing(),
+                       otherwise("all", {"of",
+                                         "Whose numbers: of all particles, a species, a particle "
+                                         "by its number, or several of these drawn together.",
+                                         chosen()})),
+             only_with(histograms(),
+                       otherwise("now", {"over",
+                                         "Numbers of the present, their mean since time 0, or "
+                                         "their mean over a while before the present.",
+                                         {one_of({"now", "start"}), window()}})),
+             only_with(
+                 directed(),
+                 left_to("both", {"component",
+                                  "Along which axis; `both` counts either component of a particle.",
+                                  {one_of({"x", "y", "both"})}})),
              only_with(
                  histograms(),
                  otherwise(
@@ -197,12 +238,17 @@ Section panel() {
                      {"theory",
                       "Whether to draw the curve that theory predicts for this finite mixture.",
                       {flag()}})),
+             only_with(histograms(),
+                       otherwise("false", {"fit",
+                                           "Whether to draw the normal curve of the same mean and "
+                                           "deviation, which are written out.",
+                                           {flag()}})),
+             only_with(histograms(), left_to("true for speeds and energies",
+                                             {"mean_now", "Whether to mark the mean.", {flag()}})),
              only_with(
                  histograms(),
-                 otherwise("true", {"mean_now", "Whether to mark the present mean.", {flag()}})),
-             only_with(histograms(), otherwise("true", {"mean_start",
-                                                        "Whether to mark the mean at the start.",
-                                                        {flag()}}))}});
+                 left_to("true for speeds and energies",
+                         {"mean_start", "Whether to mark the mean at the start.", {flag()}}))}});
 }
 
 vector<Key> film_keys() {
@@ -312,7 +358,8 @@ const Section& template_section() {
 }
 
 std::span<const string> panel_kinds() {
-    static const vector<string> kinds{"speed-histogram", "energy-histogram", "energy-by-species"};
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
+                                      "energy-by-species"};
     return kinds;
 }
 

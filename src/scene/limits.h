@@ -41,6 +41,7 @@ inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at leas
 inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
+inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
 inline constexpr std::array limits{
@@ -50,6 +51,6 @@ inline constexpr std::array limits{
     largest_seed,       most_particles,      most_species,     most_events,
     most_samples,       most_pairs_compared, most_frames,      most_frames_per_second,
     smallest_side,      largest_side,        most_panels,      most_bins,
-    largest_grid};
+    most_chosen,        largest_grid};
 
 }  // namespace carom

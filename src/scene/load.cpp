@@ -156,7 +156,7 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film)) {
         const auto layout = read_layout({tree.template_file, template_section()}, errors);
         scene.film = read_film({tree.film, section_of(scene_section(), "film")}, fields, scene.run,
-                               layout, errors);
+                               scene.gas, layout, errors);
         scene.film.template_name = tree.template_name;
     }
     errors.throw_if_any();

@@ -47,15 +47,34 @@ struct LayoutSpec {
     std::vector<Slot> panels;
 };
 
-/// A panel of a film with its options.
+/// Particles that a panel shows as one: a species, one particle, or all where neither is given.
+struct Chosen {
+    std::optional<std::size_t> species = {};
+    std::optional<std::int64_t> particle = {};
+};
+
+/// The time that a panel's numbers are taken over.
+struct Over {
+    enum class Since { now, start, window } since = Since::now;
+    double window = 0.0;  ///< simulated time before the present
+};
+
+enum class Component { x, y, both };
+
+/// A panel of a film with its options; those without a meaning for its kind are as here.
 struct PanelSpec {
     std::string kind;
-    std::optional<std::string> title;  ///< none: by kind
-    std::optional<int> bins;           ///< histograms: none: by rule
-    std::optional<std::pair<double, double>> range;
+    std::optional<std::string> title = {};    ///< none: by kind
+    std::vector<Chosen> of = {};              ///< drawn together; empty: all particles
+    std::optional<Over> over = {};            ///< none: by kind
+    std::optional<Component> component = {};  ///< none: by kind
+    std::optional<int> bins = {};             ///< histograms: none: by rule
+    std::optional<std::pair<double, double>> range = {};
     bool theory = true;
-    bool mean_now = true;
-    bool mean_start = true;
+    bool fit = false;
+    std::optional<bool> mean_now = {};  ///< none: by kind
+    std::optional<bool> mean_start = {};
+    bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
 };
 
 struct Film {

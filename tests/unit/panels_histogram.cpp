@@ -20,11 +20,13 @@ struct Stage {
     }
 };
 
-HistogramSubject speeds_with(std::function<double(double)> density) {
+using Density = std::function<double(const EquilibriumGas&, double)>;
+
+HistogramSubject speeds_with(Density density) {
     return {.title = "Speeds",
             .quantity = "speed",
             .beyond = "faster",
-            .values = [](const Observation& o) -> const Eigen::ArrayXd& { return o.speed; },
+            .values = [](const Observation& o) { return o.speed; },
             .density = std::move(density)};
 }
 
@@ -66,9 +68,12 @@ TEST_CASE("bins and range of the scene are taken as they are") {
 
 TEST_CASE("a start far from equilibrium does not flatten the curve") {
     Stage stage(1000);
+    const std::optional<EquilibriumGas> thousand =
+        EquilibriumGas{.energy = 1000.0, .beta = 999.0, .groups = {{1.0, 1000.0, 1.0}}};
     // Expected number in a bin: 1000 * width * density; the start puts all 1000 into one.
-    HistogramPanel panel({stage.scene, stage.particles, 2, stage.none}, {},
-                         speeds_with([](double v) { return v * std::exp(-v * v / 2); }));
+    HistogramPanel panel(
+        {stage.scene, stage.particles, 2, thousand}, {},
+        speeds_with([](const EquilibriumGas&, double v) { return v * std::exp(-v * v / 2); }));
     survey(panel,
            {Eigen::ArrayXd::Constant(1000, 0.01), Eigen::ArrayXd::LinSpaced(1000, 0.0, 4.0)});
     const double curve = 1000 * panel.bins().width() * std::exp(-0.5);  // its top, at v = 1
@@ -80,10 +85,84 @@ TEST_CASE("the curve is that of the particles that share the energy") {
     Stage stage(1000);  // 900 of them infinitely heavy and at rest
     const std::optional<EquilibriumGas> hundred =
         EquilibriumGas{.energy = 100.0, .beta = 99.0, .groups = {{1.0, 100.0, 1.0}}};
-    HistogramPanel panel({stage.scene, stage.particles, 1, hundred}, {},
-                         speeds_with([](double v) { return v * std::exp(-v * v / 2); }));
+    HistogramPanel panel(
+        {stage.scene, stage.particles, 1, hundred}, {},
+        speeds_with([](const EquilibriumGas&, double v) { return v * std::exp(-v * v / 2); }));
     survey(panel, {Eigen::ArrayXd::LinSpaced(1000, 0.0, 4.0)});
     const double curve = 100 * panel.bins().width() * std::exp(-0.5);  // its top, at v = 1
     CHECK(panel.tallest() >= 1.1 * curve);
     CHECK(panel.tallest() <= 2.5 * curve);
+}
+
+namespace {
+
+// What the frames of a panel show, seen as a film sees it: first all, then one by one.
+std::vector<std::vector<MeanHistogram>> shown(HistogramPanel& panel,
+                                              const std::vector<double>& times,
+                                              const std::vector<Eigen::ArrayXd>& speeds) {
+    const Sample sample;
+    const Passage passage;
+    std::vector<std::vector<MeanHistogram>> result;
+    for (const bool surveying : {true, false}) {
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            Tick tick;
+            tick.time = times[i];
+            const Observation observation{tick, sample, speeds[i], speeds[i], passage};
+            if (surveying) panel.survey(observation);
+            if (!surveying) result.push_back(HistogramPanel::histograms(*panel.state(observation)));
+        }
+        if (surveying) panel.settle();
+    }
+    return result;
+}
+
+PanelSpec four_bins(Over::Since since, double window = 0.0) {
+    PanelSpec spec;
+    spec.bins = 4;
+    spec.range = {0.0, 4.0};
+    spec.over = Over{since, window};
+    return spec;
+}
+
+Eigen::ArrayXd two(double a, double b) { return Eigen::Array2d(a, b); }
+
+}  // namespace
+
+TEST_CASE(
+    "bars are of the present, of a while, or the mean since the start; a held frame counts once") {
+    const std::vector<double> times{0.0, 0.0, 1.0, 2.0, 3.0};
+    const std::vector<Eigen::ArrayXd> speeds{two(0.5, 0.5), two(0.5, 0.5), two(1.5, 0.5),
+                                             two(1.5, 2.5), two(3.5, 9.0)};
+    Stage stage(2);
+    const auto bars = [&](Over::Since since, double window = 0.0) {
+        HistogramPanel panel({stage.scene, stage.particles, 5, stage.none},
+                             four_bins(since, window), speeds_with({}));
+        const auto frames = shown(panel, times, speeds);
+        const MeanHistogram& last = frames.back().front();
+        CHECK(last.above > 0.0);
+        return last.counts;
+    };
+    CHECK(bars(Over::Since::now) == std::vector{0.0, 0.0, 0.0, 1.0});
+    // Of the samples at 2 and 3: that at 1 is a whole window ago.
+    CHECK(bars(Over::Since::window, 2.0) == std::vector{0.0, 0.5, 0.5, 0.5});
+    // Of four samples: the held one counts once.
+    CHECK(bars(Over::Since::start) == std::vector{0.75, 0.5, 0.25, 0.25});
+}
+
+TEST_CASE("chosen particles are drawn together, each choice with its own bars and curve") {
+    Stage stage(10);
+    stage.particles.species.tail(3) = 1;
+    stage.scene.gas.species.resize(2);
+    PanelSpec spec = four_bins(Over::Since::now);
+    spec.of = {{}, {1, {}}, {{}, 0}};
+    HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, speeds_with({}));
+    Eigen::ArrayXd speeds = Eigen::ArrayXd::Constant(10, 0.5);
+    speeds.tail(3) = 2.5;
+    speeds[0] = 1.5;
+    const auto frame = shown(panel, {0.0}, {speeds}).front();
+    REQUIRE(frame.size() == 3);
+    CHECK(frame[0].counts == std::vector{6.0, 1.0, 3.0, 0.0});
+    CHECK(frame[1].counts == std::vector{0.0, 0.0, 3.0, 0.0});
+    CHECK(frame[2].counts == std::vector{0.0, 1.0, 0.0, 0.0});
+    CHECK(frame[0].mean == doctest::Approx((6 * 0.5 + 1.5 + 3 * 2.5) / 10));
 }

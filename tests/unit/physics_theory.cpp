@@ -8,6 +8,7 @@
 
 #include "physics/theory.h"
 #include "support/csv.h"
+#include "support/goodness_of_fit.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -287,4 +288,110 @@ TEST_CASE("many different masses are merged without harm") {
     for (const double w : s.particles.inverse_mass)
         exact += v / (w * t) * std::exp(-v * v / (2.0 * w * t)) / 5000.0;
     CHECK(speed_density(*gas, v) == doctest::Approx(exact).epsilon(2e-3));
+}
+
+namespace {
+
+// A component of the first particle's velocity in `samples` states spread evenly over the energy
+// sphere: normal numbers in units of the thermal velocity, without the drift where momentum is
+// fixed, brought to the energy. The slow, obvious way.
+std::vector<double> components_on_sphere(const std::vector<double>& masses, int dimension,
+                                         bool momentum_fixed, double energy, int samples) {
+    Random random(11, "velocity on the energy sphere");
+    const auto count = static_cast<Eigen::Index>(masses.size());
+    const Eigen::ArrayXd mass = Eigen::Map<const Eigen::ArrayXd>(masses.data(), count);
+    std::vector<double> found;
+    for (int s = 0; s < samples; ++s) {
+        Eigen::ArrayXXd v(count, dimension);
+        for (double& one : v.reshaped()) one = random.normal();
+        for (int a = 0; a < dimension; ++a) {
+            v.col(a) /= mass.sqrt();
+            if (momentum_fixed) v.col(a) -= (mass * v.col(a)).sum() / mass.sum();
+        }
+        const double now = 0.5 * (mass * v.square().rowwise().sum()).sum();
+        found.push_back(v(0, 0) * std::sqrt(energy / now));
+    }
+    return found;
+}
+
+std::function<double(double)> below(const EquilibriumGas& gas, double fastest) {
+    return [&gas, fastest](double v) {
+        constexpr int steps = 2000;
+        double sum = 0.0;
+        for (int i = 0; i < steps; ++i)  // the middle of each step
+            sum += velocity_density(gas, -fastest + (v + fastest) * (i + 0.5) / steps);
+        return sum * (v + fastest) / steps;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("a component of velocity is that of points spread evenly over the energy sphere") {
+    struct Case {
+        std::vector<double> masses;
+        int dimension;
+        Wall wall;
+    };
+    const std::vector<Case> cases{
+        {{2.0, 2.0, 2.0}, 2, Wall::solid},           {{5.0, 1.0, 2.0, 3.0}, 2, Wall::solid},
+        {{2.0, 1.0, 4.0}, 2, Wall::periodic},        {{3.0, 1.0, 2.0}, 1, Wall::solid},
+        {{3.0, 1.0, 2.0, 2.0, 7.0}, 1, Wall::solid}, {{3.0, 1.0, 2.0, 5.0}, 1, Wall::periodic}};
+    constexpr double energy = 6.0;
+    for (const Case& one : cases) {
+        const auto count = static_cast<Eigen::Index>(one.masses.size());
+        CAPTURE(count);
+        CAPTURE(one.dimension);
+        const bool periodic = one.wall == Wall::periodic;
+        State s = wire_of(one.masses, one.wall);
+        if (one.dimension == 2) {
+            s.box = {2, {10.0, 10.0}, {one.wall, one.wall}};
+            s.particles.radius = Eigen::ArrayXd::Constant(count, 0.1);
+            s.sample.velocity = Eigen::ArrayXXd::Zero(count, 2);
+            s.sample.velocity(0, 1) = 1.0;
+            if (periodic) s.sample.velocity(1, 1) = -one.masses[0] / one.masses[1];
+        }
+        const Eigen::ArrayXd speed = s.sample.velocity.square().rowwise().sum().sqrt();
+        s.sample.velocity *=
+            std::sqrt(energy / (0.5 * speed.square() / s.particles.inverse_mass).sum());
+        const auto whole = equilibrium(s.box, s.particles, s.sample);
+        REQUIRE(whole.has_value());
+        const auto first = among(*whole, s.particles, {0});
+        REQUIRE(first.has_value());
+        REQUIRE(first->groups.size() == 1);
+        const std::vector<double> found =
+            components_on_sphere(one.masses, one.dimension, periodic, energy, 4000);
+        const double fastest =
+            std::sqrt(2.0 * first->groups[0].largest_share * energy / one.masses[0]);
+        // Six tests: one in a thousand overall.
+        CHECK(test::chance(found, below(*first, fastest)) > 1e-3 / 6);
+        CHECK(below(*first, fastest)(fastest) == doctest::Approx(1.0).epsilon(1e-4));
+        double square = 0.0;
+        for (const double v : found) square += v * v / 4000.0;
+        // The mean of 4000 squares, whose deviation is at most 1.5 of their mean: four times 2.4 %.
+        CHECK(square == doctest::Approx(std::pow(velocity_deviation(*first), 2)).epsilon(0.1));
+    }
+}
+
+TEST_CASE("in one dimension a speed is a component of velocity of either sign") {
+    const EquilibriumGas gas{9.0, 0.5, 2.5, {{1.0, 2.0, 1.0}, {4.0, 1.0, 1.0}}};
+    for (const double v : {0.1, 0.7, 1.9, 2.5, 4.0})
+        CHECK(2.0 * velocity_density(gas, v) ==
+              doctest::Approx(speed_density(gas, v)).epsilon(1e-12));
+    CHECK(velocity_density(gas, -0.7) == velocity_density(gas, 0.7));
+    CHECK(velocity_density(gas, 5.0) == 0.0);
+}
+
+TEST_CASE("among all particles the equilibrium is the same, and among none there is none") {
+    State s = wire_of({3.0, 1.0, 2.0, 5.0}, Wall::periodic);
+    const auto whole = equilibrium(s.box, s.particles, s.sample);
+    const auto all = among(whole.value(), s.particles, {0, 1, 2, 3});
+    REQUIRE(all.has_value());
+    REQUIRE(all->groups.size() == whole->groups.size());
+    for (std::size_t k = 0; k < all->groups.size(); ++k) {
+        CHECK(all->groups[k].mass == whole->groups[k].mass);
+        CHECK(all->groups[k].largest_share == whole->groups[k].largest_share);
+    }
+    s.particles.inverse_mass[2] = 0.0;
+    CHECK(!among(*whole, s.particles, {2}).has_value());
+    CHECK(!among(*whole, s.particles, {}).has_value());
 }

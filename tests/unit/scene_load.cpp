@@ -187,9 +187,36 @@ TEST_CASE("walls, events and panels with options") {
     CHECK(scene.film.panels[0].bins == 20);
     CHECK(scene.film.panels[0].range->second == 3.0);
     CHECK(!scene.film.panels[0].theory);
-    CHECK(scene.film.panels[0].mean_now);
+    CHECK(!scene.film.panels[0].mean_now.has_value());
     CHECK(scene.film.panels[0].title == "Speeds");
     CHECK(scene.description.find("At time 20 and 30 every velocity") != std::string::npos);
+}
+
+TEST_CASE("a panel's particles are chosen by all, species and number") {
+    const Scene scene = load(
+        "title: T\nbox: {size: [64, 48]}\n"
+        "gas: [{name: light, count: 20, speed: 1}, {name: heavy, count: 5}]\n"
+        "run: {until: 40}\n"
+        "film:\n  panels:\n"
+        "    - {kind: velocity-histogram, of: [all, heavy, 24], over: {window: 3}, fit: true}\n"
+        "    - {kind: velocity-histogram, of: light, component: y, over: start, mean_now: true}\n"
+        "    - velocity-histogram\n");
+    REQUIRE(scene.film.panels.size() == 3);
+    const PanelSpec& first = scene.film.panels[0];
+    REQUIRE(first.of.size() == 3);
+    CHECK(!first.of[0].species.has_value());
+    CHECK(!first.of[0].particle.has_value());
+    CHECK(first.of[1].species == 1U);
+    CHECK(first.of[2].particle == 24);
+    CHECK(first.over->since == Over::Since::window);
+    CHECK(first.over->window == 3.0);
+    CHECK(first.fit);
+    CHECK(scene.film.panels[1].of.size() == 1);
+    CHECK(scene.film.panels[1].over->since == Over::Since::start);
+    CHECK(scene.film.panels[1].component == Component::y);
+    CHECK(scene.film.panels[1].mean_now == true);
+    CHECK(scene.film.panels[2].of.empty());
+    CHECK(!scene.film.panels[2].over.has_value());
 }
 
 TEST_CASE("the statistics are sampled as often as asked, or as the film has frames") {

@@ -1,0 +1,42 @@
+#include "panels/chosen.h"
+
+#include <fmt/format.h>
+
+#include "draw/palette.h"
+
+namespace carom {
+
+std::vector<Chosen> choices(const PanelSpec& spec) {
+    return spec.of.empty() ? std::vector<Chosen>{{}} : spec.of;
+}
+
+std::vector<Eigen::Index> members(const Cast& cast, const Chosen& chosen) {
+    if (chosen.particle) return {static_cast<Eigen::Index>(*chosen.particle)};
+    std::vector<Eigen::Index> found;
+    for (Eigen::Index i = 0; i < cast.particles.count(); ++i)
+        if (!chosen.species || cast.particles.species[i] == static_cast<int>(*chosen.species))
+            found.push_back(i);
+    return found;
+}
+
+std::string name_of(const Cast& cast, const Chosen& chosen) {
+    if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
+    return chosen.species ? cast.scene.gas.species[*chosen.species].name : "all";
+}
+
+Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme) {
+    if (chosen.species) return species_color(cast, *chosen.species, theme);
+    return kind_color(cast.scene.gas.species.size() + place, theme.dark);
+}
+
+std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme) {
+    if (chosen.size() == 1) return escape_markup(name_of(cast, chosen.front()));
+    std::string words;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        if (k > 0) words += k + 1 == chosen.size() ? " and " : ", ";
+        words += colored(name_of(cast, chosen[k]), choice_color(cast, chosen[k], k, theme));
+    }
+    return words;
+}
+
+}  // namespace carom

@@ -1,0 +1,27 @@
+// The particles that a panel shows, as its scene chose them: which, their name, their colour.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "panels/panel.h"
+
+namespace carom {
+
+/// What the panel's `of` names, in its order; all particles where it names none.
+std::vector<Chosen> choices(const PanelSpec& spec);
+
+/// Numbers of the particles chosen, rising.
+std::vector<Eigen::Index> members(const Cast& cast, const Chosen& chosen);
+
+/// "all", the species' name, "particle 3".
+std::string name_of(const Cast& cast, const Chosen& chosen);
+
+/// The colour of a choice among several: the species', wherever it is told apart; single particles
+/// and all have colours that no species has by default. `place`: among the choices.
+Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme);
+
+/// Names in their colours, as markup: "light and heavy"; uncoloured where there is one.
+std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme);
+
+}  // namespace carom

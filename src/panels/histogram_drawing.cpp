@@ -1,0 +1,301 @@
+// How a histogram is drawn: bars, curves, means and what lies beyond its axes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "panels/chosen.h"
+#include "panels/histogram_panel.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double names_width = 10.6;  // of the means' names and numbers, in units
+constexpr double row_height = 1.5;    // of the rows of words above the bars, in units
+constexpr int most_fit_rows = 3;      // more would leave no room for the bars
+
+std::string count_words(double count) {
+    return count == std::round(count) && count < 1e9 ? grouped(std::llround(count))
+                                                     : three_digits(count);
+}
+
+std::string capitalised(std::string words) {
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words;
+}
+
+}  // namespace
+
+struct HistogramPanel::Scales {
+    Rect area;
+    Scale x, y;
+};
+
+HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
+    Rect area = plot_area(page);
+    const double rows = row_height * page.unit * rows_above();
+    area.y += rows;
+    area.height = std::max(page.unit, area.height - rows);
+    return {area,
+            {bins_.low, bins_.high, area.x, area.right()},
+            {0.0, tallest_, area.bottom(), area.y}};
+}
+
+// One choice of particles has the colours of all histograms, several have their own.
+HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) const {
+    const Theme& theme = page.theme;
+    if (series_.size() == 1) return {theme.bar, theme.accent, theme.highlight};
+    const Color color = choice_color(cast_, series_[series].chosen, series, theme);
+    return {color, mix(color, theme.ink, 0.4), mix(color, theme.ink, 0.7)};
+}
+
+// Fits are written over the bars, and so are the means where the bars fill the middle; a fit says
+// the mean too.
+int HistogramPanel::rows_above() const {
+    const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(series_.size())) : 0;
+    const bool means = fits == 0 && subject_.symmetric && (marks_mean_now() || marks_mean_start());
+    return fits + (means ? 1 : 0);
+}
+
+Point HistogramPanel::row_above(const Page& page, int row) const {
+    const Rect area = plot_area(page);
+    return {area.x, area.y + (0.3 + row_height * row) * page.unit};
+}
+
+std::string HistogramPanel::time_words() const {
+    const std::optional<double> back = window();
+    if (!back) return "so far";
+    return *back > 0.0 ? fmt::format("last {:g}", *back) : "now";
+}
+
+std::string HistogramPanel::title(const Page& page) const {
+    std::vector<Chosen> chosen;
+    for (const Series& one : series_) chosen.push_back(one.chosen);
+    const std::string names = colored_names(cast_, chosen, page.theme);
+    std::string words = spec_.of.empty() ? escape_markup(subject_.title)
+                                         : capitalised(subject_.quantity) + " of " + names;
+    if (spec_.title) words = escape_markup(*spec_.title);
+    const bool several = series_.size() > 1;
+    words += ": " + (several ? time_words() : colored(time_words(), page.theme.bar));
+    if (curve_top() == 0.0) return words;
+    const std::vector<std::string> endings =
+        several ? std::vector<std::string>{", lines: in equilibrium", ", lines: equilibrium",
+                                           ", lines: theory"}
+                : std::vector{" and " + colored("in equilibrium", page.theme.accent),
+                              ", " + colored("equilibrium", page.theme.accent)};
+    for (const std::string& ending : endings)
+        if (measure_text(words + ending, title_style(page)).width <= page.area.width)
+            return words + ending;
+    return words;
+}
+
+void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    draw_panel_title(canvas, page, title(page));
+    const Scales s = scales(page);
+    draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(page));
+    draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
+}
+
+void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const std::vector<MeanHistogram>& now = histograms(state);
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        draw_bars(canvas, page, k, now[k]);
+        if (series_.size() > 1) draw_outline(canvas, page, k, now[k]);
+        draw_cuts(canvas, page, now[k]);
+    }
+    draw_beyond(canvas, page, now);
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        draw_curve(canvas, page, series_[k].curve, ink(k, page).curve);
+        if (spec_.fit) draw_fit(canvas, page, k, now[k]);
+    }
+    draw_means(canvas, page, now);
+}
+
+void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t series,
+                               const MeanHistogram& now) const {
+    const Scales s = scales(page);
+    const Color color = ink(series, page).bar;
+    const double alpha = series_.size() > 1 ? 0.3 : 1.0;
+    for (int i = 0; i < bins_.count; ++i) {
+        const double count = now.counts[static_cast<std::size_t>(i)];
+        if (count == 0.0) continue;
+        // Whole pixels sideways: half-covered columns would show as seams between the bars.
+        const double left = std::round(s.x(bins_.edge(i)));
+        const double right = std::round(s.x(bins_.edge(i + 1)));
+        const double top = s.y(std::min(count, tallest_));
+        canvas.fill({left, top, right - left, s.area.bottom() - top},
+                    alpha < 1.0 ? with_alpha(color, alpha) : color);
+    }
+}
+
+// The upper edge of bars that others overlap.
+void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t series,
+                                  const MeanHistogram& now) const {
+    const Scales s = scales(page);
+    std::vector<Point> path;
+    for (int i = 0; i < bins_.count; ++i) {
+        const double y = s.y(std::min(now.counts[static_cast<std::size_t>(i)], tallest_));
+        path.push_back({s.x(bins_.edge(i)), y});
+        path.push_back({s.x(bins_.edge(i + 1)), y});
+    }
+    canvas.stroke_path(path, 0.1 * page.unit, ink(series, page).bar);
+}
+
+// What the axes cannot hold is said: a bar that is cut, with its count.
+void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page, const MeanHistogram& now) const {
+    const Scales s = scales(page);
+    const double u = page.unit;
+    double free_from = s.area.x;  // counts of neighbours must not lie on each other
+    for (int i = 0; i < bins_.count; ++i) {
+        const double count = now.counts[static_cast<std::size_t>(i)];
+        if (count <= tallest_) continue;
+        const double left = s.x(bins_.edge(i));
+        const double right = s.x(bins_.edge(i + 1));
+        for (double y : {0.9 * u, 1.3 * u})
+            canvas.stroke_line({left - 0.15 * u, s.area.y + y + 0.25 * u},
+                               {right + 0.15 * u, s.area.y + y - 0.25 * u}, 0.14 * u,
+                               page.theme.page);
+        TextStyle style = label_style(page);
+        style.color = page.theme.bar;
+        if (left < free_from) continue;
+        free_from = left + 0.4 * u +
+                    draw_text(canvas, {left, s.area.y - 0.25 * u}, count_words(count), style).width;
+    }
+}
+
+// How many lie beyond the ends of the axis.
+void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
+                                 const std::vector<MeanHistogram>& now) const {
+    double below = 0.0, above = 0.0;
+    for (const MeanHistogram& one : now) {
+        below += one.below;
+        above += one.above;
+    }
+    std::string beyond = below > 0.0 ? "← " + count_words(below) + "  " : "";
+    if (above > 0.0 && subject_.symmetric) beyond += count_words(above) + " →";
+    if (above > 0.0 && !subject_.symmetric)
+        beyond += fmt::format("{} {} →", count_words(above), subject_.beyond);
+    if (beyond.empty()) return;
+    const Scales s = scales(page);
+    const bool several = series_.size() > 1 && !subject_.symmetric;
+    const double row = subject_.symmetric ? 0.8 : several ? 0.8 + 1.4 * double(now.size()) : 3.6;
+    draw_name(canvas, page, {names_x(page) + 0.6 * page.unit, s.area.y + row * page.unit}, beyond,
+              page.theme.muted);
+}
+
+// Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
+// bars begin there.
+double HistogramPanel::names_x(const Page& page) const {
+    const Scales s = scales(page);
+    const double right = s.area.right() - names_width * page.unit;
+    if (subject_.symmetric || window() != 0.0) return right;
+    const bool taken = s.x(series_.front().mean_start) > right - 2.5 * page.unit;
+    return taken ? s.area.x + page.unit : right;
+}
+
+Point HistogramPanel::name_place(const Page& page, int index) const {
+    const Scales s = scales(page);
+    if (!subject_.symmetric) return {names_x(page), s.area.y + (0.8 + 1.4 * index) * page.unit};
+    const Point row = row_above(page, rows_above() - 1);
+    const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
+    return {row.x + 0.2 * page.unit + index * s.area.width / shown, row.y};
+}
+
+// On a plate of the page's colour, so that bars behind it do not cut it up.
+void HistogramPanel::draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
+                               Color color) const {
+    TextStyle style = label_style(page);
+    style.color = color;
+    style.max_width = names_width * page.unit;
+    const double width = measure_text(words, style).width;
+    if (at.y > scales(page).area.y)
+        canvas.fill({at.x - 0.9 * page.unit, at.y - 1.05 * page.unit, width + 1.2 * page.unit,
+                     1.4 * page.unit},
+                    with_alpha(page.theme.page, 0.8));
+    draw_text(canvas, at, words, style);
+}
+
+void HistogramPanel::draw_curve(Canvas& canvas, const Page& page, const std::vector<Point>& curve,
+                                Color color) const {
+    if (curve.empty()) return;
+    const Scales s = scales(page);
+    std::vector<Point> path;
+    for (const Point& point : curve)
+        path.push_back({s.x(point.x), s.y(std::min(point.y, tallest_))});
+    canvas.stroke_path(path, 0.16 * page.unit, color);
+}
+
+// The normal curve with the mean and the deviation of what the bars show, which it names.
+void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t series,
+                              const MeanHistogram& now) const {
+    const Color color = ink(series, page).fit;
+    const double numbers = numbers_each_ * static_cast<double>(series_[series].members.size());
+    if (now.deviation > 0.0) {
+        constexpr int points = 120;
+        std::vector<Point> curve;
+        for (int i = 0; i <= points; ++i) {
+            const double value = bins_.low + (bins_.high - bins_.low) * i / points;
+            const double z = (value - now.mean) / now.deviation;
+            const double density =
+                std::exp(-0.5 * z * z) / (now.deviation * std::sqrt(2.0 * std::numbers::pi));
+            curve.push_back({value, numbers * bins_.width() * density});
+        }
+        draw_curve(canvas, page, curve, color);
+    }
+    if (series >= most_fit_rows) return;
+    TextStyle style = label_style(page);
+    style.color = color;
+    style.max_width = plot_area(page).width;
+    const std::string whose = series_.size() == 1
+                                  ? "normal curve"
+                                  : escape_markup(name_of(cast_, series_[series].chosen));
+    draw_text(canvas, row_above(page, static_cast<int>(series)),
+              fmt::format("{}: mean {}, deviation {}", whose, three_digits(now.mean),
+                          three_digits(now.deviation)),
+              style);
+}
+
+void HistogramPanel::draw_mark(Canvas& canvas, const Page& page, double value, bool solid,
+                               Color color) const {
+    const Scales s = scales(page);
+    const double x = s.x(value);
+    if (!(x >= s.area.x && x <= s.area.right())) return;
+    const double u = page.unit;
+    if (solid) canvas.stroke_line({x, s.area.bottom()}, {x, s.area.y}, 0.12 * u, color);
+    if (!solid)
+        canvas.stroke_dashed({x, s.area.bottom()}, {x, s.area.y}, 0.12 * u, 0.25 * u, color);
+}
+
+// The marks move; their names and numbers stand still.
+void HistogramPanel::draw_means(Canvas& canvas, const Page& page,
+                                const std::vector<MeanHistogram>& now) const {
+    const double u = page.unit;
+    const auto name = [&](int index, const std::string& words, double mean, bool solid,
+                          Color color) {
+        if (subject_.symmetric && spec_.fit) return;
+        const Point at = name_place(page, index);
+        draw_name(canvas, page, {at.x + 0.6 * u, at.y}, words + " " + three_digits(mean), color);
+        const Point low{at.x, at.y + 0.1 * u}, high{at.x, at.y - 0.85 * u};
+        if (solid) canvas.stroke_line(low, high, 0.12 * u, color);
+        if (!solid) canvas.stroke_dashed(low, high, 0.12 * u, 0.25 * u, color);
+    };
+    const bool several = series_.size() > 1;
+    const std::string present = window() == 0.0 ? "mean now" : "mean";
+    for (std::size_t k = series_.size(); k-- > 0;) {
+        const Color start_color = several ? ink(k, page).bar : page.theme.muted;
+        if (marks_mean_start()) {
+            draw_mark(canvas, page, series_[k].mean_start, false, start_color);
+            if (!several) name(1, "mean at start", series_[k].mean_start, false, start_color);
+        }
+        if (!marks_mean_now()) continue;
+        const Color color = several ? ink(k, page).curve : page.theme.ink;
+        draw_mark(canvas, page, now[k].mean, true, color);
+        name(several ? static_cast<int>(k) : 0,
+             several ? escape_markup(name_of(cast_, series_[k].chosen)) : present, now[k].mean,
+             true, color);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,28 @@
+// How many particles have which component of velocity, beside what this finite gas has at
+// equilibrium.
+#include "panels/histogram_panel.h"
+#include "panels/registry.h"
+#include "physics/theory.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec& spec) {
+    const Component component = spec.component.value_or(Component::both);
+    const bool both = component == Component::both;
+    std::string quantity = "velocity";
+    if (!both) quantity += component == Component::x ? " along x" : " along y";
+    const Eigen::Index first = component == Component::y ? 1 : 0;
+    HistogramSubject subject{.title = both ? "Particles by velocity" : "V" + quantity.substr(1),
+                             .quantity = quantity,
+                             .beyond = "",
+                             .values = {},
+                             .density = velocity_density,
+                             .symmetric = true,
+                             .means = false};
+    subject.values = [both, first](const Observation& o) -> Eigen::ArrayXXd {
+        return both ? o.sample.velocity : o.sample.velocity.col(first);
+    };
+    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+}
+
+}  // namespace carom

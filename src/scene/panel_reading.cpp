@@ -1,0 +1,121 @@
+#include "scene/panel_reading.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "scene/scalar.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+std::int64_t particles_in(const Gas& gas) {
+    return std::accumulate(
+        gas.species.begin(), gas.species.end(), std::int64_t{0},
+        [](std::int64_t sum, const Species& species) { return sum + species.count; });
+}
+
+std::optional<Chosen> chosen_particle(const Node& node, double number, const Gas& gas,
+                                      Errors& errors) {
+    const std::int64_t count = particles_in(gas);
+    if (number >= 0.0 && number < static_cast<double>(count) && number == std::floor(number))
+        return Chosen{{}, static_cast<std::int64_t>(number)};
+    errors.add(node, fmt::format("there is no particle {}", in_quotes(node.text)),
+               count > 0 ? fmt::format("particles are numbered from 0 to {}, in the order in which "
+                                       "`gas` lists them",
+                                       count - 1)
+                         : "");
+    return std::nullopt;
+}
+
+std::optional<Chosen> read_chosen(const Node& node, const Gas& gas, Errors& errors) {
+    if (node.text == "all") return Chosen{};
+    if (const auto number = number_in(node)) return chosen_particle(node, *number, gas, errors);
+    std::vector<std::string> names;
+    for (const Species& species : gas.species) {
+        if (species.name == node.text) return Chosen{names.size(), {}};
+        names.push_back(species.name);
+    }
+    const auto near = nearest_spelling(node.text, names);
+    errors.add(node, fmt::format("there is no species {}", in_quotes(node.text)),
+               near ? fmt::format("did you mean `{}`?", *near)
+                    : "`of` takes `all`, the name of a species in `gas`, or a particle's number");
+    return std::nullopt;
+}
+
+std::vector<Chosen> read_of(const Node& node, const Gas& gas, Errors& errors) {
+    std::vector<Chosen> all;
+    const std::vector<Node> single{node};
+    for (const Node& item : node.is_list() ? node.items : single)
+        if (const auto chosen = read_chosen(item, gas, errors)) all.push_back(*chosen);
+    return all;
+}
+
+Over read_over(const Fields& fields, const Node& node) {
+    if (!node.is_mapping())
+        return {node.text == "start" ? Over::Since::start : Over::Since::now, 0.0};
+    const auto window = Fields{node, section_of(fields.section(), "over")}.number("window");
+    return {Over::Since::window, window.value_or(0.0)};
+}
+
+std::optional<Component> read_component(const Fields& fields, const Gas& gas, Errors& errors) {
+    const Node* node = fields.given("component");
+    if (node == nullptr) return std::nullopt;
+    if (gas.box.dimension == 1)
+        errors.add(*node, "on a wire there is one direction only: `component` has no meaning");
+    if (node->text == "both") return Component::both;
+    return node->text == "y" ? Component::y : Component::x;
+}
+
+std::pair<double, double> read_range(const Node& range, const std::string& kind, Errors& errors) {
+    const Eigen::Array2d ends = pair(range);
+    const bool never_negative = kind == "speed-histogram" || kind == "energy-histogram";
+    if (ends[0] >= ends[1])
+        errors.add(range, "expected [low, high] with low < high for `range`");
+    else if (never_negative && ends[0] < 0.0)
+        errors.add(range,
+                   fmt::format("expected [low, high] from 0 on for `range`, found {}",
+                               in_quotes(range.items[0].text)),
+                   "speeds and energies are never negative");
+    return {ends[0], ends[1]};
+}
+
+PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
+    PanelSpec panel;
+    panel.kind = fields.text("kind").value_or("");
+    panel.title = fields.text("title");
+    if (const Node* of = fields.given("of")) panel.of = read_of(*of, gas, errors);
+    if (const Node* over = fields.given("over")) panel.over = read_over(fields, *over);
+    panel.component = read_component(fields, gas, errors);
+    if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
+    if (const Node* range = fields.given("range"))
+        panel.range = read_range(*range, panel.kind, errors);
+    panel.theory = fields.flag("theory").value_or(true);
+    panel.fit = fields.flag("fit").value_or(false);
+    panel.mean_now = fields.flag("mean_now");
+    panel.mean_start = fields.flag("mean_start");
+    return panel;
+}
+
+}  // namespace
+
+std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& errors) {
+    std::vector<PanelSpec> panels;
+    const Node* list = film.given("panels");
+    if (list == nullptr) return panels;
+    const Section& section = section_of(film.section(), "panels");
+    for (const Node& item : list->items) {
+        if (!item.valid) continue;
+        if (item.is_mapping()) {
+            panels.push_back(read_options({item, section}, gas, errors));
+        } else {
+            panels.push_back({});
+            panels.back().kind = item.text;
+        }
+    }
+    return panels;
+}
+
+}  // namespace carom

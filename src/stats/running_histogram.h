@@ -1,0 +1,57 @@
+// The mean of histograms over time: of the present sample alone, of all since the start, or of
+// those of a while before the present. With it the mean and deviation of the values.
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "stats/histogram.h"
+
+namespace carom {
+
+/// Mean counts of several samples in bins, and the moments of all their finite values.
+struct MeanHistogram {
+    Bins bins;
+    std::vector<double> counts;  ///< one for each bin, mean over the samples
+    double below = 0.0, above = 0.0;
+    double values = 0.0;     ///< finite ones, of all samples together
+    double mean = 0.0;       ///< of them; NaN where there are none
+    double deviation = 0.0;  ///< root of the mean square about the mean
+};
+
+class RunningHistogram {
+  public:
+    /// Means over samples later than `window` before the last one, or over all: with a window of 0
+    /// of the last alone.
+    RunningHistogram(const Bins& bins, std::optional<double> window)
+        : bins_(bins), window_(window) {}
+
+    /// The next sample; times must not fall.
+    void add(double time, const Eigen::ArrayXd& values);
+
+    /// Of at least one sample.
+    MeanHistogram mean() const;
+
+  private:
+    // Sums that two sets of values add up to those of both (Chan, Golub and LeVeque 1983).
+    struct Moments {
+        double count = 0.0, mean = 0.0, squares = 0.0;
+        void join(const Moments& other);
+    };
+    struct Entry {
+        double time = 0.0;
+        Histogram histogram;
+        Moments moments;
+    };
+    static Moments moments_of(const Eigen::ArrayXd& values);
+    void join(const Entry& entry);
+
+    Bins bins_;
+    std::optional<double> window_;
+    std::deque<Entry> entries_;  // those of the window; with none, the sum of all as the only one
+    double samples_ = 0.0;
+};
+
+}  // namespace carom

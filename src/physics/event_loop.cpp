@@ -34,6 +34,7 @@ EventLoop<Dimension>::EventLoop(const Box& box, const Particles& particles)
       space_(box, particles.radius),
       queue_(static_cast<std::int32_t>(particles.count())) {
     many_ = bodies_.size() >= least_fetched_ahead;
+    number_.reserve(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         number_.push_back(static_cast<std::int32_t>(i));
         bodies_[i].radius = particles.radius[static_cast<Eigen::Index>(i)];

@@ -40,7 +40,8 @@ constexpr auto is_later = [](const auto& a, const auto& b) {
 
 EventQueue::EventQueue(std::int32_t count)
     : nodes_(index(count)),
-      buckets_(static_cast<std::int32_t>(std::bit_ceil(2U * static_cast<std::uint32_t>(count) | 7U))) {
+      buckets_(static_cast<std::int32_t>(
+          std::bit_ceil(std::max(8U, 2U * static_cast<std::uint32_t>(count))))) {
     heads_.assign(index(buckets_) + 1, -1);
 }
 

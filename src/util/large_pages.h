@@ -28,10 +28,9 @@ struct LargePages {
         const std::size_t bytes = count * sizeof(T);
         if (bytes < page / 2)
             return static_cast<T*>(::operator new(bytes, std::align_val_t(alignment)));
-        const std::size_t whole = (bytes + page - 1) / page * page;
-        void* memory = ::operator new(whole, std::align_val_t(page));
+        void* memory = ::operator new(bytes, std::align_val_t(page));
 #ifdef MADV_HUGEPAGE
-        madvise(memory, whole, MADV_HUGEPAGE);
+        madvise(memory, bytes / page * page, MADV_HUGEPAGE);
 #endif
         return static_cast<T*>(memory);
     }

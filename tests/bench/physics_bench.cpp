@@ -1,12 +1,16 @@
 // Million collisions between particles per CPU second, after melting, for the table of speeds; and
 // a fixed loop of the same kind of arithmetic, since machines differ and are noisy: compare ratios.
+// And the memory that the event loop takes.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <cmath>
 #include <ctime>
 #include <numbers>
 #include <string>
 
+#include "physics/event_loop.h"
+#include "physics/placement.h"
 #include "physics/simulation.h"
 
 using namespace carom;
@@ -58,6 +62,22 @@ double million_collisions_per_second(double packing, int count, Wall wall, doubl
     return static_cast<double>(collisions) / taken / 1e6;
 }
 
+// Of the event loop when it runs; its particles' constants and samples (some 50 bytes each) belong
+// to the Simulation.
+double bytes_per_particle(double packing, int count) {
+    const Gas gas = equal_disks(packing, count, Wall::solid);
+    const auto [particles, start] = place(gas);
+    const auto in_use = [] {
+        const auto info = mallinfo2();
+        return static_cast<double>(info.uordblks + info.hblkhd);
+    };
+    const double before = in_use();
+    EventLoop<2> loop(gas.box, particles);
+    loop.start(start);
+    loop.advance(0.1, nullptr);
+    return (in_use() - before) / count;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -66,7 +86,8 @@ int main(int argc, char** argv) {
     fmt::print(
         "packing  particles  walls     million collisions/s   per million reference steps\n");
     for (const double packing : {0.20, 0.65}) {
-        for (const int count : {1'000, 10'000, 100'000}) {
+        for (const int count : {1'000, 10'000, 100'000, 1'000'000}) {
+            if (quick && count > 100'000) continue;
             for (const Wall wall : {Wall::periodic, Wall::solid}) {
                 const double before = reference_speed();
                 const double speed = million_collisions_per_second(packing, count, wall, seconds);
@@ -76,4 +97,9 @@ int main(int argc, char** argv) {
             }
         }
     }
+    if (quick) return 0;
+    fmt::print("memory of the event loop, bytes a particle:\n");
+    for (const double packing : {0.20, 0.65})
+        fmt::print("{:7.2f} {:10} {:22.0f}\n", packing, 1'000'000,
+                   bytes_per_particle(packing, 1'000'000));
 }

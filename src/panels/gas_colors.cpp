@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stats/histogram.h"
+#include "stats/speed_classes.h"
 #include "util/text.h"
 
 namespace carom {
@@ -36,6 +38,11 @@ std::string scale_title(ColorBy color_by) {
 }
 
 }  // namespace
+
+std::vector<Color> speed_class_colors(const Scene& scene, bool dark_ground) {
+    const ColorMap map = scale_colors(scene, dark_ground);
+    return {map.at(0.0), map.at(0.5), map.at(1.0)};
+}
 
 double GasColors::value(Eigen::Index i, double speed) const {
     switch (cast_.scene.film.color_by) {
@@ -72,7 +79,7 @@ std::uint8_t GasColors::shade(Eigen::Index i, double speed, double mean_speed) c
         case ColorBy::species:
             return static_cast<std::uint8_t>(cast_.particles.species[i]);
         case ColorBy::speed_class:
-            return speed < 0.5 * mean_speed ? 0 : speed > 1.5 * mean_speed ? 2 : 1;
+            return static_cast<std::uint8_t>(speed_class(speed, mean_speed));
         default: {
             const double share = value(i, speed) / scale_top_;
             return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
@@ -89,7 +96,7 @@ std::vector<Color> GasColors::of_shades(const Theme& theme) const {
     }
     const ColorMap map = scale_colors(cast_.scene, theme.dark);
     if (cast_.scene.film.color_by == ColorBy::speed_class)
-        return {map.at(0.0), map.at(0.5), map.at(1.0)};
+        return speed_class_colors(cast_.scene, theme.dark);
     for (int i = 0; i < 256; ++i) colors.push_back(map.at(i / 255.0));
     return colors;
 }
@@ -146,6 +153,11 @@ void GasColors::draw_legend(Canvas& canvas, const Page& page) const {
         style.max_width = page.area.width - 1.4 * u;
         draw_text(canvas, {page.area.x + 1.4 * u, y}, escape_markup(names[k]), style);
     }
+    if (cast_.scene.film.color_by != ColorBy::speed_class) return;
+    const std::array bounds{"below ½,", "above 1½", "of the", "mean"};
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+        draw_text(canvas, {page.area.x, page.area.y + (7.2 + 1.5 * double(k)) * u}, bounds[k],
+                  label_style(page));
 }
 
 }  // namespace carom

@@ -10,6 +10,9 @@
 
 namespace carom {
 
+/// The colours of slow, medium and fast.
+std::vector<Color> speed_class_colors(const Scene& scene, bool dark_ground);
+
 class GasColors {
   public:
     explicit GasColors(const Cast& cast) : cast_(cast) {}

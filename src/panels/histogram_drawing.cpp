@@ -55,7 +55,7 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) co
 // the mean too.
 int HistogramPanel::rows_above() const {
     const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(series_.size())) : 0;
-    const bool means = fits == 0 && subject_.symmetric && (marks_mean_now() || marks_mean_start());
+    const bool means = fits == 0 && fills_the_middle() && (marks_mean_now() || marks_mean_start());
     return fits + (means ? 1 : 0);
 }
 
@@ -174,13 +174,13 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
         above += one.above;
     }
     std::string beyond = below > 0.0 ? "← " + count_words(below) + "  " : "";
-    if (above > 0.0 && subject_.symmetric) beyond += count_words(above) + " →";
-    if (above > 0.0 && !subject_.symmetric)
+    if (above > 0.0 && fills_the_middle()) beyond += count_words(above) + " →";
+    if (above > 0.0 && !fills_the_middle())
         beyond += fmt::format("{} {} →", count_words(above), subject_.beyond);
     if (beyond.empty()) return;
     const Scales s = scales(page);
-    const bool several = series_.size() > 1 && !subject_.symmetric;
-    const double row = subject_.symmetric ? 0.8 : several ? 0.8 + 1.4 * double(now.size()) : 3.6;
+    const bool several = series_.size() > 1 && !fills_the_middle();
+    const double row = fills_the_middle() ? 0.8 : several ? 0.8 + 1.4 * double(now.size()) : 3.6;
     draw_name(canvas, page, {names_x(page) + 0.6 * page.unit, s.area.y + row * page.unit}, beyond,
               page.theme.muted);
 }
@@ -190,14 +190,14 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
 double HistogramPanel::names_x(const Page& page) const {
     const Scales s = scales(page);
     const double right = s.area.right() - names_width * page.unit;
-    if (subject_.symmetric || window() != 0.0) return right;
+    if (fills_the_middle() || window() != 0.0) return right;
     const bool taken = s.x(series_.front().mean_start) > right - 2.5 * page.unit;
     return taken ? s.area.x + page.unit : right;
 }
 
 Point HistogramPanel::name_place(const Page& page, int index) const {
     const Scales s = scales(page);
-    if (!subject_.symmetric) return {names_x(page), s.area.y + (0.8 + 1.4 * index) * page.unit};
+    if (!fills_the_middle()) return {names_x(page), s.area.y + (0.8 + 1.4 * index) * page.unit};
     const Point row = row_above(page, rows_above() - 1);
     const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
     return {row.x + 0.2 * page.unit + index * s.area.width / shown, row.y};
@@ -274,7 +274,7 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page,
     const double u = page.unit;
     const auto name = [&](int index, const std::string& words, double mean, bool solid,
                           Color color) {
-        if (subject_.symmetric && spec_.fit) return;
+        if (fills_the_middle() && spec_.fit) return;
         const Point at = name_place(page, index);
         draw_name(canvas, page, {at.x + 0.6 * u, at.y}, words + " " + three_digits(mean), color);
         const Point low{at.x, at.y + 0.1 * u}, high{at.x, at.y - 0.85 * u};

@@ -74,6 +74,7 @@ class HistogramPanel : public Panel {
     void choose_bins();
     void choose_curves();
     void choose_height();
+    bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
     bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means); }
     bool marks_mean_start() const { return spec_.mean_start.value_or(subject_.means); }
 

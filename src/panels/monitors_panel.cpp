@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "stats/speed_classes.h"
 #include "util/text.h"
 
 namespace carom {
@@ -68,16 +69,11 @@ void MonitorsPanel::survey(const Observation& observation) {
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
     auto state = std::make_shared<MonitorsState>();
-    const auto count = static_cast<double>(observation.speed.size());
     state->time = folded_time(cast_.scene.run, observation.tick.time);
     state->collisions = observation.passage.counts.particle;
     state->mean_speed = observation.speed.mean();
     state->mean_energy = observation.energy.mean();
-    const double slow = 0.5 * state->mean_speed;
-    const double fast = 1.5 * state->mean_speed;
-    state->shares[0] = static_cast<double>((observation.speed < slow).count()) / count;
-    state->shares[2] = static_cast<double>((observation.speed > fast).count()) / count;
-    state->shares[1] = std::max(0.0, 1.0 - state->shares[0] - state->shares[2]);
+    state->shares = class_shares(observation.speed, state->mean_speed);
     const bool turning = observation.tick.phase == Phase::reversing;
     const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
     const double turned = turning ? observation.tick.progress : 0.0;
@@ -85,12 +81,25 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observ
     return state;
 }
 
+// In a row a number stands under its label, in a panel beside it, in two columns.
+MonitorsPanel::Place MonitorsPanel::place(const Page& page, std::size_t index) const {
+    const double u = page.unit;
+    const Rect& area = page.area;
+    if (in_row_) {
+        const double x = area.x + columns[index].left * area.width;
+        return {{x, area.y + u}, {x, area.y + 2.9 * u}};
+    }
+    const double left = area.x + (index < 4 ? 0.0 : 0.54 * area.width);
+    const double step = std::min(2.9 * u, (area.height - 1.5 * u) / 3.0);
+    const double y = area.y + 1.5 * u + step * static_cast<double>(index % 4);
+    return {{left, y}, {left + (index < 4 ? 0.27 : 0.22) * area.width, y}};
+}
+
 void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
     TextStyle style = label_style(page);
     style.size = 1.035 * page.unit;
-    for (const Column& column : columns)
-        draw_text(canvas, {page.area.x + column.left * page.area.width, page.area.y + page.unit},
-                  column.label, style);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        draw_text(canvas, place(page, i).label, columns[i].label, style);
 }
 
 void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
@@ -106,13 +115,12 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
         percent(now.shares[2])};
     TextStyle style = title_style(page);
     style.size = 1.53 * page.unit;
-    const double baseline = page.area.y + 2.9 * page.unit;
     for (std::size_t i = 0; i < columns.size(); ++i)
-        draw_text(canvas, {page.area.x + columns[i].left * page.area.width, baseline}, numbers[i],
-                  style);
+        draw_text(canvas, place(page, i).number, numbers[i], style);
     if (cast_.scene.run.events.empty()) return;
-    const double x = page.area.x + 0.112 * page.area.width;
-    draw_arrow(canvas, {x, baseline - 0.55 * page.unit}, 0.6 * page.unit, now.arrow,
+    const Point time = place(page, 0).number;
+    const double x = page.area.x + (in_row_ ? 0.112 : 0.48) * page.area.width;
+    draw_arrow(canvas, {x, time.y - 0.55 * page.unit}, 0.6 * page.unit, now.arrow,
                page.theme.accent);
 }
 

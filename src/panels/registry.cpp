@@ -15,7 +15,13 @@ const std::array entries{
     Entry{"speed-histogram", make_speed_histogram},
     Entry{"energy-histogram", make_energy_histogram},
     Entry{"velocity-histogram", make_velocity_histogram},
+    Entry{"position-histogram", make_position_histogram},
     Entry{"energy-by-species", make_energy_by_species},
+    Entry{"speed-classes", make_speed_classes},
+    Entry{"temperature", make_temperature},
+    Entry{"entropy", make_entropy},
+    Entry{"pressure", make_pressure},
+    Entry{"monitors", make_monitors},
 };
 
 }  // namespace

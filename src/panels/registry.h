@@ -20,5 +20,11 @@ std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& s
 std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_energy_by_species(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_position_histogram(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_temperature(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_entropy(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec);
 
 }  // namespace carom

@@ -16,18 +16,33 @@ constexpr Range not_negative{0.0, largest_quantity.value, largest_quantity.meani
 constexpr Range positive{smallest_quantity.value, largest_quantity.value, largest_quantity.meaning};
 
 const vector<string>& histograms() {
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
+                                      "position-histogram"};
+    return kinds;
+}
+
+// Those whose equilibrium is known.
+const vector<string>& predicted() {
     static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram"};
+    return kinds;
+}
+
+// Those that take numbers over a time.
+const vector<string>& timed() {
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
+                                      "position-histogram", "pressure"};
     return kinds;
 }
 
 // Those that show particles which a scene may choose.
 const vector<string>& choosing() {
-    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram"};
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
+                                      "position-histogram", "temperature"};
     return kinds;
 }
 
 const vector<string>& directed() {
-    static const vector<string> kinds{"velocity-histogram"};
+    static const vector<string> kinds{"velocity-histogram", "position-histogram"};
     return kinds;
 }
 
@@ -221,18 +236,18 @@ Section panel() {
                                          "Whose numbers: of all particles, a species, a particle "
                                          "by its number, or several of these drawn together.",
                                          chosen()})),
-             only_with(histograms(),
-                       otherwise("now", {"over",
+             only_with(timed(), left_to("now; since the start for the pressure",
+                                        {"over",
                                          "Numbers of the present, their mean since time 0, or "
                                          "their mean over a while before the present.",
                                          {one_of({"now", "start"}), window()}})),
+             only_with(directed(),
+                       left_to("both for velocities, x for positions",
+                               {"component",
+                                "Along which axis; `both` counts either component of a particle.",
+                                {one_of({"x", "y", "both"})}})),
              only_with(
-                 directed(),
-                 left_to("both", {"component",
-                                  "Along which axis; `both` counts either component of a particle.",
-                                  {one_of({"x", "y", "both"})}})),
-             only_with(
-                 histograms(),
+                 predicted(),
                  otherwise(
                      "true",
                      {"theory",
@@ -245,10 +260,14 @@ Section panel() {
                                            {flag()}})),
              only_with(histograms(), left_to("true for speeds and energies",
                                              {"mean_now", "Whether to mark the mean.", {flag()}})),
-             only_with(
-                 histograms(),
-                 left_to("true for speeds and energies",
-                         {"mean_start", "Whether to mark the mean at the start.", {flag()}}))}});
+             only_with(histograms(),
+                       left_to("true for speeds and energies",
+                               {"mean_start", "Whether to mark the mean at the start.", {flag()}})),
+             only_with({"speed-classes"},
+                       otherwise("now", {"reference",
+                                         "The mean speed that slow and fast are measured by: the "
+                                         "present one, or that at the start.",
+                                         {one_of({"now", "initial"})}}))}});
 }
 
 vector<Key> film_keys() {
@@ -358,8 +377,10 @@ const Section& template_section() {
 }
 
 std::span<const string> panel_kinds() {
-    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
-                                      "energy-by-species"};
+    static const vector<string> kinds{
+        "speed-histogram",   "energy-histogram", "velocity-histogram", "position-histogram",
+        "energy-by-species", "speed-classes",    "temperature",        "entropy",
+        "pressure",          "monitors"};
     return kinds;
 }
 

@@ -60,11 +60,15 @@ Over read_over(const Fields& fields, const Node& node) {
     return {Over::Since::window, window.value_or(0.0)};
 }
 
-std::optional<Component> read_component(const Fields& fields, const Gas& gas, Errors& errors) {
+std::optional<Component> read_component(const Fields& fields, const std::string& kind,
+                                        const Gas& gas, Errors& errors) {
     const Node* node = fields.given("component");
     if (node == nullptr) return std::nullopt;
     if (gas.box.dimension == 1)
         errors.add(*node, "on a wire there is one direction only: `component` has no meaning");
+    else if (node->text == "both" && kind == "position-histogram")
+        errors.add(*node, "expected `x` or `y` for `component` of positions, found `both`",
+                   "the axes of a box have lengths of their own");
     if (node->text == "both") return Component::both;
     return node->text == "y" ? Component::y : Component::x;
 }
@@ -88,7 +92,7 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     panel.title = fields.text("title");
     if (const Node* of = fields.given("of")) panel.of = read_of(*of, gas, errors);
     if (const Node* over = fields.given("over")) panel.over = read_over(fields, *over);
-    panel.component = read_component(fields, gas, errors);
+    panel.component = read_component(fields, panel.kind, gas, errors);
     if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
     if (const Node* range = fields.given("range"))
         panel.range = read_range(*range, panel.kind, errors);
@@ -96,6 +100,7 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     panel.fit = fields.flag("fit").value_or(false);
     panel.mean_now = fields.flag("mean_now");
     panel.mean_start = fields.flag("mean_start");
+    panel.reference_initial = fields.text("reference") == "initial";
     return panel;
 }
 

@@ -1,0 +1,152 @@
+#include "panels/series_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/histogram.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct SeriesState : PanelState {
+    std::size_t shown = 0;
+};
+
+// Points nearer than half the line's width to the one before show nothing new, and a long film has
+// thousands.
+bool is_apart(const Point& a, const Point& b, double distance) {
+    return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
+}
+
+constexpr double row_height = 1.5;  // of the note under the title, in units
+
+}  // namespace
+
+struct SeriesPanel::Scales {
+    Rect area;
+    Scale x, y;
+    double height(double value, bool logarithmic) const {
+        return std::clamp(y(logarithmic ? std::log10(value) : value), area.y, area.bottom());
+    }
+};
+
+SeriesPanel::SeriesPanel(const Cast& cast, SeriesSubject subject)
+    : cast_(cast), subject_(std::move(subject)) {}
+
+void SeriesPanel::survey(const Observation& observation) {
+    const std::vector<double> now = subject_.measure(observation);
+    history_.time.push_back(folded_time(cast_.scene.run, observation.tick.time));
+    history_.leg.push_back(observation.tick.reversals);
+    history_.lines.resize(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) history_.lines[k].push_back(now[k]);
+}
+
+void SeriesPanel::settle() {
+    std::vector<double> all;
+    for (const std::vector<double>& line : history_.lines)
+        for (double value : line)
+            if (value > 0.0 && std::isfinite(value)) all.push_back(value);
+    first_ = *std::ranges::min_element(history_.time);
+    last_ = *std::ranges::max_element(history_.time);
+    if (last_ <= first_) last_ = first_ + 1.0;
+    if (subject_.reference) reference_ = subject_.reference();
+    if (subject_.top) high_ = *subject_.top;
+    if (all.empty() || subject_.top) return;
+
+    // Without a scale by powers of ten room is left over the lines, and what is beyond is cut.
+    const double most = subject_.spreads ? *std::ranges::max_element(all)
+                                         : 1.25 * std::max(quantile(all, 0.98), reference_value());
+    const double least =
+        quantile(all, 0.01);  // one particle's energy may touch zero for an instant
+    constexpr double linear_up_to = 50.0;
+    logarithmic_ = subject_.spreads && most > linear_up_to * least;
+    low_ = logarithmic_ ? std::floor(std::log10(least)) : 0.0;
+    high_ = logarithmic_ ? std::ceil(std::log10(most)) : round_up_for_axis(most);
+}
+
+std::shared_ptr<const PanelState> SeriesPanel::state(const Observation&) {
+    auto state = std::make_shared<SeriesState>();
+    state->shown = ++seen_;
+    return state;
+}
+
+double SeriesPanel::reference_value() const { return reference_ ? reference_->value : 0.0; }
+
+SeriesPanel::Scales SeriesPanel::scales(const Page& page) const {
+    Rect area = plot_area(page);
+    const double note = subject_.note.empty() ? 0.0 : row_height * page.unit;
+    area.y += note;
+    area.height = std::max(page.unit, area.height - note);
+    return {area, {first_, last_, area.x, area.right()}, {low_, high_, area.bottom(), area.y}};
+}
+
+void SeriesPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    draw_panel_title(canvas, page, subject_.title(page.theme));
+    TextStyle note = label_style(page);
+    note.max_width = page.area.width;
+    if (!subject_.note.empty())
+        draw_text(canvas, {page.area.x, page.area.y + 2.5 * page.unit}, subject_.note, note);
+    const Scales s = scales(page);
+    draw_x_axis(canvas, s.area, s.x, "time", axis_style(page));
+    if (logarithmic_) draw_log_y_axis(canvas, s.area, s.y, "", axis_style(page));
+    if (!logarithmic_) draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
+    draw_reversals(canvas, page);
+    draw_reference(canvas, page);
+}
+
+void SeriesPanel::draw_reference(Canvas& canvas, const Page& page) const {
+    if (!reference_) return;
+    const Scales s = scales(page);
+    const double u = page.unit;
+    const double y = s.height(reference_->value, logarithmic_);
+    canvas.stroke_dashed({s.area.x, y}, {s.area.right(), y}, 0.08 * u, 0.3 * u, page.theme.muted);
+    const std::string words = reference_->name + " " + three_digits(reference_->value);
+    const Point sample{s.area.right() - 10.3 * u, s.area.y + 0.8 * u};
+    canvas.stroke_dashed({sample.x - 1.2 * u, sample.y - 0.35 * u},
+                         {sample.x + 0.1 * u, sample.y - 0.35 * u}, 0.08 * u, 0.3 * u,
+                         page.theme.muted);
+    draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words, label_style(page));
+}
+
+// A thin line where the time axis turns back, with the word.
+void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
+    const Scales s = scales(page);
+    for (const RunEvent& event : cast_.scene.run.events) {
+        const double x = s.x(folded_time(cast_.scene.run, event.at));
+        canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * page.unit, page.theme.muted);
+        TextStyle style = label_style(page);
+        style.align = x > s.area.x + s.area.width / 2 ? Align::right : Align::left;
+        const double gap = style.align == Align::right ? -0.4 : 0.4;
+        draw_text(canvas, {x + gap * page.unit, s.area.bottom() - 0.5 * page.unit}, "reversed",
+                  style);
+    }
+}
+
+void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
+                            std::size_t shown) const {
+    const Scales s = scales(page);
+    const std::vector<double>& line = history_.lines[index];
+    const Color color = subject_.color(index, page.theme);
+    std::vector<Point> path;
+    for (std::size_t i = 0; i < shown; ++i) {
+        if (!std::isfinite(line[i])) continue;
+        const Point last{s.x(history_.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
+        const bool leg_ends = i + 1 == shown || history_.leg[i + 1] != history_.leg[i];
+        if (leg_ends || path.empty() || is_apart(path.back(), last, 0.08 * page.unit))
+            path.push_back(last);
+        if (!leg_ends) continue;
+        const bool way_back = history_.leg[i] % 2 == 1;
+        canvas.stroke_path(path, 0.16 * page.unit,
+                           way_back ? mix(color, page.theme.ink, 0.5) : color);
+        path = {last};
+    }
+    if (!path.empty()) canvas.fill_circle(path.back(), 0.3 * page.unit, color);
+}
+
+void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const SeriesState&>(state);
+    for (std::size_t k = history_.lines.size(); k-- > 0;) draw_line(canvas, page, k, now.shown);
+}
+
+}  // namespace carom

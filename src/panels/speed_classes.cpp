@@ -1,0 +1,53 @@
+// The share of slow, medium and fast particles against time, in the colours that disks have by
+// their class.
+#include "stats/speed_classes.h"
+
+#include <fmt/format.h>
+
+#include "panels/gas_colors.h"
+#include "panels/registry.h"
+#include "panels/series_panel.h"
+
+namespace carom {
+namespace {
+
+// A word in the colour of a class, lighter or darker where it would be hard to read.
+std::string legible(const std::string& word, Color color, const Theme& theme) {
+    double share = 0.0;
+    while (share < 1.0 && contrast(mix(color, theme.ink, share), theme.page) < 4.5) share += 0.05;
+    return colored(word, mix(color, theme.ink, share));
+}
+
+std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
+    if (spec.title) return escape_markup(*spec.title);
+    const std::vector<Color> colors = speed_class_colors(cast.scene, theme.dark);
+    return fmt::format("{}, {} and {}, in per cent", legible("Slow", colors[0], theme),
+                       legible("medium", colors[1], theme), legible("fast", colors[2], theme));
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spec) {
+    SeriesSubject subject{
+        .measure = {},
+        .color = [cast](
+                     std::size_t k,
+                     const Theme& theme) { return speed_class_colors(cast.scene, theme.dark)[k]; },
+        .title = [cast, spec](const Theme& theme) { return title(cast, spec, theme); },
+        .note = spec.reference_initial ? "slow below ½, fast above 1½ of the mean at the start"
+                                       : "slow below ½, fast above 1½ of the mean speed now",
+        .top = 100.0};
+    // Called for every frame in order: the first gives the mean at the start.
+    subject.measure = [first = std::optional<double>{},
+                       spec](const Observation& o) mutable -> std::vector<double> {
+        const double now = o.speed.mean();
+        if (!first) first = now;
+        std::vector<double> percent;
+        for (const double share : class_shares(o.speed, spec.reference_initial ? *first : now))
+            percent.push_back(100.0 * share);
+        return percent;
+    };
+    return std::make_unique<SeriesPanel>(cast, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,136 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "panels/registry.h"
+#include "panels/series_panel.h"
+#include "stats/speed_classes.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+// A gas of light particles (mass 1) and as many heavy ones (mass 4) in a box of 10 by 10.
+struct Stage {
+    Scene scene;
+    Particles particles;
+    std::optional<EquilibriumGas> equilibrium;
+    Passage passage;
+
+    explicit Stage(Eigen::Index each) {
+        scene.gas.box.size = {10.0, 10.0};
+        scene.gas.species = {{.name = "light", .count = each}, {.name = "heavy", .count = each}};
+        scene.looks.resize(2);
+        particles.radius = Eigen::ArrayXd::Constant(2 * each, 0.5);
+        particles.inverse_mass = Eigen::ArrayXd::Ones(2 * each);
+        particles.inverse_mass.tail(each) = 0.25;
+        particles.species = Eigen::ArrayXi::Zero(2 * each);
+        particles.species.tail(each) = 1;
+    }
+
+    std::unique_ptr<SeriesPanel> panel(const PanelSpec& spec) const {
+        const Cast cast{scene, particles, 3, equilibrium};
+        return std::unique_ptr<SeriesPanel>(
+            static_cast<SeriesPanel*>(make_panel(cast, spec).release()));
+    }
+
+    void show(SeriesPanel& panel, double time, const Eigen::ArrayXXd& velocity) const {
+        const Sample sample{time, Eigen::ArrayXXd::Constant(velocity.rows(), 2, 5.0), velocity};
+        Tick tick;
+        tick.time = time;
+        const Eigen::ArrayXd speed = speeds(sample);
+        const Eigen::ArrayXd energy = kinetic_energies(particles, sample);
+        panel.survey({tick, sample, speed, energy, passage});
+    }
+};
+
+Eigen::ArrayXXd along_x(const std::vector<double>& values) {
+    Eigen::ArrayXXd velocity = Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(values.size()), 2);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        velocity(static_cast<Eigen::Index>(i), 0) = values[i];
+    return velocity;
+}
+
+}  // namespace
+
+TEST_CASE("the bounds of the classes of speed are medium") {
+    const std::array<double, 3> shares =
+        class_shares(Eigen::ArrayXd{{0.0, 0.99, 1.0, 2.0, 3.0, 3.01, 7.0, 2.5}}, 2.0);
+    CHECK(shares[0] == 2.0 / 8);
+    CHECK(shares[1] == 4.0 / 8);
+    CHECK(shares[2] == 2.0 / 8);
+}
+
+TEST_CASE("slow and fast are beside the present mean speed, or that at the start") {
+    const Stage stage(2);
+    for (const bool initial : {false, true}) {
+        PanelSpec spec{.kind = "speed-classes"};
+        spec.reference_initial = initial;
+        const auto panel = stage.panel(spec);
+        stage.show(*panel, 0.0, along_x({1.0, 1.0, 1.0, 1.0}));
+        stage.show(*panel, 1.0, along_x({0.0, 1.0, 3.0, 4.0}));  // mean 2
+        CHECK(panel->line(1)[0] == 100.0);
+        CHECK(panel->line(0)[1] == 25.0);
+        CHECK(panel->line(1)[1] == (initial ? 25.0 : 50.0));
+        CHECK(panel->line(2)[1] == (initial ? 50.0 : 25.0));
+    }
+}
+
+TEST_CASE("the temperature of a plane is its mean energy, of all and of those chosen") {
+    const Stage stage(2);
+    PanelSpec spec{.kind = "temperature"};
+    spec.of = {{}, {1, {}}, {{}, 0}};
+    const auto panel = stage.panel(spec);
+    stage.show(*panel, 0.0, along_x({1.0, 2.0, 3.0, -1.0}));  // energies 0.5, 2, 18, 2
+    CHECK(panel->line(0)[0] == doctest::Approx(22.5 / 4));
+    CHECK(panel->line(1)[0] == doctest::Approx(10.0));
+    CHECK(panel->line(2)[0] == doctest::Approx(0.5));
+}
+
+TEST_CASE("pressures are of what changed hands since the start, in a while, or since a frame ago") {
+    Stage stage(2);
+    const auto last = [&](Over over) {
+        PanelSpec spec{.kind = "pressure"};
+        spec.over = over;
+        const auto panel = stage.panel(spec);
+        const Eigen::ArrayXXd velocity = along_x({1.0, -1.0, 1.0, -1.0});  // energy 5
+        double received = 0.0;
+        for (const double t : {0.0, 1.0, 1.0, 2.0, 4.0}) {
+            received = 10.0 * t * t;  // by each wall
+            stage.passage.transfers.wall = {received, received, received, received};
+            stage.passage.transfers.virial = 8.0 * t;
+            stage.show(*panel, t, velocity);
+        }
+        CHECK(std::isnan(panel->line(0)[0]));
+        // P V = 2 K / 2 + virial / (2 t) over the room of the centres, (10 * 9 + 10 * 9) / 2.
+        CHECK(panel->line(1).back() == doctest::Approx((5.0 + 8.0 / 2.0) / 90.0));
+        return panel->line(0).back();
+    };
+    // Four walls of length 10.
+    CHECK(last({Over::Since::start, 0.0}) == doctest::Approx(4 * 160.0 / (40.0 * 4.0)));
+    CHECK(last({Over::Since::window, 3.0}) == doctest::Approx(4 * 150.0 / (40.0 * 3.0)));
+    CHECK(last({Over::Since::now, 0.0}) == doctest::Approx(4 * 120.0 / (40.0 * 2.0)));
+}
+
+TEST_CASE(
+    "entropy is 0 where all of a kind move alike, ln 2 for two streams, most at equilibrium") {
+    Stage stage(100);
+    const auto panel = stage.panel({.kind = "entropy"});
+    Random random(3, "velocities");
+    Eigen::ArrayXXd alike = Eigen::ArrayXXd::Ones(200, 2);
+    alike.bottomRows(100) = -0.5;
+    Eigen::ArrayXXd streams = Eigen::ArrayXXd::Zero(200, 2);
+    for (Eigen::Index i = 0; i < 200; ++i) streams(i, 0) = i % 2 == 0 ? 1.0 : -1.0;
+    Eigen::ArrayXXd thermal(200, 2);
+    for (double& v : thermal.reshaped()) v = random.normal();
+    stage.show(*panel, 0.0, alike);
+    stage.show(*panel, 1.0, streams);
+    stage.show(*panel, 2.0, thermal);
+    stage.show(*panel, 3.0, -alike);
+    CHECK(panel->line(0)[0] == doctest::Approx(0.0));
+    CHECK(panel->line(0)[1] == doctest::Approx(std::log(2.0)));
+    CHECK(panel->line(0)[2] > 2.0);
+    CHECK(panel->line(0)[3] == doctest::Approx(0.0));
+}

@@ -54,6 +54,7 @@ void add_render(CLI::App& app);
 void add_still(CLI::App& app);
 void add_run(CLI::App& app);
 void add_check(CLI::App& app);
+void add_new(CLI::App& app);
 void add_schema(CLI::App& app);
 
 }  // namespace carom

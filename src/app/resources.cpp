@@ -16,4 +16,8 @@ std::filesystem::path templates_folder() {
     throw SystemError("cannot find carom's templates folder near " + program.string());
 }
 
+std::filesystem::path library_folder() { return templates_folder().parent_path() / "scenes"; }
+
+std::filesystem::path schema_file() { return library_folder() / "scene.schema.json"; }
+
 }  // namespace carom

@@ -8,4 +8,11 @@ namespace carom {
 /// The folder templates/ (holding films/). Throws SystemError when it is nowhere near the program.
 std::filesystem::path templates_folder();
 
+/// The folder scenes/, the library that comes with carom and holds its JSON Schema. Throws as
+/// templates_folder() does; it need not exist.
+std::filesystem::path library_folder();
+
+/// The JSON Schema of scenes, a file.
+std::filesystem::path schema_file();
+
 }  // namespace carom

@@ -67,14 +67,6 @@ constexpr std::array<NamedColor, 18> color_names{{{"black", "#000000"},
                                                   {"aqua", "#00ffff"},
                                                   {"orange", "#ffa500"}}};
 
-const Section* section_in(const std::vector<Form>& forms) {
-    for (const Form& form : forms) {
-        if (form.section) return form.section.get();
-        if (const Section* inner = section_in(form.items)) return inner;
-    }
-    return nullptr;
-}
-
 bool is_hex(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
@@ -176,6 +168,14 @@ std::size_t Section::index(std::string_view key) const {
     const auto found = std::find_if(keys.begin(), keys.end(),
                                     [&](const Key& candidate) { return candidate.name == key; });
     return static_cast<std::size_t>(found - keys.begin());
+}
+
+const Section* section_in(const std::vector<Form>& forms) {
+    for (const Form& form : forms) {
+        if (form.section) return form.section.get();
+        if (const Section* inner = section_in(form.items)) return inner;
+    }
+    return nullptr;
 }
 
 const Section& section_of(const Section& parent, std::string_view key) {

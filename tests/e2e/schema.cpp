@@ -148,6 +148,13 @@ const std::vector<Case> cases{
 
 }  // namespace
 
+TEST_CASE("the schema in scenes/ is current") {
+    const bool current =
+        contents(root / "scenes/scene.schema.json") == run({program, "schema"}).out;
+    INFO("make it anew with ./dev docs");
+    CHECK(current);
+}
+
 TEST_CASE("every good scene fits the schema") {
     std::vector<fs::path> scenes = scenes_in("scenes");
     for (const fs::path& scene : scenes_in("tests/golden")) scenes.push_back(scene);

@@ -176,6 +176,7 @@ void HistogramPanel::choose_bins() {
 void HistogramPanel::choose_height() {
     double bars = 0.0;
     const double curve = curve_top();
+    const bool settles = curve > 0.0 || window() != 0.0;  // means are rough at first only
     for (const Series& one : series_) {
         std::vector<double> tops;
         RunningHistogram running(bins_, window());
@@ -183,7 +184,7 @@ void HistogramPanel::choose_height() {
             running.add(probe.time, probe.values);
             tops.push_back(std::ranges::max(running.mean().counts));
         }
-        if (!tops.empty()) bars = std::max(bars, quantile(tops, curve > 0.0 ? 0.5 : 0.9));
+        if (!tops.empty()) bars = std::max(bars, quantile(tops, settles ? 0.5 : 0.9));
     }
     const double top = curve > 0.0 ? std::clamp(1.1 * bars, 1.2 * curve, 1.4 * curve) : 1.1 * bars;
     const double least = window() == 0.0 ? 1.0 : 1e-3;  // a mean number may be far below 1

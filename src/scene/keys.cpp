@@ -36,13 +36,16 @@ const vector<string>& timed() {
 
 // Those that show particles which a scene may choose.
 const vector<string>& choosing() {
-    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
-                                      "position-histogram", "temperature"};
+    static const vector<string> kinds{"speed-histogram",    "energy-histogram",
+                                      "velocity-histogram", "position-histogram",
+                                      "temperature",        "phase",
+                                      "positions"};
     return kinds;
 }
 
 const vector<string>& directed() {
-    static const vector<string> kinds{"velocity-histogram", "position-histogram"};
+    static const vector<string> kinds{"velocity-histogram", "position-histogram", "phase",
+                                      "positions"};
     return kinds;
 }
 
@@ -377,10 +380,12 @@ const Section& template_section() {
 }
 
 std::span<const string> panel_kinds() {
-    static const vector<string> kinds{
-        "speed-histogram",   "energy-histogram", "velocity-histogram", "position-histogram",
-        "energy-by-species", "speed-classes",    "temperature",        "entropy",
-        "pressure",          "monitors"};
+    static const vector<string> kinds{"speed-histogram",    "energy-histogram",
+                                      "velocity-histogram", "position-histogram",
+                                      "energy-by-species",  "speed-classes",
+                                      "temperature",        "entropy",
+                                      "pressure",           "phase",
+                                      "positions",          "monitors"};
     return kinds;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -66,11 +67,22 @@ std::optional<Component> read_component(const Fields& fields, const std::string&
     if (node == nullptr) return std::nullopt;
     if (gas.box.dimension == 1)
         errors.add(*node, "on a wire there is one direction only: `component` has no meaning");
-    else if (node->text == "both" && kind == "position-histogram")
-        errors.add(*node, "expected `x` or `y` for `component` of positions, found `both`",
+    else if (node->text == "both" && kind != "velocity-histogram")
+        errors.add(*node,
+                   "expected `x` or `y` for `component` where positions are shown, found `both`",
                    "the axes of a box have lengths of their own");
     if (node->text == "both") return Component::both;
     return node->text == "y" ? Component::y : Component::x;
+}
+
+// One particle's position is shown against another's.
+void check_two_particles(const Node& place, const PanelSpec& panel, Errors& errors) {
+    const bool particles =
+        std::ranges::all_of(panel.of, [](const Chosen& one) { return one.particle.has_value(); });
+    if (panel.kind == "positions" && (panel.of.size() != 2 || !particles))
+        errors.add(place,
+                   "a panel of kind `positions` needs `of` with the numbers of two particles",
+                   "for instance {kind: positions, of: [0, 1]}");
 }
 
 std::pair<double, double> read_range(const Node& range, const std::string& kind, Errors& errors) {
@@ -92,6 +104,9 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     panel.title = fields.text("title");
     if (const Node* of = fields.given("of")) panel.of = read_of(*of, gas, errors);
     if (const Node* over = fields.given("over")) panel.over = read_over(fields, *over);
+    const Node* place = fields.given("of");
+    if (place != nullptr || !fields.mentions("of"))
+        check_two_particles(place != nullptr ? *place : fields.node(), panel, errors);
     panel.component = read_component(fields, panel.kind, gas, errors);
     if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
     if (const Node* range = fields.given("range"))
@@ -118,6 +133,7 @@ std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& e
         } else {
             panels.push_back({});
             panels.back().kind = item.text;
+            check_two_particles(item, panels.back(), errors);
         }
     }
     return panels;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "panels/points_panel.h"
 #include "panels/registry.h"
 #include "panels/series_panel.h"
 #include "stats/speed_classes.h"
@@ -133,4 +134,37 @@ TEST_CASE(
     CHECK(panel->line(0)[1] == doctest::Approx(std::log(2.0)));
     CHECK(panel->line(0)[2] > 2.0);
     CHECK(panel->line(0)[3] == doctest::Approx(0.0));
+}
+
+TEST_CASE("points are positions against velocities, or against another particle's") {
+    const Stage stage(2);
+    const Cast cast{stage.scene, stage.particles, 1, stage.equilibrium};
+    Eigen::ArrayXXd position(4, 2), velocity(4, 2);
+    position << 1, 2, 3, 4, 5, 6, 7, 8;
+    velocity << -1, -2, -3, -4, -5, -6, -7, -8;
+    const Sample sample{0.0, position, velocity};
+    const Eigen::ArrayXd speed = speeds(sample);
+    const Tick tick;
+    const Observation observation{tick, sample, speed, speed, stage.passage};
+    const auto points = [&](const PanelSpec& spec, std::size_t set) {
+        const std::unique_ptr<Panel> panel = make_panel(cast, spec);
+        panel->survey(observation);
+        panel->settle();
+        std::vector<std::pair<double, double>> pairs;
+        const std::shared_ptr<const PanelState> state = panel->state(observation);
+        for (const Point& point : PointsPanel::points(*state, set))
+            pairs.emplace_back(point.x, point.y);
+        return pairs;
+    };
+    using Pairs = std::vector<std::pair<double, double>>;
+    PanelSpec phase{.kind = "phase"};
+    phase.of = {{0, {}}, {{}, 3}};
+    CHECK(points(phase, 0) == Pairs{{1, -1}, {3, -3}});
+    phase.component = Component::y;
+    CHECK(points(phase, 1) == Pairs{{8, -8}});
+    PanelSpec both{.kind = "positions"};
+    both.of = {{{}, 2}, {{}, 1}};
+    CHECK(points(both, 0) == Pairs{{5, 3}});
+    both.component = Component::y;
+    CHECK(points(both, 0) == Pairs{{6, 4}});
 }

@@ -1,0 +1,43 @@
+// Position against velocity along one axis, a point for each particle.
+#include "panels/chosen.h"
+#include "panels/points_panel.h"
+#include "panels/registry.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec) {
+    const Box& box = cast.scene.gas.box;
+    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
+    const std::string along = box.dimension == 1 ? "" : axis == 1 ? " along y" : " along x";
+    const std::vector<Chosen> chosen = choices(spec);
+    std::vector<std::vector<Eigen::Index>> lists;
+    for (const Chosen& one : chosen) lists.push_back(members(cast, one));
+    PointsSubject subject{
+        .title =
+            [cast, spec, chosen](const Theme& theme) {
+                if (spec.title) return escape_markup(*spec.title);
+                const std::string words = "Position and velocity";
+                return spec.of.empty() ? words
+                                       : words + " of " + colored_names(cast, chosen, theme);
+            },
+        .across = "position" + along,
+        .up = "velocity" + along,
+        .width = {0.0, box.size[axis]},
+        .height = {},
+        .sets = chosen.size(),
+        .points =
+            [lists, axis](const Observation& o, std::size_t set) {
+                std::vector<Point> points;
+                for (const Eigen::Index i : lists[set])
+                    points.push_back({o.sample.position(i, axis), o.sample.velocity(i, axis)});
+                return points;
+            },
+        .color =
+            [cast, chosen](std::size_t k, const Theme& theme) {
+                return chosen.size() == 1 ? theme.bar : choice_color(cast, chosen[k], k, theme);
+            },
+        .breaks_across = 0.5 * box.size[axis]};
+    return std::make_unique<PointsPanel>(std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,121 @@
+#include "panels/points_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/histogram.h"
+
+namespace carom {
+namespace {
+
+struct PointsState : PanelState {
+    std::vector<std::vector<Point>> sets;
+    std::size_t shown = 0;
+    std::size_t bytes() const override {
+        std::size_t sum = 0;
+        for (const std::vector<Point>& set : sets) sum += set.size() * sizeof(Point);
+        return sum;
+    }
+};
+
+constexpr std::size_t kept_a_frame = 200;   // numbers that the axis is fixed by
+constexpr std::size_t longest_path = 3000;  // frames: drawing must not grow with the film
+
+}  // namespace
+
+struct PointsPanel::Scales {
+    Rect area;
+    Scale x, y;
+    Point operator()(const Point& p) const {
+        return {x(p.x), std::clamp(y(p.y), area.y, area.bottom())};
+    }
+};
+
+const std::vector<Point>& PointsPanel::points(const PanelState& state, std::size_t set) {
+    return static_cast<const PointsState&>(state).sets[set];
+}
+
+void PointsPanel::survey(const Observation& observation) {
+    paths_.resize(subject_.sets);
+    for (std::size_t k = 0; k < subject_.sets; ++k) {
+        const std::vector<Point> now = subject_.points(observation, k);
+        if (now.size() == 1) paths_[k].push_back(now.front());
+        const std::size_t stride = std::max<std::size_t>(1, now.size() / kept_a_frame);
+        for (std::size_t i = surveyed_ % stride; i < now.size(); i += stride)
+            pool_.push_back(std::abs(now[i].y));
+    }
+    ++surveyed_;
+}
+
+void PointsPanel::settle() {
+    if (subject_.height) {
+        std::tie(low_, high_) = *subject_.height;
+    } else {
+        const double most = pool_.empty() ? 0.0 : 1.1 * quantile(pool_, 0.995);
+        high_ = most > 0.0 && std::isfinite(most) ? round_up_for_axis(most) : 1.0;
+        low_ = -high_;
+    }
+    pool_ = {};
+}
+
+std::shared_ptr<const PanelState> PointsPanel::state(const Observation& observation) {
+    auto state = std::make_shared<PointsState>();
+    for (std::size_t k = 0; k < subject_.sets; ++k)
+        state->sets.push_back(subject_.points(observation, k));
+    state->shown = ++seen_;
+    return state;
+}
+
+PointsPanel::Scales PointsPanel::scales(const Page& page) const {
+    const Rect area = plot_area(page);
+    return {area,
+            {subject_.width.first, subject_.width.second, area.x, area.right()},
+            {low_, high_, area.bottom(), area.y}};
+}
+
+void PointsPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    draw_panel_title(canvas, page, subject_.title(page.theme));
+    const Scales s = scales(page);
+    draw_x_axis(canvas, s.area, s.x, subject_.across, axis_style(page));
+    draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
+    if (low_ < 0.0)
+        canvas.stroke_dashed({s.area.x, s.y(0.0)}, {s.area.right(), s.y(0.0)}, 0.06 * page.unit,
+                             0.3 * page.unit, page.theme.muted);
+    draw_text(canvas, {s.area.x + 0.4 * page.unit, s.area.y - 0.1 * page.unit}, subject_.up,
+              label_style(page));
+}
+
+void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
+                            std::size_t shown) const {
+    const Scales s = scales(page);
+    const std::vector<Point>& all = paths_[set];
+    const std::size_t end = std::min(shown, all.size());
+    const Color color = with_alpha(subject_.color(set, page.theme), 0.6);
+    std::vector<Point> path;
+    for (std::size_t i = end > longest_path ? end - longest_path : 0; i < end; ++i) {
+        const bool breaks =
+            !path.empty() &&
+            ((subject_.breaks_across > 0.0 &&
+              std::abs(all[i].x - all[i - 1].x) > subject_.breaks_across) ||
+             (subject_.breaks_up > 0.0 && std::abs(all[i].y - all[i - 1].y) > subject_.breaks_up));
+        if (breaks) {
+            canvas.stroke_path(path, 0.1 * page.unit, color);
+            path.clear();
+        }
+        path.push_back(s(all[i]));
+    }
+    if (!path.empty()) canvas.stroke_path(path, 0.1 * page.unit, color);
+}
+
+void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const PointsState&>(state);
+    const Scales s = scales(page);
+    for (std::size_t k = 0; k < now.sets.size(); ++k) {
+        draw_path(canvas, page, k, now.shown);
+        const double radius = (now.sets[k].size() == 1 ? 0.35 : 0.16) * page.unit;
+        for (const Point& point : now.sets[k])
+            canvas.fill_circle(s(point), radius, subject_.color(k, page.theme));
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+// One particle's position against another's along one axis, with the path so far.
+#include "panels/chosen.h"
+#include "panels/points_panel.h"
+#include "panels/registry.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
+    const Box& box = cast.scene.gas.box;
+    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
+    const std::string along = box.dimension == 1 ? "" : axis == 1 ? ", along y" : ", along x";
+    const auto first = static_cast<Eigen::Index>(spec.of.at(0).particle.value());
+    const auto second = static_cast<Eigen::Index>(spec.of.at(1).particle.value());
+    const double length = box.size[axis];
+    PointsSubject subject{.title =
+                              [spec, along](const Theme&) {
+                                  return spec.title ? escape_markup(*spec.title)
+                                                    : "Positions of two particles" + along;
+                              },
+                          .across = name_of(cast, spec.of[0]),
+                          .up = name_of(cast, spec.of[1]),
+                          .width = {0.0, length},
+                          .height = std::pair{0.0, length},
+                          .sets = 1,
+                          .points =
+                              [first, second, axis](const Observation& o, std::size_t) {
+                                  return std::vector<Point>{{o.sample.position(first, axis),
+                                                             o.sample.position(second, axis)}};
+                              },
+                          .color = [](std::size_t, const Theme& theme) { return theme.bar; },
+                          .breaks_across = 0.5 * length,
+                          .breaks_up = 0.5 * length};
+    return std::make_unique<PointsPanel>(std::move(subject));
+}
+
+}  // namespace carom

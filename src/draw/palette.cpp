@@ -132,6 +132,13 @@ std::span<const std::string> color_map_names() {
     return names;
 }
 
+// NetLogo's colours 105, 55 and 15, the first brighter or the second darker where the ground asks
+// for it.
+ColorMap netlogo_map(bool dark_ground) {
+    if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x59B03C), rgb(0xE5483F)});
+    return ColorMap({rgb(0x345DA9), rgb(0x43902A), rgb(0xD73229)});
+}
+
 Color kind_color(std::size_t index, bool dark_ground) {
     const auto& colors = dark_ground ? on_dark : on_light;
     return colors[index % colors.size()];

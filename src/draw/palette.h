@@ -32,6 +32,10 @@ ColorMap color_map(std::string_view name, double first = 0.0, double last = 1.0)
 /// Names that color_map knows.
 std::span<const std::string> color_map_names();
 
+/// Blue, green and red, as in NetLogo's models of gases, at a contrast of 3 with the ground. Not
+/// safe for all colour-blind viewers.
+ColorMap netlogo_map(bool dark_ground);
+
 /// Okabe and Ito's colours for kinds, in a fixed order for a dark or a light ground; repeats after
 /// eight.
 Color kind_color(std::size_t index, bool dark_ground);

@@ -1,8 +1,10 @@
 #include "panels/frame.h"
 
 #include <algorithm>
+#include <string>
 
 #include "panels/gas_panel.h"
+#include "panels/layout.h"
 #include "panels/monitors_panel.h"
 #include "panels/registry.h"
 #include "panels/wire_panel.h"
@@ -21,29 +23,6 @@ const Theme& theme_of(ThemeName name) {
     }
 }
 
-double unit_of(const Scene& scene) {
-    const LayoutSpec& layout = scene.film.layout;
-    return std::min(scene.film.size.width / layout.grid_width,
-                    scene.film.size.height / layout.grid_height);
-}
-
-// A film with fewer panels than its template has places for gives their column's whole height to
-// those it has.
-std::vector<Slot> panel_slots(const LayoutSpec& layout, std::size_t count) {
-    std::vector<Slot> slots = layout.panels;
-    const auto in_column = [&](const Slot& slot) { return slot.x == slots.front().x; };
-    if (count == 0 || count >= slots.size() || !std::ranges::all_of(slots, in_column)) return slots;
-    const double gap = slots[1].y - (slots[0].y + slots[0].height);
-    const double whole = slots.back().y + slots.back().height - slots.front().y;
-    const double height =
-        (whole - gap * static_cast<double>(count - 1)) / static_cast<double>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        slots[i].y = slots.front().y + (height + gap) * static_cast<double>(i);
-        slots[i].height = height;
-    }
-    return slots;
-}
-
 std::unique_ptr<Panel> make_gas_panel(const Cast& cast) {
     if (cast.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(cast);
     return std::make_unique<GasPanel>(cast);
@@ -57,8 +36,9 @@ Observers::Observers(const Scene& scene, const Particles& particles, const Sampl
     const LayoutSpec& layout = scene.film.layout;
     panels_.push_back({layout.gas, make_gas_panel(cast)});
     if (layout.monitors)
-        panels_.push_back({*layout.monitors, std::make_unique<MonitorsPanel>(cast)});
-    const std::vector<Slot> slots = panel_slots(layout, scene.film.panels.size());
+        panels_.push_back(
+            {*layout.monitors, std::make_unique<MonitorsPanel>(cast, scene.film.monitors)});
+    const std::vector<Slot> slots = shared_slots(layout.panels, scene.film.panels.size());
     for (std::size_t i = 0; i < scene.film.panels.size(); ++i)
         panels_.push_back({slots[i], make_panel(cast, scene.film.panels[i])});
 }
@@ -95,9 +75,8 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
     : scene_(scene),
       observers_(observers),
       theme_(theme_of(scene.film.theme)),
-      unit_(unit_of(scene)),
-      origin_{(scene.film.size.width - scene.film.layout.grid_width * unit_) / 2,
-              (scene.film.size.height - scene.film.layout.grid_height * unit_) / 2},
+      grid_(scene.film.layout, scene.film.size),
+      unit_(grid_.unit()),
       ground_({scene.film.size.width, scene.film.size.height}),
       canvas_({scene.film.size.width, scene.film.size.height}) {
     ground_.fill_all(theme_.page);
@@ -105,42 +84,69 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
     for (const Observers::Placed& placed : observers_.panels())
         placed.panel->draw_ground(ground_, page(placed.slot));
     const Page key = page(scene_.film.layout.color_bar);
-    const Rect box = observers_.gas().frame_in(place(scene_.film.layout.gas));
+    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
     observers_.gas().draw_key(ground_, {beside, unit_, theme_, disks_});
     for (const Observers::Placed& placed : observers_.panels()) {
-        const Rect area = place(placed.slot);
+        const Rect area = grid_.place(placed.slot);
         changing_.push_back(
             {area.x - unit_, area.y - unit_, area.width + 2.0 * unit_, area.height + 2.0 * unit_});
     }
     canvas_.copy_from(ground_);
 }
 
-Rect FramePainter::place(const Slot& slot) const {
-    return {origin_.x + slot.x * unit_, origin_.y + slot.y * unit_, slot.width * unit_,
-            slot.height * unit_};
+Page FramePainter::page(const Slot& slot) { return {grid_.place(slot), unit_, theme_, disks_}; }
+
+// A little smaller if that keeps the title on one line.
+TextStyle FramePainter::title_style(double width) const {
+    TextStyle style{.size = 1.98 * unit_, .weight = 600, .color = theme_.ink, .tabular = false};
+    constexpr double smallest = 0.85;
+    const double share = width / measure_text(escape_markup(scene_.title), style).width;
+    if (share < 1.0 && share >= smallest) style.size *= share;
+    style.max_width = width * (1.0 + 1e-3);  // letters are set at whole sizes
+    return style;
 }
 
-Page FramePainter::page(const Slot& slot) { return {place(slot), unit_, theme_, disks_}; }
-
+// A title too long for its line takes two where there is room, and the subtitle the rest.
 void FramePainter::draw_title() {
-    const Rect area = place(scene_.film.layout.title);
-    const TextStyle title{.size = 1.98 * unit_,
-                          .weight = 600,
-                          .color = theme_.ink,
-                          .tabular = false,
-                          .max_width = area.width};
-    draw_text(ground_, {area.x, area.y + 1.7 * unit_}, escape_markup(scene_.title), title);
-    TextStyle subtitle{.size = 1.17 * unit_,
-                       .weight = 400,
-                       .color = theme_.muted,
-                       .tabular = false,
-                       .max_width = area.width - 14.0 * unit_};
-    const double baseline = area.y + 3.7 * unit_;
-    draw_text(ground_, {area.x, baseline}, escape_markup(scene_.subtitle), subtitle);
-    subtitle.size = unit_;
-    subtitle.align = Align::right;
-    draw_text(ground_, {area.right(), baseline}, "reduced units", subtitle);
+    const Rect area = grid_.place(scene_.film.layout.title);
+    const TextStyle title = title_style(area.width);
+    const TextStyle subtitle{.size = 1.17 * unit_,
+                             .weight = 400,
+                             .color = theme_.muted,
+                             .tabular = false,
+                             .max_width = area.width};
+    const double title_line = 2.4 * unit_, line = 1.6 * unit_;
+    const double spare = area.height - 4.2 * unit_;
+    double y = area.y + 1.7 * unit_;
+    const std::size_t title_lines = spare < title_line ? 1 : 2;
+    for (const std::string& words : wrapped(scene_.title, title, title_lines)) {
+        draw_text(ground_, {area.x, y}, escape_markup(words), title);
+        y += title_line;
+    }
+    y -= title_line - 2.0 * unit_;
+    const double rest = std::max(0.0, area.bottom() - 0.5 * unit_ - y);
+    draw_subtitle({area.x, y}, subtitle, 1 + static_cast<std::size_t>(rest / line + 1e-9), line);
+}
+
+// With the remark on units at the right end of its last line, or of the one after it.
+void FramePainter::draw_subtitle(Point at, TextStyle style, std::size_t most, double line) {
+    TextStyle remark = style;
+    remark.size = unit_;
+    remark.align = Align::right;
+    const std::string units = "reduced units";
+    const double right = at.x + style.max_width;
+    const double taken = 14.0 * unit_;
+    if (most == 1) style.max_width -= taken;
+    const std::vector<std::string> lines = wrapped(scene_.subtitle, style, most);
+    double last = 0.0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (i > 0) at.y += line;
+        last = draw_text(ground_, at, escape_markup(lines[i]), style).width;
+    }
+    const bool meets = at.x + last + unit_ > right - measure_text(units, remark).width;
+    if (meets && lines.size() >= most) return;
+    draw_text(ground_, {right, meets ? at.y + line : at.y}, units, remark);
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
@@ -154,7 +160,7 @@ const Canvas& FramePainter::paint(const FrameData& frame) {
 }
 
 void FramePainter::draw_announcement(const Tick& tick) {
-    const Rect box = observers_.gas().frame_in(place(scene_.film.layout.gas));
+    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const Rect plate{box.x, box.y + 0.5 * box.height - 2.0 * unit_, box.width, 4.0 * unit_};
     canvas_.fill(plate, with_alpha(theme_.page, 0.82 * alpha));

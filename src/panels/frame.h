@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "panels/layout.h"
 #include "panels/panel.h"
 
 namespace carom {
@@ -56,16 +57,17 @@ class FramePainter {
     const Canvas& paint(const FrameData& frame);
 
   private:
-    Rect place(const Slot& slot) const;
     Page page(const Slot& slot);
+    TextStyle title_style(double width) const;
     void draw_title();
+    void draw_subtitle(Point at, TextStyle style, std::size_t most_lines, double line);
     void draw_announcement(const Tick& tick);
 
     const Scene& scene_;
     const Observers& observers_;
     const Theme& theme_;
+    Grid grid_;
     double unit_;
-    Point origin_;
     DiskPainter disks_;
     std::vector<Rect> changing_;  ///< where frames differ from the ground: the reach of each panel
     Canvas ground_;               ///< what is the same in every frame

@@ -23,6 +23,7 @@ bool by_kind(ColorBy color_by) {
 // would fade into the ground.
 ColorMap scale_colors(const Scene& scene, bool dark) {
     const std::string name = scene.film.palette.value_or("viridis");
+    if (name == "netlogo") return netlogo_map(dark);
     return dark ? color_map(name, 0.33, 1.0) : color_map(name, 0.58, 0.0);
 }
 

@@ -1,17 +1,16 @@
 #include "panels/gas_panel.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "util/text.h"
+#include "panels/bead_words.h"
 
 namespace carom {
 namespace {
 
 constexpr double default_trail_seconds = 1.0;
 constexpr double label_seconds = 3.0;  // of film, for the name of a chosen particle
+constexpr double ring_line = 0.13;     // units
 constexpr double least_radius = 1.2;   // pixels: smaller disks are no longer round
 
 struct GasState : PanelState {
@@ -62,6 +61,9 @@ void for_each_image(const Box& box, Point place, double radius, const Draw& draw
     if (up != 0.0) draw(Point{place.x, place.y + up});
     if (across != 0.0 && up != 0.0) draw(Point{place.x + across, place.y + up});
 }
+
+// What is left of a disk's radius inside a ring; disks too small for one are filled.
+double inside_ring(double radius, double line) { return radius > 2.0 * line ? radius - line : 0.0; }
 
 // A name on a plate of the ground, so that disks behind it do not cut it up. Above the disk if
 // there is room, else below, else upon it; inside the box.
@@ -152,11 +154,18 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
     return state;
 }
 
+bool GasPanel::stands_alone() const {
+    const LayoutSpec& layout = cast_.scene.film.layout;
+    const double right = layout.gas.x + layout.gas.width;
+    return std::ranges::none_of(layout.panels, [&](const Slot& slot) { return slot.x >= right; });
+}
+
 Rect GasPanel::frame_in(const Rect& area) const {
     const Eigen::Array2d& size = cast_.scene.gas.box.size;
     const double scale = std::min(area.width / size[0], area.height / size[1]);
-    const double height = size[1] * scale;
-    return {area.x, area.y + (area.height - height) / 2, size[0] * scale, height};
+    const double width = size[0] * scale, height = size[1] * scale;
+    const double left = stands_alone() ? (area.width - width) / 2 : 0.0;
+    return {area.x + left, area.y + (area.height - height) / 2, width, height};
 }
 
 void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
@@ -171,6 +180,7 @@ void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) c
     canvas.clip_to(frame_in(page.area));
     draw_trails(canvas, page, state);
     draw_disks(canvas, page, state);
+    if (cast_.scene.film.labels != Labels::none) draw_labels(canvas, page, state);
     draw_chosen(canvas, page, state);
     canvas.release_clip();
 }
@@ -186,18 +196,42 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
 
     std::vector<Disk> disks;
     disks.reserve(gas.x.size() + chosen_.size());
+    const std::uint32_t ground = to_pixel(page.theme.ground) & 0xFFFFFF;
+    const double line = std::max(1.5, ring_line * page.unit);
     const auto add = [&](std::size_t i) {
         const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
         const auto shown = static_cast<float>(std::max(least_radius, radius * to_pixels.scale));
         const std::uint32_t color = pixels[gas.shades[i] % pixels.size()];
+        const double inside = is_filled(i) ? 0.0 : inside_ring(double(shown), line);
         for_each_image(box, {double(gas.x[i]), double(gas.y[i])}, radius, [&](Point place) {
             const Point at = to_pixels(place.x, place.y);
-            disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y), shown, color});
+            const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
+            disks.push_back({x, y, shown, color});
+            if (inside > 0.0) disks.push_back({x, y, static_cast<float>(inside), ground});
         });
     };
     for (std::size_t i = 0; i < gas.x.size(); ++i) add(i);
     for (const Chosen& chosen : chosen_) add(static_cast<std::size_t>(chosen.particle));
     page.disks.draw(canvas, disks, to_pixels.box);
+}
+
+bool GasPanel::is_filled(std::size_t particle) const {
+    const auto i = static_cast<Eigen::Index>(particle);
+    return cast_.scene.looks[static_cast<std::size_t>(cast_.particles.species[i])].fill;
+}
+
+void GasPanel::draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
+    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    for (std::size_t i = 0; i < gas.x.size(); ++i) {
+        const auto particle = static_cast<Eigen::Index>(i);
+        const Color color =
+            is_filled(i) ? colors[gas.shades[i] % colors.size()] : page.theme.ground;
+        draw_words_on(canvas, page, to_pixels(double(gas.x[i]), double(gas.y[i])),
+                      cast_.particles.radius[particle] * to_pixels.scale,
+                      words_on(cast_, particle, cast_.scene.film.labels), color);
+    }
 }
 
 void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const {

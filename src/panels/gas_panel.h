@@ -27,7 +27,8 @@ class GasPanel : public Panel {
     /// A trail needs the collisions on the way.
     bool wants_collisions() const override { return !chosen_.empty(); }
 
-    /// The box is as large as fits, at the area's left.
+    /// The box is as large as fits, at the area's left; in its middle where no panel stands right
+    /// of it.
     Rect frame_in(const Rect& area) const override;
 
   private:
@@ -42,7 +43,10 @@ class GasPanel : public Panel {
 
     void choose_particles();
     void extend_trails(const Observation& observation);
+    bool stands_alone() const;
+    bool is_filled(std::size_t particle) const;
     void draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "panels/registry.h"
 #include "stats/speed_classes.h"
 #include "util/text.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct MonitorsState : PanelState {
     double time = 0.0;
     std::int64_t collisions = 0;
+    std::int64_t with_walls = 0;
     double mean_speed = 0.0;
     double mean_energy = 0.0;
     std::array<double, 3> shares{};
@@ -24,12 +26,19 @@ struct MonitorsState : PanelState {
 
 struct Column {
     const char* label;
-    double left;  // share of the row's width
+    double width;  // units, at the smallest size of text
 };
-constexpr std::array columns{Column{"time", 0.0},         Column{"collisions", 0.15},
-                             Column{"mean speed", 0.315}, Column{"mean energy", 0.48},
-                             Column{"slow", 0.67},        Column{"medium", 0.79},
-                             Column{"fast", 0.915}};
+
+// In the order of Monitor.
+constexpr std::array columns{Column{"time", 7.08},        Column{"collisions", 7.788},
+                             Column{"mean speed", 7.788}, Column{"mean energy", 8.968},
+                             Column{"slow", 5.664},       Column{"medium", 5.9},
+                             Column{"fast", 4.012},       Column{"all collisions", 8.968}};
+constexpr double widest_column = 8.968;
+constexpr double widest_number = 6.4;
+constexpr double arrow_place = 5.29;  // units, right of the time
+
+const Column& column(Monitor number) { return columns.at(static_cast<std::size_t>(number)); }
 
 // As many decimals as show three digits of the largest value, so that only digits change.
 std::string fixed_digits(double value, double largest) {
@@ -39,6 +48,10 @@ std::string fixed_digits(double value, double largest) {
     if (before < -2 || before > 5) return three_digits(value);
     const std::string digits = fmt::format("{:.{}f}", std::abs(value), std::max(0, 3 - before));
     return value < 0.0 ? "\u2212" + digits : digits;
+}
+
+std::string counted(std::int64_t count) {
+    return count < 1'000'000 ? grouped(count) : three_digits(static_cast<double>(count));
 }
 
 // Whole per cent, one digit padded by a figure space.
@@ -62,6 +75,62 @@ void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color co
 
 }  // namespace
 
+// Where each number stands, and how large: as large as the area allows, in one row or several.
+struct MonitorsPanel::Row {
+    Rect area;
+    std::size_t columns;
+    double spacing, size, height;  // of text and rows as multiples of the smallest
+    double unit;
+    double label_size() const { return std::min(size, 1.6); }
+    double label_baseline() const { return label_size() * unit; }
+    double baseline() const { return label_baseline() + 1.9 * size * unit; }
+};
+
+MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
+    Rect area = page.area;
+    if (title_) {
+        area.y += 2.0 * page.unit;
+        area.height -= 2.0 * page.unit;
+    }
+    const std::size_t count = numbers_.size();
+    Row best{area, count, 0.0, 0.0, 0.0, page.unit};
+    for (std::size_t rows = 1; rows <= count; ++rows) {
+        const std::size_t columns = (count + rows - 1) / rows;
+        double width = widest_column * static_cast<double>(columns);
+        if (count == 1) width = widest_number;
+        if (rows == 1 && count > 1) {
+            width = 0.0;
+            for (const Monitor number : numbers_) width += column(number).width;
+        }
+        const double across = area.width / page.unit / width;
+        const double height = area.height / page.unit / static_cast<double>(rows);
+        const double size = std::min(across, (height - 1.6) / 2.3);
+        if (rows == 1 || (size > best.size && best.size < 1.0))
+            best = {area, columns, across, size, height, page.unit};
+    }
+    constexpr double loosest = 1.35;
+    best.size = std::max(1.0, best.size);
+    best.spacing = std::min(best.spacing, loosest * best.size);
+    return best;
+}
+
+Point MonitorsPanel::place(const Row& row, std::size_t index) const {
+    const std::size_t first = index - index % row.columns;
+    double x = row.area.x;
+    for (std::size_t i = first; i < index; ++i)
+        x += (row.columns < numbers_.size() ? widest_column : column(numbers_[i]).width) *
+             row.spacing * row.unit;
+    return {x, row.area.y + row.height * row.unit * static_cast<double>(index / row.columns)};
+}
+
+MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
+                             std::optional<std::string> title)
+    : cast_(cast), numbers_(std::move(numbers)), title_(std::move(title)) {
+    if (numbers_.empty())
+        numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
+                    Monitor::slow, Monitor::medium,     Monitor::fast};
+}
+
 void MonitorsPanel::survey(const Observation& observation) {
     largest_speed_ = std::max(largest_speed_, observation.speed.mean());
     largest_energy_ = std::max(largest_energy_, observation.energy.mean());
@@ -71,6 +140,7 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observ
     auto state = std::make_shared<MonitorsState>();
     state->time = folded_time(cast_.scene.run, observation.tick.time);
     state->collisions = observation.passage.counts.particle;
+    state->with_walls = observation.passage.counts.wall;
     state->mean_speed = observation.speed.mean();
     state->mean_energy = observation.energy.mean();
     state->shares = class_shares(observation.speed, state->mean_speed);
@@ -81,47 +151,57 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observ
     return state;
 }
 
-// In a row a number stands under its label, in a panel beside it, in two columns.
-MonitorsPanel::Place MonitorsPanel::place(const Page& page, std::size_t index) const {
-    const double u = page.unit;
-    const Rect& area = page.area;
-    if (in_row_) {
-        const double x = area.x + columns[index].left * area.width;
-        return {{x, area.y + u}, {x, area.y + 2.9 * u}};
+void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    if (title_) draw_panel_title(canvas, page, escape_markup(*title_));
+    const Row rows = row(page);
+    TextStyle style = label_style(page);
+    style.size = 1.035 * rows.label_size() * page.unit;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const Point at = place(rows, i);
+        draw_text(canvas, {at.x, at.y + rows.label_baseline()}, column(numbers_[i]).label, style);
     }
-    const double left = area.x + (index < 4 ? 0.0 : 0.54 * area.width);
-    const double step = std::min(2.9 * u, (area.height - 1.5 * u) / 3.0);
-    const double y = area.y + 1.5 * u + step * static_cast<double>(index % 4);
-    return {{left, y}, {left + (index < 4 ? 0.27 : 0.22) * area.width, y}};
 }
 
-void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    TextStyle style = label_style(page);
-    style.size = 1.035 * page.unit;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        draw_text(canvas, place(page, i).label, columns[i].label, style);
+std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    switch (number) {
+        case Monitor::time:
+            return fixed_digits(now.time, cast_.scene.run.until);
+        case Monitor::collisions:
+            return counted(now.collisions);
+        case Monitor::mean_speed:
+            return fixed_digits(now.mean_speed, largest_speed_);
+        case Monitor::mean_energy:
+            return fixed_digits(now.mean_energy, largest_energy_);
+        case Monitor::slow:
+            return percent(now.shares[0]);
+        case Monitor::medium:
+            return percent(now.shares[1]);
+        case Monitor::fast:
+            return percent(now.shares[2]);
+        case Monitor::all_collisions:
+            return counted(now.collisions + now.with_walls);
+    }
+    return "";
 }
 
 void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
-    const auto& now = static_cast<const MonitorsState&>(state);
-    const std::array<std::string, columns.size()> numbers{
-        fixed_digits(now.time, cast_.scene.run.until),
-        now.collisions < 1'000'000 ? grouped(now.collisions)
-                                   : three_digits(static_cast<double>(now.collisions)),
-        fixed_digits(now.mean_speed, largest_speed_),
-        fixed_digits(now.mean_energy, largest_energy_),
-        percent(now.shares[0]),
-        percent(now.shares[1]),
-        percent(now.shares[2])};
+    const Row rows = row(page);
     TextStyle style = title_style(page);
-    style.size = 1.53 * page.unit;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        draw_text(canvas, place(page, i).number, numbers[i], style);
-    if (cast_.scene.run.events.empty()) return;
-    const Point time = place(page, 0).number;
-    const double x = page.area.x + (in_row_ ? 0.112 : 0.48) * page.area.width;
-    draw_arrow(canvas, {x, time.y - 0.55 * page.unit}, 0.6 * page.unit, now.arrow,
-               page.theme.accent);
+    style.size = 1.53 * rows.size * page.unit;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        const Point at = place(rows, i);
+        const double baseline = at.y + rows.baseline();
+        draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);
+        if (numbers_[i] != Monitor::time || cast_.scene.run.events.empty()) continue;
+        const double size = rows.size * page.unit;
+        draw_arrow(canvas, {at.x + arrow_place * rows.spacing * page.unit, baseline - 0.55 * size},
+                   0.6 * size, static_cast<const MonitorsState&>(state).arrow, page.theme.accent);
+    }
+}
+
+std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec) {
+    return std::make_unique<MonitorsPanel>(cast, spec.numbers, spec.title);
 }
 
 }  // namespace carom

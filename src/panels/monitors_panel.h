@@ -1,6 +1,10 @@
-// Numbers under the gas or in a panel, in fixed places: time, collisions, mean speed, mean energy,
-// shares of slow, medium and fast.
+// Numbers in fixed places: time, collisions, mean speed, mean energy, shares of slow, medium and
+// fast, or some of these; a row under the gas, or as large as a panel.
 #pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "panels/panel.h"
 
@@ -8,8 +12,9 @@ namespace carom {
 
 class MonitorsPanel : public Panel {
   public:
-    /// `in_row`: as a row of labels with their numbers under them, else as two columns.
-    explicit MonitorsPanel(const Cast& cast, bool in_row = true) : cast_(cast), in_row_(in_row) {}
+    /// No numbers stand for all of them.
+    MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
+                  std::optional<std::string> title = {});
 
     void survey(const Observation& observation) override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
@@ -17,13 +22,14 @@ class MonitorsPanel : public Panel {
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
 
   private:
-    struct Place {
-        Point label, number;
-    };
-    Place place(const Page& page, std::size_t index) const;
+    struct Row;
+    Row row(const Page& page) const;
+    Point place(const Row& row, std::size_t index) const;  ///< its top left corner
+    std::string text(const PanelState& state, Monitor number) const;
 
     Cast cast_;
-    bool in_row_;
+    std::vector<Monitor> numbers_;
+    std::optional<std::string> title_;
     double largest_speed_ = 0.0;  ///< of the mean over the film: fixes the number of decimals
     double largest_energy_ = 0.0;
 };

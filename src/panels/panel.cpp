@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "draw/palette.h"
 
 namespace carom {
@@ -32,6 +34,9 @@ Rect plot_area(const Page& page) {
 
 void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup) {
     TextStyle style = title_style(page);
+    const double width = measure_text(markup, style).width;
+    if (width > page.area.width)  // down to the smallest size of text
+        style.size = std::max(page.unit, style.size * page.area.width / width);
     style.max_width = page.area.width;
     draw_text(canvas, {page.area.x, page.area.y + 1.05 * page.unit}, markup, style);
 }

@@ -87,7 +87,7 @@ AxisStyle axis_style(const Page& page);
 /// The part of a panel's area that data fill: under the title, left and above the axes' labels.
 Rect plot_area(const Page& page);
 
-/// The panel's title at its top left (markup).
+/// The panel's title at its top left (markup), smaller where it is too long.
 void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup);
 
 /// `text` in a colour, as markup.

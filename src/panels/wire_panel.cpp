@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "panels/bead_words.h"
 #include "stats/histogram.h"
-#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -17,6 +17,7 @@ constexpr double least_film_seconds = 2.5;  // below, they would rush by
 constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds allow
 constexpr double rod_from = 2.0;            // units of radius: longer beads are drawn as rods
 constexpr double rod_half_height = 1.3;
+constexpr double ring_line = 0.13;
 constexpr double label_seconds = 3.0;  // of film, for the name of a chosen bead
 
 struct WireState : PanelState {
@@ -34,16 +35,16 @@ struct WireState : PanelState {
     }
 };
 
-// Dark letters on light beads, light ones on dark.
-Color letters_on(Color bead, const Theme& theme) {
-    return contrast(bead, theme.page) > contrast(bead, theme.ink) ? theme.page : theme.ink;
-}
-
-std::string mass_text(double inverse_mass) {
-    if (!(inverse_mass > 0.0)) return "∞";
-    const double mass = 1.0 / inverse_mass, whole = std::round(mass);
-    if (mass < 1e6 && std::abs(mass - whole) < 1e-6 * mass) return fmt::format("{:.0f}", whole);
-    return mass < 1000.0 ? fmt::format("{:.3g}", mass) : three_digits(mass);
+void draw_rod(Canvas& canvas, const Page& page, Point center, double radius, Color color,
+              bool filled) {
+    const double u = page.unit;
+    const Rect rod{center.x - radius + 0.04 * u, center.y - rod_half_height * u,
+                   2.0 * radius - 0.08 * u, 2.0 * rod_half_height * u};
+    canvas.fill(rod, color);
+    const double line = std::max(1.5, ring_line * u);
+    if (!filled)
+        canvas.fill({rod.x + line, rod.y + line, rod.width - 2.0 * line, rod.height - 2.0 * line},
+                    page.theme.page);
 }
 
 double film_seconds_of(const Scene& scene) {
@@ -311,12 +312,15 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
             if (!seen || (shift != 0.0 && !ring)) continue;
             if (stands_out(cast_, particle)) rings.push_back({at, radius});
             if (radius > rod_from * u)
-                canvas.fill({at.x - radius + 0.04 * u, v.wire_y - rod_half_height * u,
-                             2.0 * radius - 0.08 * u, 2.0 * rod_half_height * u},
-                            color);
+                draw_rod(canvas, page, at, radius, color, is_filled(particle));
             else
                 disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                                  static_cast<float>(radius), to_pixel(color) & 0xFFFFFF});
+            const double line = std::max(1.5, ring_line * u);
+            if (radius <= rod_from * u && radius > 2.0 * line && !is_filled(particle))
+                disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
+                                 static_cast<float>(radius - line),
+                                 to_pixel(page.theme.page) & 0xFFFFFF});
         }
     }
     page.disks.draw(canvas, disks, {v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
@@ -340,29 +344,33 @@ void WirePanel::draw_name(Canvas& canvas, const Page& page, Eigen::Index particl
     draw_text(canvas, {x, top - 0.7 * page.unit}, escape_markup(name), style);
 }
 
-// The masses of beads that are large enough, where they differ; the names of chosen beads, at the
+bool WirePanel::is_filled(Eigen::Index particle) const {
+    return cast_.scene.looks[static_cast<std::size_t>(cast_.particles.species[particle])].fill;
+}
+
+// Masses that differ are shown unasked.
+Labels WirePanel::shown_labels() const {
+    const Labels asked = cast_.scene.film.labels;
+    const Eigen::ArrayXd& inverse_mass = cast_.particles.inverse_mass;
+    const bool differ = (inverse_mass != inverse_mass[0]).any();
+    return asked == Labels::none && differ ? Labels::mass : asked;
+}
+
+// Words on beads that are large enough; the names of chosen beads, at the
 // start.
 void WirePanel::draw_words(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& now = static_cast<const WireState&>(state);
     const View v = view(page);
-    const double u = page.unit;
     const std::vector<Color> colors = colors_.of_shades(page.theme);
-    const Eigen::ArrayXd& inverse_mass = cast_.particles.inverse_mass;
-    const bool masses_differ = (inverse_mass != inverse_mass[0]).any();
+    const Labels labels = shown_labels();
     for (std::size_t i = 0; i < now.places.size(); ++i) {
         const auto particle = static_cast<Eigen::Index>(i);
         double place = static_cast<double>(now.places[i]);
         place -= map_->length() * std::floor(place / map_->length());
-        const double radius = map_->radius(particle) * v.scale;
-        TextStyle style = label_style(page);
-        style.align = Align::center;
-        style.weight = 600;
-        if (masses_differ && radius > 0.6 * u) {
-            style.color = letters_on(colors[now.shades[i] % colors.size()], page.theme);
-            const std::string mass = mass_text(inverse_mass[particle]);
-            if (measure_text(mass, style).width < 1.9 * radius)
-                draw_text(canvas, {v.x(place), v.wire_y + 0.36 * u}, mass, style);
-        }
+        const Color color =
+            is_filled(particle) ? colors[now.shades[i] % colors.size()] : page.theme.page;
+        draw_words_on(canvas, page, {v.x(place), v.wire_y}, map_->radius(particle) * v.scale,
+                      words_on(cast_, particle, labels), color);
         if (now.label_alpha > 0.0 && stands_out(cast_, particle))
             draw_name(canvas, page, particle, place, now.label_alpha);
     }

@@ -38,6 +38,8 @@ class WirePanel : public Panel {
     double usual_rate() const;  ///< bends of one world line in a unit of time
     View view(const Page& page) const;
     bool is_ring() const;
+    bool is_filled(Eigen::Index particle) const;
+    Labels shown_labels() const;
     double shown_radius(Eigen::Index particle, const View& view) const;
     void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,

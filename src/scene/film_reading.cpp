@@ -76,10 +76,26 @@ ColorBy read_color_by(const std::string& word) {
     return ways.at(word);
 }
 
-void check_slots(const Fields& fields, const Film& film, Errors& errors) {
+Labels read_labels(const std::optional<std::string>& word) {
+    if (!word) return Labels::none;
+    return word == "mass" ? Labels::mass : Labels::index;
+}
+
+// A template laid over a scene by the command line shows the first of the scene's panels.
+bool is_laid_over(const Fields& fields, const Node& panels) {
+    const Node* asked = fields.given("template");
+    return asked != nullptr && asked->source->origin == Origin::command_line &&
+           panels.source->origin == Origin::scene;
+}
+
+void check_slots(const Fields& fields, Film& film, Errors& errors) {
     const Node* list = fields.given("panels");
     const std::size_t slots = film.layout.panels.size();
     if (list == nullptr || list->items.size() <= slots) return;
+    if (is_laid_over(fields, *list)) {
+        film.panels.resize(std::min(film.panels.size(), slots));
+        return;
+    }
     errors.add(list->items[slots],
                fmt::format("the template `{}` has {} places for panels, found {} panels",
                            film.template_name, slots, list->items.size()));
@@ -181,6 +197,8 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.theme = read_theme(fields.text("theme").value());
     film.color_by = read_color_by(fields.text("color_by").value());
     film.palette = fields.text("palette");
+    film.labels = read_labels(fields.text("labels"));
+    film.monitors = read_monitors(fields.given("monitors"));
     film.seconds = read_seconds(fields, run);
     if (film.seconds > 0.0 && check_frames(film, fields, scene, errors))
         check_legs(film, run, scene, errors);

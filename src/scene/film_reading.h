@@ -13,7 +13,8 @@ Run read_run(const Fields& scene, Errors& errors);
 std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors);
 
 /// The film, from `film` laid over its template. `run` gives the length where the film does not,
-/// `gas` what its panels may choose from.
+/// `gas` what its panels may choose from. A scene's panels may be more than the places of a
+/// template that the command line asks for: the first are shown.
 Film read_film(const Fields& film, const Fields& scene, const Run& run, const Gas& gas,
                const std::optional<LayoutSpec>& layout, Errors& errors);
 

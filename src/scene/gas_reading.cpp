@@ -111,6 +111,7 @@ std::optional<PositionRule> read_position(const Fields& item, int dimension, Err
 SpeciesLook read_look(const Fields& item, int dimension) {
     SpeciesLook look;
     if (const auto color = item.text("color")) look.color = color_hex(*color);
+    look.fill = item.flag("fill").value_or(true);
     look.label = item.text("label").value_or("");
     look.trail = item.number("trail");
     if (dimension == 1) look.drawn_radius = item.number("drawn_radius");

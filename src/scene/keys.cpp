@@ -111,6 +111,7 @@ vector<Key> look_keys() {
                 {"color",
                  "The colour of this species where species are told apart: a name or \"#rrggbb\".",
                  {color()}}),
+        otherwise("true", {"fill", "Whether disks and beads are filled; rings if not.", {flag()}}),
         left_to("none",
                 {"label", "A word drawn beside the particles.", {text(0, most_name_letters)}}),
         left_to("by the film",
@@ -218,6 +219,12 @@ Section run() {
                               {list_of({mapping(event)}, 0, most_events, "a list of events")}})}});
 }
 
+Form monitors() {
+    return list_of({one_of({"time", "collisions", "mean-speed", "mean-energy", "slow", "medium",
+                            "fast", "all-collisions"})},
+                   1, most_monitors, "a list of numbers to show");
+}
+
 Section panel() {
     const vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
     return complete(
@@ -270,7 +277,13 @@ Section panel() {
                        otherwise("now", {"reference",
                                          "The mean speed that slow and fast are measured by: the "
                                          "present one, or that at the start.",
-                                         {one_of({"now", "initial"})}}))}});
+                                         {one_of({"now", "initial"})}})),
+             only_with(
+                 {"monitors"},
+                 left_to("all but all-collisions",
+                         {"numbers",
+                          "Which numbers it shows; all-collisions counts those with walls too.",
+                          {monitors()}}))}});
 }
 
 vector<Key> film_keys() {
@@ -294,9 +307,18 @@ vector<Key> film_keys() {
         otherwise("speed", {"color_by",
                             "What the colour of a disk says.",
                             {one_of({"speed", "speed-class", "energy", "species", "mass"})}}),
-        left_to("the theme's", {"palette",
-                                "The colours from slow to fast.",
-                                {one_of({"viridis", "cividis", "plasma", "inferno", "magma"})}}),
+        left_to("the theme's",
+                {"palette",
+                 "The colours from slow to fast.",
+                 {one_of({"viridis", "cividis", "plasma", "inferno", "magma", "netlogo"})}}),
+        left_to("none", {"labels",
+                         "What is written on the disks or beads where there is room: their mass, "
+                         "or their number.",
+                         {one_of({"mass", "index"})}}),
+        left_to("all but all-collisions", {"monitors",
+                                           "Which numbers stand in the row of monitors; "
+                                           "all-collisions counts those with walls too.",
+                                           {monitors()}}),
         left_to("the template's", {"panels",
                                    "What the panels show, each a kind or a mapping with options.",
                                    {list_of({one_of(kinds), mapping(panel())}, 0, most_panels,

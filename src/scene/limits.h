@@ -40,6 +40,7 @@ inline constexpr Limit most_trail_seconds{3'600, "seconds of a trail"};
 inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at least"};
 inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
+inline constexpr Limit most_monitors{8, "numbers in a row of monitors"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
@@ -50,7 +51,7 @@ inline constexpr std::array limits{
     most_overrides,     most_errors_shown,   largest_quantity, smallest_quantity,
     largest_seed,       most_particles,      most_species,     most_events,
     most_samples,       most_pairs_compared, most_frames,      most_frames_per_second,
-    smallest_side,      largest_side,        most_panels,      most_bins,
-    most_chosen,        largest_grid};
+    smallest_side,      largest_side,        most_panels,      most_monitors,
+    most_bins,          most_chosen,         largest_grid};
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "scene/scalar.h"
@@ -116,10 +117,27 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     panel.mean_now = fields.flag("mean_now");
     panel.mean_start = fields.flag("mean_start");
     panel.reference_initial = fields.text("reference") == "initial";
+    panel.numbers = read_monitors(fields.given("numbers"));
     return panel;
 }
 
 }  // namespace
+
+std::vector<Monitor> read_monitors(const Node* list) {
+    static const std::map<std::string, Monitor> numbers{
+        {"time", Monitor::time},
+        {"collisions", Monitor::collisions},
+        {"mean-speed", Monitor::mean_speed},
+        {"mean-energy", Monitor::mean_energy},
+        {"slow", Monitor::slow},
+        {"medium", Monitor::medium},
+        {"fast", Monitor::fast},
+        {"all-collisions", Monitor::all_collisions}};
+    std::vector<Monitor> monitors;
+    if (list != nullptr)
+        for (const Node& item : list->items) monitors.push_back(numbers.at(item.text));
+    return monitors;
+}
 
 std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& errors) {
     std::vector<PanelSpec> panels;

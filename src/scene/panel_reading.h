@@ -10,6 +10,9 @@
 
 namespace carom {
 
+/// The numbers that a checked list of monitors names; none for no list.
+std::vector<Monitor> read_monitors(const Node* list);
+
 /// The panels that `film` lists, for a scene with this gas.
 std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& errors);
 

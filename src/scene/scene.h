@@ -16,6 +16,19 @@ namespace carom {
 
 enum class ThemeName { light, dark, print };
 enum class ColorBy { speed, speed_class, energy, species, mass };
+enum class Labels { none, mass, index };
+
+/// A number that monitors can show.
+enum class Monitor {
+    time,
+    collisions,  ///< of particles with one another
+    mean_speed,
+    mean_energy,
+    slow,
+    medium,
+    fast,
+    all_collisions  ///< those with walls too
+};
 
 struct PictureSize {
     int width = 1920;
@@ -26,6 +39,7 @@ struct PictureSize {
 /// How a species is drawn.
 struct SpeciesLook {
     std::optional<std::string> color;    ///< #rrggbb
+    bool fill = true;                    ///< false: rings
     std::string label;                   ///< a word beside it, may be empty
     std::optional<double> trail;         ///< seconds of film; none: by the film
     std::optional<double> drawn_radius;  ///< of beads on a wire, length; none: by their radius
@@ -39,8 +53,8 @@ struct Slot {
 /// Where things stand in a frame: read from a template.
 struct LayoutSpec {
     double grid_width = 80,
-           grid_height = 45;  ///< the picture in grid units; scaled to fit, centred
-    Slot title;               ///< title and subtitle
+           grid_height = 45;  ///< the picture in grid units; stretched to fill it
+    Slot title;               ///< title and subtitle, in as many lines as it has room for
     Slot gas;
     Slot color_bar;
     std::optional<Slot> monitors;
@@ -75,6 +89,7 @@ struct PanelSpec {
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
+    std::vector<Monitor> numbers = {};  ///< monitors: those shown; none: all
 };
 
 struct Film {
@@ -86,7 +101,9 @@ struct Film {
     ThemeName theme = ThemeName::dark;
     ColorBy color_by = ColorBy::speed;
     std::optional<std::string> palette;  ///< none: the theme's
-    std::vector<PanelSpec> panels;       ///< at most as many as layout.panels
+    Labels labels = Labels::none;
+    std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all
+    std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
 };
 
 /// Where a scene came from.

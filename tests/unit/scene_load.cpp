@@ -349,3 +349,34 @@ TEST_CASE("a template that links out of the scene's folder is refused") {
               "the template `linked` is a link out of the scene's folder");
     }
 }
+
+TEST_CASE("a template laid over a scene shows as many of its panels as it has places") {
+    const auto loaded = [](const std::string& text, const Overrides& overrides) {
+        return load_scene_text(text, "test", root / "templates", overrides);
+    };
+    const std::string three = scene_with(
+        "{count: 20}",
+        "run: {until: 10}\nfilm: {panels: [energy-by-species, speed-histogram, monitors]}\n");
+    const Scene square = loaded(three, {{{"film.template", "square"}}});
+    REQUIRE(square.film.panels.size() == 2);
+    CHECK(square.film.panels[0].kind == "energy-by-species");
+    CHECK(loaded(three, {{{"film.template", "minimal"}}}).film.panels.empty());
+    CHECK_THROWS_AS(loaded(three, {{{"film.template", "square"},
+                                    {"film.panels", "[monitors, monitors, monitors]"}}}),
+                    SceneError);
+    const std::string own = scene_with(
+        "{count: 20}", "run: {until: 10}\nfilm: {template: minimal, panels: [monitors]}\n");
+    CHECK_THROWS_AS(loaded(own, {}), SceneError);
+}
+
+TEST_CASE("rings, labels and monitors are read") {
+    const Scene scene = load_scene_text(
+        scene_with("{count: 20, fill: false}",
+                   "run: {until: 10}\nfilm: {labels: index, monitors: [all-collisions, time], "
+                   "panels: [{kind: monitors, numbers: [fast]}]}\n"),
+        "test", root / "templates");
+    CHECK_FALSE(scene.looks[0].fill);
+    CHECK(scene.film.labels == Labels::index);
+    CHECK(scene.film.monitors == std::vector{Monitor::all_collisions, Monitor::time});
+    CHECK(scene.film.panels[0].numbers == std::vector{Monitor::fast});
+}

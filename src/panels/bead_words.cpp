@@ -1,0 +1,51 @@
+#include "panels/bead_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double half_cap_height = 0.36;  // ems
+constexpr double rim = 0.95;              // of the radius, that letters may reach
+
+// Dark letters on light beads, light ones on dark.
+Color letters_on(Color bead, const Theme& theme) {
+    return contrast(bead, theme.page) > contrast(bead, theme.ink) ? theme.page : theme.ink;
+}
+
+}  // namespace
+
+std::string mass_text(double inverse_mass) {
+    if (!(inverse_mass > 0.0)) return "∞";
+    const double mass = 1.0 / inverse_mass, whole = std::round(mass);
+    if (mass < 1e6 && std::abs(mass - whole) < 1e-6 * mass) return fmt::format("{:.0f}", whole);
+    return mass < 1000.0 ? fmt::format("{:.3g}", mass) : three_digits(mass);
+}
+
+std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels) {
+    if (labels == Labels::mass) return mass_text(cast.particles.inverse_mass[particle]);
+    return labels == Labels::index ? std::to_string(particle) : "";
+}
+
+void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
+                   const std::string& words, Color bead) {
+    if (words.empty() || radius < half_cap_height * page.unit) return;
+    TextStyle style = label_style(page);
+    style.align = Align::center;
+    style.weight = 600;
+    style.color = letters_on(bead, page.theme);
+    for (const double size : {std::clamp(0.65 * radius, page.unit, 2.0 * page.unit), page.unit}) {
+        style.size = size;
+        const double half_width = 0.5 * measure_text(words, style).width;
+        if (std::hypot(half_width, half_cap_height * size) > rim * radius) continue;
+        draw_text(canvas, {center.x, center.y + half_cap_height * size}, words, style);
+        return;
+    }
+}
+
+}  // namespace carom

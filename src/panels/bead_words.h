@@ -1,0 +1,21 @@
+// What is written on disks and beads: masses or numbers, where they fit.
+#pragma once
+
+#include <string>
+
+#include "panels/panel.h"
+
+namespace carom {
+
+/// The mass of a particle in few digits; "∞" for an infinite one.
+std::string mass_text(double inverse_mass);
+
+/// Its mass or its number, whichever `labels` asks for; empty for none.
+std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels);
+
+/// Writes words on a bead of a colour around `center`, as large as fits into its radius (pixels);
+/// nothing where the smallest text does not fit.
+void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
+                   const std::string& words, Color bead);
+
+}  // namespace carom

@@ -1,0 +1,97 @@
+#include "panels/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+bool same(double a, double b) { return std::abs(a - b) < 1e-6; }
+
+// How many stand side by side.
+std::size_t columns_of(const std::vector<Slot>& slots) {
+    std::size_t columns = 1;
+    while (columns < slots.size() && slots[columns].x > slots[columns - 1].x) ++columns;
+    return columns;
+}
+
+bool is_regular(const std::vector<Slot>& slots, std::size_t columns) {
+    if (slots.size() % columns != 0) return false;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const Slot& above = slots[i % columns];
+        const Slot& beside = slots[i - i % columns];
+        const bool fits = same(slots[i].x, above.x) && same(slots[i].width, above.width) &&
+                          same(slots[i].y, beside.y) && same(slots[i].height, beside.height);
+        if (!fits) return false;
+    }
+    return true;
+}
+
+struct Span {
+    double start, size;
+};
+
+// The part `index` of `count` equal ones with gaps between them.
+Span part(Span whole, double gap, std::size_t index, std::size_t count) {
+    const double size =
+        (whole.size - gap * static_cast<double>(count - 1)) / static_cast<double>(count);
+    return {whole.start + (size + gap) * static_cast<double>(index), size};
+}
+
+}  // namespace
+
+Grid::Grid(const LayoutSpec& layout, PictureSize size)
+    : across_(size.width / layout.grid_width),
+      up_(size.height / layout.grid_height),
+      unit_(std::min(across_, up_)) {}
+
+Rect Grid::place(const Slot& slot) const {
+    return {slot.x * across_, slot.y * up_, slot.width * across_, slot.height * up_};
+}
+
+std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count) {
+    if (count == 0 || count >= slots.size()) return slots;
+    const std::size_t columns = columns_of(slots);
+    if (!is_regular(slots, columns)) return {slots.begin(), slots.begin() + std::ptrdiff_t(count)};
+    const Slot &first = slots.front(), &last = slots.back();
+    const double beside = columns > 1 ? slots[1].x - (first.x + first.width) : 0.0;
+    const double below = columns < slots.size() ? slots[columns].y - (first.y + first.height) : 0.0;
+    const Span width{first.x, last.x + last.width - first.x};
+    const Span height{first.y, last.y + last.height - first.y};
+    const std::size_t rows = (count + columns - 1) / columns;
+    std::vector<Slot> shared;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t row = i / columns;
+        const std::size_t in_row = std::min(columns, count - row * columns);
+        const Span x = part(width, beside, i % columns, in_row);
+        const Span y = part(height, below, row, rows);
+        shared.push_back({x.start, y.start, x.size, y.size});
+    }
+    return shared;
+}
+
+std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
+                                 std::size_t most) {
+    TextStyle whole = style;
+    whole.max_width = 0;
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    while (lines.size() + 1 < most && begin < words.size()) {
+        std::size_t end = words.size();
+        const auto too_long = [&] {
+            const std::string line = escape_markup(words.substr(begin, end - begin));
+            return measure_text(line, whole).width > style.max_width;
+        };
+        while (too_long()) {
+            const std::size_t space = words.rfind(' ', end - 1);
+            if (space == std::string::npos || space <= begin) break;
+            end = space;
+        }
+        lines.push_back(words.substr(begin, end - begin));
+        begin = end == words.size() ? end : end + 1;
+    }
+    if (begin < words.size()) lines.push_back(words.substr(begin));
+    return lines;
+}
+
+}  // namespace carom

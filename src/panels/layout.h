@@ -1,0 +1,37 @@
+// Where things stand in a frame: a template's grid on a picture of any shape, panels in the places
+// there are, and long words in lines. Draws nothing.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "draw/geometry.h"
+#include "draw/text.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// A template's grid, stretched to fill a picture. Text keeps its shape: its unit fits both ways.
+class Grid {
+  public:
+    Grid(const LayoutSpec& layout, PictureSize size);
+
+    double unit() const { return unit_; }  ///< pixels
+    Rect place(const Slot& slot) const;    ///< pixels
+
+  private:
+    double across_, up_;  ///< pixels of a grid unit each way
+    double unit_;
+};
+
+/// The places of `count` panels, row by row. Fewer than there are places share the whole area of a
+/// regular grid of places; where these are no regular grid, the first are taken.
+std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count);
+
+/// Plain words in lines of at most `style.max_width`, broken at spaces; the last of `most` lines
+/// holds whatever is left.
+std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
+                                 std::size_t most);
+
+}  // namespace carom

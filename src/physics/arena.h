@@ -1,9 +1,10 @@
-// What the event loop (event_loop.h) asks of the space in which particles move, and what both
-// spaces, the plane of disks (plane.h) and the wire of beads (wire.h), tell it in the same words.
+// The words in which the two spaces, the plane of disks (plane.h) and the wire of beads (wire.h),
+// talk with the event loop (event_loop.h), which is one source for both.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "physics/gas.h"
 

@@ -38,9 +38,6 @@ class CellGrid {
     double cell_width() const { return width_; }
     double cell_height() const { return height_; }
 
-    /// Disks with a larger radius than this are in the coarse grid.
-    double largest_small_radius() const { return small_radius_; }
-
     /// The cell of a position inside the box.
     Cell cell_at(double x, double y) const;
 
@@ -130,7 +127,7 @@ class CellGrid {
 
     int columns_ = 1, rows_ = 1;
     double width_ = 0.0, height_ = 0.0;
-    double small_radius_ = 0.0;
+    double small_radius_ = 0.0;  ///< disks with a larger one are in the coarse grid
     bool has_large_ = false;
     std::array<Axis, 2> fine_{}, coarse_{};
     LargeVector<Slots> fine_slots_, coarse_slots_;

@@ -11,11 +11,17 @@
 namespace carom {
 namespace {
 
-// A lap is one or two collisions of each disk; it takes some tens for neighbours to part.
+// A lap is one or two events of each disk; it takes some tens for neighbours to part.
 constexpr int laps_between_sorts = 20;
 
 // Fewer lie near the processor anyhow.
 constexpr std::size_t least_fetched_ahead = 8192;
+
+// How many buckets ahead, each of half an event: farther apart than memory takes to answer.
+constexpr std::int32_t bodies_near_ahead = 4;
+constexpr std::int32_t cells_ahead = 10;
+constexpr std::int32_t body_ahead = 18;
+constexpr std::int32_t event_ahead = 26;
 
 template <std::size_t Dimension>
 Eigen::Array2d in_plane(const std::array<double, Dimension>& x) {
@@ -173,11 +179,11 @@ void EventLoop<Dimension>::fetch_ahead() {
             for (std::int32_t i = queue_.first_in(one); i >= 0; i = queue_.next_in_bucket(i)) f(i);
         };
         for (; fetched_ < bucket; ++fetched_) {
-            in_bucket(4, [&](std::int32_t i) { space_.fetch_bodies_ahead(bodies_, i); });
-            in_bucket(10, [&](std::int32_t i) { space_.fetch_cells_ahead(body(i)); });
-            in_bucket(18, [&](std::int32_t i) { __builtin_prefetch(&body(i)); });
-            if (const std::int32_t one = fetched_ + 26; one < queue_.buckets())
-                if (const std::int32_t i = queue_.first_in(one); i >= 0) queue_.fetch_ahead(i);
+            in_bucket(bodies_near_ahead,
+                      [&](std::int32_t i) { space_.fetch_bodies_ahead(bodies_, i); });
+            in_bucket(cells_ahead, [&](std::int32_t i) { space_.fetch_cells_ahead(body(i)); });
+            in_bucket(body_ahead, [&](std::int32_t i) { __builtin_prefetch(&body(i)); });
+            queue_.fetch_ahead(fetched_ + event_ahead);
         }
     }
 }

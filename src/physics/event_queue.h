@@ -54,7 +54,11 @@ class EventQueue {
     std::int32_t next_in_bucket(std::int32_t particle) const {
         return nodes_[index(particle)].next;
     }
-    void fetch_ahead(std::int32_t particle) const { __builtin_prefetch(&nodes_[index(particle)]); }
+    /// Asks the processor for the first event of a bucket, if there is such a bucket and event.
+    void fetch_ahead(std::int32_t bucket) const {
+        const std::int32_t first = bucket < buckets_ ? first_in(bucket) : -1;
+        if (first >= 0) __builtin_prefetch(&nodes_[index(first)]);
+    }
 
     /// How far the next lap begins after the present one: a whole number of laps, so that an event
     /// lies in it; infinity when there is no event at all.

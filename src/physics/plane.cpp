@@ -216,11 +216,14 @@ inline void Plane::list(std::int32_t i, const CellGrid::Slots& slots, double shi
     grid_.append(slots, near_, near_count_);
 }
 
-void Plane::list_near(const Bodies& bodies, std::int32_t i) {
-    const Body& a = at(bodies, i);
+inline void Plane::begin_list() {
     near_count_ = 0;
     groups_.assign(1, {0, 0.0, 0.0});
-    if (near_.size() < CellGrid::spare) near_.resize(CellGrid::spare);
+}
+
+void Plane::list_near(const Bodies& bodies, std::int32_t i) {
+    const Body& a = at(bodies, i);
+    begin_list();
     if (!grid_.append_around(a.radius, a.cell, near_, near_count_))
         grid_.for_each_near(a.radius, a.cell,
                             [=, this](const CellGrid::Slots& slots, double shift_x,
@@ -236,8 +239,7 @@ Event Plane::foresee(const Bodies& bodies, std::int32_t i, double now, const Eve
 Event Plane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
                                     const Event& before, double now, const EventQueue& queue) {
     const Body& a = at(bodies, i);
-    near_count_ = 0;
-    groups_.assign(1, {0, 0.0, 0.0});
+    begin_list();
     grid_.for_each_newly_near(a.radius, a.cell, side,
                               [=, this](const CellGrid::Slots& slots, double shift_x,
                                         double shift_y) { list(i, slots, shift_x, shift_y); });
@@ -252,7 +254,9 @@ void Plane::fetch_bodies_ahead(const Bodies& bodies, std::int32_t i) {
     for (std::size_t k = 0; k < near_count_; ++k) __builtin_prefetch(&at(bodies, near_[k]));
 }
 
-// The exact time of the contact with the k-th of a group, if it comes before what is known.
+// The exact time of the contact with the k-th of those near, if it comes before what is known. A
+// contact with a disk that will itself look for contacts before is left to it. Of equal times the
+// lowest number counts.
 [[gnu::always_inline]] inline void Plane::consider(const Bodies& bodies, const Viewer& a,
                                                    std::size_t k, const EventQueue& queue,
                                                    Event& first) const {
@@ -277,9 +281,8 @@ void Plane::fetch_bodies_ahead(const Bodies& bodies, std::int32_t i) {
     first.partner_collisions = b.collisions & most_collisions;
 }
 
-// For four disks a time before which they certainly are not touched, counted from now, and never
-// for those that recede or pass wide: of disks a little larger and a little nearer, by margins far
-// above the rounding errors, some 1e-15 (r^2 + sigma^2) of r^2 - sigma^2.
+// For four disks a time before which they certainly are not touched, counted from now; never for
+// those that recede or pass wide.
 template <typename Viewer, typename Group>
 [[gnu::always_inline]] inline Lanes earliest_contacts(const Viewer& a, const Plane::Body* bodies,
                                                       const std::int32_t* near,
@@ -347,8 +350,7 @@ std::size_t Plane::next_suitor(double bound) const {
     return best;
 }
 
-// The exact time is solved for only while a disk might be the first. A contact with a disk that
-// will itself look for contacts before is left to it. Of equal times the lowest number counts.
+// The exact time is solved for only while a disk might be the first.
 CAROM_FOR_EACH_PROCESSOR
 Event Plane::first_event(const Bodies& bodies, std::int32_t i, double now, Event first,
                          const EventQueue& queue) {

@@ -17,8 +17,6 @@ namespace carom {
 
 class Plane {
   public:
-    static constexpr int dimension = 2;
-
     /// All that a pair needs to be tested and to collide: one cache line.
     struct alignas(64) Body {
         std::array<double, 2> x;  ///< at the disk's own time; in a periodic box not wrapped until
@@ -74,6 +72,7 @@ class Plane {
 
     struct Viewer;
 
+    void begin_list();
     void list_near(const Bodies& bodies, std::int32_t i);
     void list(std::int32_t i, const CellGrid::Slots& slots, double shift_x, double shift_y);
     void end_group(std::int32_t i);

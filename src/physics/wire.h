@@ -16,8 +16,6 @@ namespace carom {
 
 class Wire {
   public:
-    static constexpr int dimension = 1;
-
     struct Body {
         std::array<double, 1> x;  ///< at the body's own time
         std::array<double, 1> v;

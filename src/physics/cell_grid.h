@@ -179,13 +179,6 @@ void CellGrid::for_each_in(const LargeVector<Slots>& cells, std::int32_t columns
 template <typename Function>
 void CellGrid::for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
                                std::int32_t column, std::int32_t row, Function&& f) const {
-    if (column > 0 && column < axes[0].cells - 1 && row > 0 && row < axes[1].cells - 1) {
-        const Slots* middle =
-            cells.data() + static_cast<std::ptrdiff_t>(row) * axes[0].cells + column;
-        for (std::ptrdiff_t dy = -axes[0].cells; dy <= axes[0].cells; dy += axes[0].cells)
-            for (std::ptrdiff_t dx = -1; dx <= 1; ++dx) f(middle[dy + dx], 0.0, 0.0);
-        return;
-    }
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
         const Wrapped y = wrap(row + dy, axes[1]);
         if (y.cell < 0) continue;

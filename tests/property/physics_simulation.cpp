@@ -11,6 +11,7 @@
 #include "physics/event_loop.h"
 #include "physics/placement.h"
 #include "physics/simulation.h"
+#include "support/same_events.h"
 #include "support/slow_simulator.h"
 #include "util/random.h"
 
@@ -99,30 +100,9 @@ TEST_CASE("the same events in the same order as the slow, obvious simulator") {
         CAPTURE(seed);
         const Gas gas = small_scene(seed);
         const auto [particles, start] = place(gas);
-        EventLoop<2> fast(gas.box, particles);
-        fast.start(start);
-        test::SlowSimulator slow(gas.box, particles, start);
-        // Round-off of the doubles grows by some 4 to 13 bits per collision of a particle. Events
-        // are compared while it is small; a wrong event shows as a jump.
-        double deviation = 1e-14;
         const auto events = static_cast<int>(6 * particles.count());
-        for (int k = 0; k < events && deviation < 1e-9; ++k) {
-            CAPTURE(k);
-            const auto expected = slow.next(1e6L);
-            Collision found{};
-            const bool any = fast.advance_one(1e6, found);
-            REQUIRE(any == expected.has_value());
-            if (!any) break;
-            std::int32_t first = found.first, second = found.second;
-            if (second >= 0 && second < first) std::swap(first, second);
-            REQUIRE(first == expected->first);
-            REQUIRE(second == expected->second);
-            const double time = static_cast<double>(expected->time);
-            const double off = std::abs(found.time - time) / std::max(1.0, time);
-            REQUIRE(off <= 1e4 * deviation);
-            deviation = std::max(deviation, off);
-            ++compared;
-        }
+        compared += test::require_same_events<2, test::SlowSimulator>(gas.box, particles, start,
+                                                                      1e6, events);
     }
     CHECK(compared > 5000);
 }

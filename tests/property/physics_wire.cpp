@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "physics/event_loop.h"
 #include "physics/placement.h"
+#include "support/same_events.h"
 #include "support/slow_wire.h"
 #include "util/random.h"
 
@@ -48,27 +48,8 @@ TEST_CASE("on a wire the same events in the same order as the slow, obvious simu
         CAPTURE(seed);
         const Gas gas = small_wire(seed);
         const auto [particles, start] = place(gas);
-        EventLoop<1> fast(gas.box, particles);
-        fast.start(start);
-        test::SlowWire slow(gas.box, particles, start);
-        // Round-off grows slowly here; events are compared while it is small.
-        double deviation = 1e-14;
-        for (int k = 0; k < 300 && deviation < 1e-9; ++k) {
-            CAPTURE(k);
-            const auto expected = slow.next(1e5L);
-            Collision found{};
-            REQUIRE(fast.advance_one(1e5, found) == expected.has_value());
-            if (!expected) break;
-            std::int32_t first = found.first, second = found.second;
-            if (second >= 0 && second < first) std::swap(first, second);
-            REQUIRE(first == expected->first);
-            REQUIRE(second == expected->second);
-            const double time = static_cast<double>(expected->time);
-            const double off = std::abs(found.time - time) / std::max(1.0, time);
-            REQUIRE(off <= 1e4 * deviation);
-            deviation = std::max(deviation, off);
-            ++compared;
-        }
+        compared +=
+            test::require_same_events<1, test::SlowWire>(gas.box, particles, start, 1e5, 300);
     }
     CHECK(compared > 20'000);
 }

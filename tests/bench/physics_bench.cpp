@@ -6,12 +6,12 @@
 
 #include <cmath>
 #include <ctime>
-#include <numbers>
 #include <string>
 
 #include "physics/event_loop.h"
 #include "physics/placement.h"
 #include "physics/simulation.h"
+#include "support/equal_disks.h"
 
 using namespace carom;
 
@@ -29,26 +29,16 @@ double reference_speed() {
     return x > 0.0 ? steps / taken / 1e6 : 0.0;
 }
 
-Gas equal_disks(double packing, int count, Wall wall) {
-    Gas gas;
-    // The shape of a hexagonal lattice, so that dense gases fit.
-    const double area = count * std::numbers::pi * 0.25 / packing;
-    const double shape = std::sqrt(std::sqrt(0.75));
-    gas.box.size = {std::sqrt(area) / shape, std::sqrt(area) * shape};
+Gas gas_between(Wall wall, double packing, int count) {
+    Gas gas = test::equal_disks(packing, count);
     gas.box.walls = {wall, wall};
-    gas.species = {{.name = "",
-                    .count = count,
-                    .radius = 0.5,
-                    .mass = Quantity{1.0},
-                    .velocity = Temperature{1.0},
-                    .position = LatticePlaces{}}};
     return gas;
 }
 
 double million_collisions_per_second(double packing, int count, Wall wall, double seconds) {
     Run run;
     run.equilibrate = packing > 0.5 ? 3.0 : 10.0;
-    Simulation simulation(equal_disks(packing, count, wall), run);
+    Simulation simulation(gas_between(wall, packing, count), run);
     const double step = packing > 0.5 ? 0.2 : 1.0;
     double time = 0.0;
     std::int64_t collisions = 0;
@@ -65,7 +55,7 @@ double million_collisions_per_second(double packing, int count, Wall wall, doubl
 // Of the event loop when it runs; its particles' constants and samples (some 50 bytes each) belong
 // to the Simulation.
 double bytes_per_particle(double packing, int count) {
-    const Gas gas = equal_disks(packing, count, Wall::solid);
+    const Gas gas = gas_between(Wall::solid, packing, count);
     const auto [particles, start] = place(gas);
     const auto in_use = [] {
         const auto info = mallinfo2();

@@ -9,6 +9,7 @@
 #include "physics/simulation.h"
 #include "stats/mechanics.h"
 #include "stats/pressure.h"
+#include "support/bodies.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -27,7 +28,7 @@ double momentum_times_place(const Simulation& simulation, const Sample& sample) 
 }
 
 // Disks of one radius and two masses in a square
-Gas equal_disks(double radius, std::uint64_t seed) {
+Gas disks_of_two_masses(double radius, std::uint64_t seed) {
     Gas gas;
     gas.seed = seed;
     gas.box.size = {20.0, 20.0};
@@ -43,25 +44,14 @@ Gas equal_disks(double radius, std::uint64_t seed) {
 }
 
 // Sixteen beads of different masses on a wire of length 20
-Simulation equal_beads(double radius) {
-    Box wire;
-    wire.dimension = 1;
-    wire.size = {20.0, 0.0};
-    constexpr Eigen::Index count = 16;
-    Particles particles;
-    particles.radius.setConstant(count, radius);
-    particles.inverse_mass.resize(count);
-    particles.species.setZero(count);
-    Sample start;
-    start.position.resize(count, 1);
-    start.velocity.resize(count, 1);
+Simulation sixteen_beads(double radius) {
+    std::vector<test::Bead> beads;
     Random random(3, "beads");
-    for (Eigen::Index i = 0; i < count; ++i) {
-        particles.inverse_mass[i] = 1.0 / random.uniform(1.0, 7.0);
-        start.position(i, 0) = (static_cast<double>(i) + 0.5) * 1.25;
-        start.velocity(i, 0) = random.normal();
+    for (int i = 0; i < 16; ++i) {
+        const double inverse_mass = 1.0 / random.uniform(1.0, 7.0);
+        beads.push_back({(i + 0.5) * 1.25, random.normal(), inverse_mass});
     }
-    return {wire, particles, start, Run{}};
+    return test::along_a_line(1, 20.0, radius, beads);
 }
 
 }  // namespace
@@ -71,8 +61,9 @@ TEST_CASE("momentum on the walls, virial and boundary term add up at every time"
         for (const double radius : {0.3, 0.6}) {
             CAPTURE(dimension);
             CAPTURE(radius);
-            Simulation simulation =
-                dimension == 1 ? equal_beads(radius) : Simulation(equal_disks(radius, 3), Run{});
+            Simulation simulation = dimension == 1
+                                        ? sixteen_beads(radius)
+                                        : Simulation(disks_of_two_masses(radius, 3), Run{});
             const Box& box = simulation.box();
             const double begun = momentum_times_place(simulation, simulation.sample());
             for (const double time : {0.1, 1.0, 7.0, 50.0, 400.0}) {
@@ -103,7 +94,7 @@ TEST_CASE("momentum on the walls, virial and boundary term add up at every time"
 }
 
 TEST_CASE("both pressures of a long run agree, whatever the radii and the sides of the box") {
-    Gas gas = equal_disks(0.5, 8);
+    Gas gas = disks_of_two_masses(0.5, 8);
     gas.box.size = {30.0, 14.0};
     gas.species[1].radius = 0.9;
     Run run;
@@ -142,7 +133,7 @@ TEST_CASE("the virial gives Henderson's equation of state") {
 }
 
 TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
-    Simulation simulation = equal_beads(0.3);
+    Simulation simulation = sixteen_beads(0.3);
     constexpr double time = 20000.0;
     const Transfers transfers = simulation.advance_to(time).transfers;
     const double energy =

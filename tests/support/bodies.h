@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "physics/simulation.h"
@@ -12,18 +13,28 @@ struct Disk {
     double x, y, vx, vy, radius = 0.5, inverse_mass = 1.0;
 };
 
-inline Simulation simulation_of(const Box& box, const std::vector<Disk>& disks) {
+/// What a Simulation starts from; in one dimension y and vy are left out.
+inline std::pair<Particles, Sample> start_of(int dimension, const std::vector<Disk>& disks) {
     const auto count = static_cast<Eigen::Index>(disks.size());
     Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
-    Sample start{0.0, Eigen::ArrayXXd(count, 2), Eigen::ArrayXXd(count, 2)};
+    Sample sample{0.0, Eigen::ArrayXXd(count, dimension), Eigen::ArrayXXd(count, dimension)};
     for (Eigen::Index i = 0; i < count; ++i) {
         const Disk& d = disks[static_cast<std::size_t>(i)];
         particles.radius[i] = d.radius;
         particles.inverse_mass[i] = d.inverse_mass;
-        start.position.row(i) << d.x, d.y;
-        start.velocity.row(i) << d.vx, d.vy;
+        const double place[] = {d.x, d.y}, velocity[] = {d.vx, d.vy};
+        for (int a = 0; a < dimension; ++a) {
+            sample.position(i, a) = place[a];
+            sample.velocity(i, a) = velocity[a];
+        }
     }
-    return Simulation(box, particles, start, Run{});
+    return {std::move(particles), std::move(sample)};
+}
+
+inline Simulation simulation_of(const Box& box, const std::vector<Disk>& disks,
+                                const Run& run = {}) {
+    auto [particles, sample] = start_of(box.dimension, disks);
+    return Simulation(box, std::move(particles), std::move(sample), run);
 }
 
 struct Bead {
@@ -37,19 +48,7 @@ inline Simulation along_a_line(int dimension, double length, double radius,
     std::vector<Disk> disks;
     for (const Bead& b : beads)
         disks.push_back({b.x, 0.5 * height, b.v, 0.0, radius, b.inverse_mass});
-    if (dimension == 2) return simulation_of(Box{2, {length, height}, {}}, disks);
-
-    const auto count = static_cast<Eigen::Index>(beads.size());
-    Particles particles{Eigen::ArrayXd::Constant(count, radius), Eigen::ArrayXd(count),
-                        Eigen::ArrayXi::Zero(count)};
-    Sample start{0.0, Eigen::ArrayXXd(count, 1), Eigen::ArrayXXd(count, 1)};
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Bead& b = beads[static_cast<std::size_t>(i)];
-        particles.inverse_mass[i] = b.inverse_mass;
-        start.position(i, 0) = b.x;
-        start.velocity(i, 0) = b.v;
-    }
-    return Simulation(Box{1, {length, 0.0}, {}}, particles, start, Run{});
+    return simulation_of(Box{dimension, {length, dimension == 1 ? 0.0 : height}, {}}, disks);
 }
 
 }  // namespace carom::test

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "physics/placement.h"
+#include "support/placement_error.h"
 
 using namespace carom;
+using test::placement_error;
 
 namespace {
 
@@ -15,15 +17,6 @@ Gas gas_of(double width, double height, std::vector<Species> species) {
     gas.box.size = {width, height};
     gas.species = std::move(species);
     return gas;
-}
-
-std::string error_of(const Gas& gas) {
-    try {
-        place(gas);
-    } catch (const PlacementError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 // The least of distance / (sum of radii) over all pairs and images, and of room to the walls.
@@ -114,28 +107,28 @@ TEST_CASE("species share a lattice, and random disks go around listed ones and t
 }
 
 TEST_CASE("no room: one sentence with the numbers and a way out") {
-    CHECK(error_of(gas_of(10.0, 10.0, {{.name = "cold", .count = 100, .radius = 0.48}})) ==
+    CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "cold", .count = 100, .radius = 0.48}})) ==
           "only 66 of 100 disks of species \"cold\" found room at packing fraction 0.724; use "
           "fewer or smaller disks, a larger box, or position: lattice");
-    CHECK(error_of(gas_of(10.0, 10.0, {{.name = "", .count = 1'000'000, .radius = 0.5}})) ==
+    CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "", .count = 1'000'000, .radius = 0.5}})) ==
           "1000000 disks cannot have room: the gas would fill 7.85e+03 of the box and equal disks "
           "fill at most 0.9069; use fewer or smaller disks, or a larger box");
-    CHECK(error_of(gas_of(64.0, 48.0, {{.name = "giant", .count = 1, .radius = 25.0}})) ==
+    CHECK(placement_error(gas_of(64.0, 48.0, {{.name = "giant", .count = 1, .radius = 25.0}})) ==
           "particle 0 of radius 25 does not fit into a box of 64 x 48; use smaller disks or a "
           "larger box");
-    CHECK(error_of(gas_of(10.0, 10.0, {{.name = "x", .count = 1'000'000'000'000}})) ==
+    CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "x", .count = 1'000'000'000'000}})) ==
           "1000000000000 disks of species \"x\" are more than the 50000000 particles that a gas "
           "may have");
     Gas gas = gas_of(10.0, 10.0, {{.name = "w", .count = 9, .radius = 0.5}});
     gas.species[0].position = WithinRegion{{{1.0, 1.0}, {3.0, 3.0}}};
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "only 1 of 9 disks of species \"w\" found room at packing fraction 1.77 of their region; "
           "use fewer or smaller disks, or a larger region");
     gas = gas_of(10.0, 10.0, {{.name = "l", .count = 100, .radius = 0.5}});
     gas.species[0].position = LatticePlaces{};
     CHECK(place(gas).first.count() == 100);
     gas.species[0].count = 110;
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "no hexagonal lattice holds 110 disks of species \"l\" of radius 0.5 in this box (at "
           "most 0 found room) at packing fraction 0.864; use fewer or smaller disks, or a larger "
           "box");
@@ -144,14 +137,14 @@ TEST_CASE("no room: one sentence with the numbers and a way out") {
 TEST_CASE("listed places are checked, across periodic borders too") {
     Gas gas = gas_of(10.0, 10.0, {{.name = "p", .count = 2}});
     gas.species[0].position = Places{{{0.6, 5.0}, {9.8, 5.0}}};
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "particle 1 of radius 0.5 at [9.8, 5] is not inside the box of 10 x 10; move it");
     gas.box.walls[0] = Wall::periodic;
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "particles 0 and 1 overlap: their centres are 0.8 apart and their radii add up to 1; "
           "move them apart");
     gas.species[0].position = Places{{{0.7, 5.0}, {1.7, 5.0}}};  // touching, but for round-off
-    CHECK(error_of(gas).empty());
+    CHECK(placement_error(gas).empty());
     try {
         place(gas_of(5.0, 5.0,
                      {{.name = "fits", .count = 1}, {.name = "not", .count = 1, .radius = 3.0}}));

@@ -6,28 +6,13 @@
 #include <vector>
 
 #include "physics/simulation.h"
+#include "support/bodies.h"
 
 using namespace carom;
+using test::Disk;
+using test::simulation_of;
 
 namespace {
-
-struct Disk {
-    double x, y, vx, vy, radius = 0.5, mass = 1.0;
-};
-
-Simulation simulation_of(const Box& box, const std::vector<Disk>& disks, const Run& run = {}) {
-    const auto count = static_cast<Eigen::Index>(disks.size());
-    Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
-    Sample start{0.0, Eigen::ArrayXXd(count, 2), Eigen::ArrayXXd(count, 2)};
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Disk& d = disks[static_cast<std::size_t>(i)];
-        particles.radius[i] = d.radius;
-        particles.inverse_mass[i] = 1.0 / d.mass;
-        start.position.row(i) << d.x, d.y;
-        start.velocity.row(i) << d.vx, d.vy;
-    }
-    return Simulation(box, particles, start, run);
-}
 
 Box box_of(double width, double height, Wall x = Wall::solid, Wall y = Wall::solid) {
     return Box{2, {width, height}, {x, y}};
@@ -161,8 +146,8 @@ TEST_CASE("ties are decided by number and counted") {
 TEST_CASE("what changes hands is added up") {
     // Disk 0 gives its momentum 3 to the resting disk 1 of equal mass, which gives twice to the
     // right wall.
-    Simulation simulation =
-        simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0, 0.5, 3.0}, {5, 5, 0, 0, 0.5, 3.0}});
+    Simulation simulation = simulation_of(
+        box_of(10.0, 10.0), {{2, 5, 1, 0, 0.5, 1.0 / 3.0}, {5, 5, 0, 0, 0.5, 1.0 / 3.0}});
     CHECK(simulation.advance_to(1.0).transfers.virial == 0.0);
     const Transfers transfers = simulation.advance_to(7.0).transfers;
     CHECK(transfers.virial == 3.0);  // a distance of 1 times a momentum of 3

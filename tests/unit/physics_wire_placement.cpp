@@ -8,8 +8,10 @@
 
 #include "physics/placement.h"
 #include "physics/wire_room.h"
+#include "support/placement_error.h"
 
 using namespace carom;
+using test::placement_error;
 
 namespace {
 
@@ -24,15 +26,6 @@ Places at(const std::vector<double>& x) {
     Places places;
     for (const double place : x) places.values.push_back({place, 0.0});
     return places;
-}
-
-std::string error_of(const Gas& gas) {
-    try {
-        place(gas);
-    } catch (const PlacementError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 std::vector<Eigen::Index> from_left_to_right(const Sample& sample) {
@@ -206,7 +199,7 @@ TEST_CASE("points where numbers are scarce have different places all the same") 
         REQUIRE(start.position.maxCoeff() < 1.0 + 0x1p-49);
     }
     gas.species[0].count = 8;
-    CHECK(error_of(gas).starts_with("8 beads have no room in their part of the wire"));
+    CHECK(placement_error(gas).starts_with("8 beads have no room in their part of the wire"));
 }
 
 TEST_CASE("rods that just fit into their stretches are found room, whatever the luck") {
@@ -232,47 +225,47 @@ TEST_CASE("very many beads find their places at once") {
 }
 
 TEST_CASE("no room on the wire: one sentence with the numbers and a way out") {
-    CHECK(error_of(wire_of(10.0, {{.name = "rods", .count = 11, .radius = 0.5}})) ==
+    CHECK(placement_error(wire_of(10.0, {{.name = "rods", .count = 11, .radius = 0.5}})) ==
           "11 beads of species \"rods\" cannot have room: all beads together are 11 long and the "
           "wire 10; use fewer or shorter beads, or a longer wire");
     Gas gas = wire_of(10.0, {{.name = "piston", .count = 1, .radius = 0.5},
                              {.name = "rods", .count = 3, .radius = 1.4}});
     gas.species[0].position = at({4.0});
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "3 beads of species \"rods\" have no room on the wire: together they are 8.4 long, and "
           "the free stretches 9, the widest 5.5; use fewer or shorter beads, or a longer wire");
     gas.species[1].position = WithinRegion{{{5.0, 0.0}, {9.0, 0.0}}};
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "3 beads of species \"rods\" have no room in their part of the wire: together they are "
           "8.4 long, and the free stretches 4, the widest 4; use fewer or shorter beads, or a "
           "longer part");
     gas = wire_of(10.0, {{.name = "", .count = 1, .mass = Density{2.0}}});
     gas.species[0].radius = 0.0;
-    CHECK(error_of(gas) == "a point has no mass from a density; give it a mass instead");
+    CHECK(placement_error(gas) == "a point has no mass from a density; give it a mass instead");
 }
 
 TEST_CASE("listed places are checked, across the ends of a ring too") {
     Gas gas = wire_of(10.0, {{.name = "p", .count = 2, .radius = 0.5}});
     gas.species[0].position = at({0.5, 9.8});
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "particle 1 of radius 0.5 at 9.8 is not inside the wire of length 10; move it");
     gas.box.walls[0] = Wall::periodic;
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "particles 0 and 1 overlap: their centres are 0.7 apart and their radii add up to 1; "
           "move them apart");
     gas.species[0].position = at({0.3, 9.3});  // touching, but for round-off
-    CHECK(error_of(gas).empty());
+    CHECK(placement_error(gas).empty());
     gas.species[0].radius = 0.0;
     gas.species[0].position = at({3.0, 3.0});
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "particles 0 and 1 are two beads at one place, 3; move one of them, so that they have "
           "an order");
     gas.species[0].position = at({0.0, 10.0});  // one place on a ring
-    CHECK(error_of(gas) ==
+    CHECK(placement_error(gas) ==
           "particles 0 and 1 are two beads at one place, 0; move one of them, so that they have "
           "an order");
     gas.box.walls[0] = Wall::solid;
-    CHECK(error_of(gas).empty());
+    CHECK(placement_error(gas).empty());
 }
 
 TEST_CASE("masses and velocities of beads follow their rules") {

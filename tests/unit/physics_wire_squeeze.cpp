@@ -7,6 +7,7 @@
 #include "physics/placement.h"
 #include "physics/simulation.h"
 #include "physics/wire_squeeze.h"
+#include "support/bodies.h"
 
 using namespace carom;
 
@@ -19,16 +20,10 @@ struct Bead {
 };
 
 std::string squeeze_of(Wall ends, const std::vector<Bead>& beads, const Run& run) {
-    const auto count = static_cast<Eigen::Index>(beads.size());
-    Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
-    Sample start{0.0, Eigen::ArrayXXd(count, 1), Eigen::ArrayXXd(count, 1)};
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Bead& bead = beads[static_cast<std::size_t>(i)];
-        particles.radius[i] = bead.radius;
-        particles.inverse_mass[i] = 1.0 / bead.mass;
-        start.position(i, 0) = bead.x;
-        start.velocity(i, 0) = bead.v;
-    }
+    std::vector<test::Disk> disks;
+    for (const Bead& bead : beads)
+        disks.push_back({bead.x, 0.0, bead.v, 0.0, bead.radius, 1.0 / bead.mass});
+    const auto [particles, start] = test::start_of(1, disks);
     const auto squeeze =
         first_squeeze({1, {10.0, 0.0}, {ends, Wall::solid}}, particles, start, run);
     return squeeze ? to_text(*squeeze) : "none";

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -24,6 +23,7 @@ extern "C" {
 #include "media/yuv.h"
 #include "panels/frame.h"
 #include "scene/load.h"
+#include "support/shot.h"
 
 using namespace carom;
 
@@ -52,32 +52,6 @@ Scene scene_of(int disks, double seconds) {
     return load_scene_text(text, "bench", templates_folder());
 }
 
-struct Shot {
-    std::unique_ptr<Observers> observers;
-    std::vector<FrameData> frames;
-};
-
-// Every frame's data of a film, or those of its first `most` frames.
-Shot shoot(const Scene& scene, std::size_t most) {
-    std::vector<Tick> ticks = timeline(scene);
-    Simulation survey(scene.gas, scene.run);
-    Simulation simulation(scene.gas, scene.run);
-    Shot shot;
-    shot.observers =
-        std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
-    for (const Tick& tick : ticks) {
-        const Passage passage = survey.advance_to(tick.time);
-        shot.observers->survey(tick, survey.sample(), passage);
-    }
-    shot.observers->settle();
-    ticks.resize(std::min(ticks.size(), most));
-    for (const Tick& tick : ticks) {
-        const Passage passage = simulation.advance_to(tick.time);
-        shot.frames.push_back(shot.observers->frame_data(tick, simulation.sample(), passage));
-    }
-    return shot;
-}
-
 struct Yuv {
     std::vector<std::uint8_t> bytes;
     YuvPlanes planes;
@@ -94,13 +68,12 @@ void print_drawing() {
     fmt::print("\nA lecture frame at 1080p, CPU ms\n{:>10} {:>8} {:>10}\n", "disks", "draw",
                "convert");
     for (int disks : {200, 1000, 10000, 100000}) {
-        const Scene scene = scene_of(disks, disks > 20000 ? 3.0 : 10.0);
-        const Shot shot = shoot(scene, 90);
-        FramePainter painter(scene, *shot.observers);
+        const test::Shot film(scene_of(disks, disks > 20000 ? 3.0 : 10.0), 90);
+        FramePainter painter(film.scene, *film.observers);
         Yuv yuv(1920, 1080);
-        painter.paint(shot.frames.front());
+        painter.paint(film.frames.front());
         double draw = 0.0, convert = 0.0;
-        for (const FrameData& frame : shot.frames) {
+        for (const FrameData& frame : film.frames) {
             const double begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
             const Canvas& canvas = painter.paint(frame);
             const double drawn = seconds_of(CLOCK_THREAD_CPUTIME_ID);
@@ -108,16 +81,16 @@ void print_drawing() {
             draw += drawn - begun;
             convert += seconds_of(CLOCK_THREAD_CPUTIME_ID) - drawn;
         }
-        const double per_frame = 1e3 / static_cast<double>(shot.frames.size());
+        const double per_frame = 1e3 / static_cast<double>(film.frames.size());
         fmt::print("{:>10} {:>8.2f} {:>10.2f}\n", disks, draw * per_frame, convert * per_frame);
     }
 }
 
 std::vector<Yuv> converted(const Scene& scene) {
-    const Shot shot = shoot(scene, 1u << 30);
-    FramePainter painter(scene, *shot.observers);
+    const test::Shot film(scene);
+    FramePainter painter(film.scene, *film.observers);
     std::vector<Yuv> frames;
-    for (const FrameData& frame : shot.frames) {
+    for (const FrameData& frame : film.frames) {
         frames.emplace_back(1920, 1080);
         to_yuv420(painter.paint(frame).pixels(), frames.back().planes);
     }

@@ -7,9 +7,11 @@
 
 #include "draw/disk_mask.h"
 #include "draw/disks.h"
+#include "support/pixels.h"
 #include "util/random.h"
 
 using namespace carom;
+using test::pixels_of;
 
 namespace {
 
@@ -18,11 +20,6 @@ constexpr Rect everywhere = {0, 0, 1e6, 1e6};
 int level(const Canvas& canvas, int x, int y) {
     const PixelView pixels = canvas.pixels();
     return static_cast<int>(pixels.data[y * pixels.stride + x] & 0xFF);
-}
-
-std::vector<std::uint32_t> pixels_of(const Canvas& canvas) {
-    const PixelView view = canvas.pixels();
-    return {view.data, view.data + static_cast<std::ptrdiff_t>(view.stride) * view.height};
 }
 
 void draw_one(Canvas& canvas, const Disk& disk) {

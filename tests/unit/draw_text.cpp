@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "draw/text.h"
+#include "support/pixels.h"
 
 using namespace carom;
+using test::pixels_of;
 
 namespace {
 
@@ -33,11 +35,6 @@ Ink ink_of(const Canvas& canvas) {
             ink.bottom = std::max(ink.bottom, y + 1);
         }
     return ink;
-}
-
-std::vector<std::uint32_t> pixels_of(const Canvas& canvas) {
-    const PixelView view = canvas.pixels();
-    return {view.data, view.data + static_cast<std::ptrdiff_t>(view.stride) * view.height};
 }
 
 Canvas drawn(const std::string& markup, const TextStyle& style, Point at = {50, 150}) {

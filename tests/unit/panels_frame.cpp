@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <thread>
 #include <vector>
 
@@ -10,8 +9,12 @@
 #include "panels/registry.h"
 #include "scene/keys.h"
 #include "scene/load.h"
+#include "support/pixels.h"
+#include "support/shot.h"
 
 using namespace carom;
+using test::pixels_of;
+using test::Shot;
 
 namespace {
 
@@ -22,39 +25,6 @@ Scene scene_of(const std::string& film,
     return load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: [" + gas +
                                "]\nrun: {until: 4}\nfilm: {" + film + "}\n",
                            "test", templates);
-}
-
-// A whole film's frames, and what draws them.
-struct Shot {
-    Scene scene;
-    std::unique_ptr<Observers> observers;
-    std::vector<FrameData> frames;
-
-    explicit Shot(Scene loaded) : scene(std::move(loaded)) {
-        Simulation survey(scene.gas, scene.run);
-        Simulation simulation(scene.gas, scene.run);
-        observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
-        const std::vector<Tick> ticks = timeline(scene);
-        for (const Tick& tick : ticks) {
-            const Passage passage = survey.advance_to(tick.time);
-            observers->survey(tick, survey.sample(), passage);
-        }
-        observers->settle();
-        simulation.record_collisions(observers->wants_collisions());
-        for (const Tick& tick : ticks) {
-            const Passage passage = simulation.advance_to(tick.time);
-            frames.push_back(observers->frame_data(tick, simulation.sample(), passage));
-        }
-    }
-};
-
-std::vector<std::uint32_t> pixels_of(const Canvas& canvas) {
-    const PixelView view = canvas.pixels();
-    std::vector<std::uint32_t> pixels;
-    for (int y = 0; y < view.height; ++y)
-        pixels.insert(pixels.end(), view.data + y * view.stride,
-                      view.data + y * view.stride + view.width);
-    return pixels;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "draw/palette.h"
 #include "panels/frame.h"
 #include "scene/load.h"
+#include "support/pixels.h"
 
 using namespace carom;
 
@@ -51,13 +52,7 @@ struct Picture {
         return count;
     }
 
-    std::vector<std::uint32_t> pixels() const {
-        std::vector<std::uint32_t> all;
-        for (int y = 0; y < view.height; ++y)
-            all.insert(all.end(), view.data + y * view.stride,
-                       view.data + y * view.stride + view.width);
-        return all;
-    }
+    std::vector<std::uint32_t> pixels() const { return test::pixels_of(view); }
 
     double scale() const {
         const Rect box = observers.gas().frame_in(

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,8 +11,12 @@
 #include "panels/wire_map.h"
 #include "panels/wire_panel.h"
 #include "scene/load.h"
+#include "support/pixels.h"
+#include "support/shot.h"
 
 using namespace carom;
+using test::pixels_of;
+using test::Shot;
 
 namespace {
 
@@ -22,38 +25,6 @@ Scene scene_of(const std::string& box, const std::string& gas, const std::string
     return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {" + run +
                                "}\nfilm: {" + film + "}\n",
                            "test", std::string(CAROM_TEST_ROOT) + "/templates");
-}
-
-// A whole film's frames, and what draws them.
-struct Shot {
-    Scene scene;
-    std::unique_ptr<Observers> observers;
-    std::vector<FrameData> frames;
-
-    explicit Shot(Scene loaded) : scene(std::move(loaded)) {
-        Simulation survey(scene.gas, scene.run), simulation(scene.gas, scene.run);
-        observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
-        const std::vector<Tick> ticks = timeline(scene);
-        for (const Tick& tick : ticks) {
-            const Passage passage = survey.advance_to(tick.time);
-            observers->survey(tick, survey.sample(), passage);
-        }
-        observers->settle();
-        simulation.record_collisions(observers->wants_collisions());
-        for (const Tick& tick : ticks) {
-            const Passage passage = simulation.advance_to(tick.time);
-            frames.push_back(observers->frame_data(tick, simulation.sample(), passage));
-        }
-    }
-};
-
-std::vector<std::uint32_t> pixels_of(const Canvas& canvas) {
-    const PixelView view = canvas.pixels();
-    std::vector<std::uint32_t> pixels;
-    for (int y = 0; y < view.height; ++y)
-        pixels.insert(pixels.end(), view.data + y * view.stride,
-                      view.data + y * view.stride + view.width);
-    return pixels;
 }
 
 const std::string mixture =

@@ -1,0 +1,41 @@
+// The frames of a film without its file.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "panels/frame.h"
+
+namespace carom::test {
+
+/// A film's frames, or the first `most` of them, and what draws them.
+struct Shot {
+    Scene scene;
+    std::unique_ptr<Observers> observers;
+    std::vector<FrameData> frames;
+
+    explicit Shot(Scene loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
+        : scene(std::move(loaded)) {
+        Simulation survey(scene.gas, scene.run);
+        Simulation simulation(scene.gas, scene.run);
+        observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
+        std::vector<Tick> ticks = timeline(scene);
+        for (const Tick& tick : ticks) {
+            const Passage passage = survey.advance_to(tick.time);
+            observers->survey(tick, survey.sample(), passage);
+        }
+        observers->settle();
+        ticks.resize(std::min(ticks.size(), most));
+        simulation.record_collisions(observers->wants_collisions());
+        for (const Tick& tick : ticks) {
+            const Passage passage = simulation.advance_to(tick.time);
+            frames.push_back(observers->frame_data(tick, simulation.sample(), passage));
+        }
+    }
+};
+
+}  // namespace carom::test

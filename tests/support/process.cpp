@@ -1,13 +1,8 @@
 #include "support/process.h"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace carom::test {
 
@@ -22,13 +17,6 @@ std::string quoted(const std::string& word) {
 }
 
 }  // namespace
-
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 Outcome shell(const std::string& script, const fs::path& folder) {
     const TemporaryFolder streams;
@@ -49,22 +37,6 @@ Outcome run(const std::vector<std::string>& command, const fs::path& folder) {
 
 bool is_installed(const std::string& program) {
     return shell("command -v " + quoted(program)).exit_code == 0;
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "carom-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() { fs::remove_all(path_); }
-
-std::vector<std::string> TemporaryFolder::names() const {
-    std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path_))
-        names.push_back(entry.path().filename().string());
-    std::ranges::sort(names);
-    return names;
 }
 
 }  // namespace carom::test

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "support/files.h"
+
 namespace carom::test {
 
 struct Outcome {
@@ -20,22 +22,5 @@ Outcome shell(const std::string& script, const std::filesystem::path& folder = "
 
 /// Whether a program of this name is on PATH.
 bool is_installed(const std::string& program);
-
-/// Bytes of a file; empty if there is none.
-std::string contents(const std::filesystem::path& path);
-
-/// A fresh folder that is removed at the end of the test.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-    std::vector<std::string> names() const;  ///< of all entries, sorted
-
-  private:
-    std::filesystem::path path_;
-};
 
 }  // namespace carom::test

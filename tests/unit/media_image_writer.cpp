@@ -1,35 +1,22 @@
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "media/image_writer.h"
+#include "support/files.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 
 using namespace carom;
+using test::TemporaryFolder;
 namespace fs = std::filesystem;
-
-namespace {
-
-struct TemporaryFolder {
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "carom-image-XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-    ~TemporaryFolder() { fs::remove_all(path); }
-    fs::path path;
-};
-
-}  // namespace
 
 TEST_CASE("a PNG is written whole, in a folder that is made for it") {
     const TemporaryFolder folder;
     Canvas canvas({320, 200});
     canvas.fill_all(rgb(0x123456));
-    const fs::path path = folder.path / "new" / "picture.png";
+    const fs::path path = folder.path() / "new" / "picture.png";
     write_png(canvas, path);
     const std::string bytes = read_file(path, 1 << 20);
     const std::vector<std::uint8_t> expected = canvas.png();
@@ -39,7 +26,7 @@ TEST_CASE("a PNG is written whole, in a folder that is made for it") {
 
 TEST_CASE("an unwritable place for a PNG is named") {
     const TemporaryFolder folder;
-    const fs::path path = folder.path / "picture.png";
+    const fs::path path = folder.path() / "picture.png";
     fs::create_directory(path);
     try {
         write_png(Canvas({2, 2}), path);

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -17,22 +16,19 @@
 #include <vector>
 
 #include "media/video_writer.h"
+#include "support/files.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/random.h"
 
 using namespace carom;
+using test::contents;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path =
-        fs::temp_directory_path() / fs::path("carom-video-" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    fs::path film() const { return path / "film.mp4"; }
-    long entries() const { return std::distance(fs::directory_iterator(path), {}); }
+struct Folder : test::TemporaryFolder {
+    fs::path film() const { return path() / "film.mp4"; }
 };
 
 std::string output_of(const std::string& command) {
@@ -132,8 +128,6 @@ void write_film_in_threads(const fs::path& path, const VideoSettings& settings) 
     writer.commit();
 }
 
-std::string contents(const fs::path& path) { return read_file(path, 1 << 28); }
-
 // Frames that do not compress: the file passes every buffer long before its end.
 EncodedSegment encode_noise(const VideoSettings& settings, int count) {
     SegmentEncoder encoder(settings);
@@ -180,9 +174,9 @@ TEST_CASE("a film is the same bytes whatever threads encoded its segments, for e
     const Folder folder;
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {
         const VideoSettings settings = small_film(quality);
-        write_film(folder.path / "one.mp4", settings);
-        write_film_in_threads(folder.path / "many.mp4", settings);
-        CHECK(contents(folder.path / "one.mp4") == contents(folder.path / "many.mp4"));
+        write_film(folder.path() / "one.mp4", settings);
+        write_film_in_threads(folder.path() / "many.mp4", settings);
+        CHECK(contents(folder.path() / "one.mp4") == contents(folder.path() / "many.mp4"));
     }
 }
 
@@ -260,7 +254,7 @@ TEST_CASE("the index stands before the pictures") {
     CHECK(bytes.substr(4, 4) == "ftyp");
     CHECK(bytes.find("moov") < bytes.find("mdat"));
     CHECK(bytes.find("moof") == std::string::npos);
-    CHECK(folder.entries() == 1);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("the encoder's own record of its settings names one thread and no cuts inside a group") {
@@ -345,7 +339,7 @@ TEST_CASE("an uncommitted film leaves nothing, and the earlier one as it was") {
         writer.append(encode(small_film(), 0, 5));
     }
     CHECK(contents(folder.film()) == "earlier");
-    CHECK(folder.entries() == 1);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("a write that fails, early or late, is one clear error and harms nothing") {
@@ -364,13 +358,13 @@ TEST_CASE("a write that fails, early or late, is one clear error and harms nothi
         }
         CHECK(message == "cannot write " + folder.film().string() + ": File too large");
         CHECK(contents(folder.film()) == "earlier");
-        CHECK(folder.entries() == 1);
+        CHECK(folder.names().size() == 1);
     }
 }
 
 TEST_CASE("a full disk is named") {
     const Folder folder;
-    const fs::path disk = folder.path / "disk";
+    const fs::path disk = folder.path() / "disk";
     fs::create_directories(disk);
     if (mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=1m") != 0) {
         MESSAGE("skipped: no right to mount a small disk here");

@@ -3,23 +3,16 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "scene/load.h"
+#include "support/files.h"
 
+using carom::test::contents;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string content(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 std::string message_of(const fs::path& scene) {
     try {
@@ -50,7 +43,7 @@ TEST_CASE("a bad scene is refused with its whole message") {
     CHECK(scenes.size() >= 60);
     for (const fs::path& scene : scenes) {
         CAPTURE(scene.string());
-        CHECK(message_of(scene) == content(fs::path{scene}.replace_extension(".txt")));
+        CHECK(message_of(scene) == contents(fs::path{scene}.replace_extension(".txt")));
     }
 }
 

@@ -1,14 +1,15 @@
 // Good scenes, their defaults, and what the command line lays over them.
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "scene/load.h"
+#include "support/files.h"
 
 using namespace carom;
+using test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 namespace {
@@ -31,17 +32,6 @@ std::string message(const std::string& text, const Overrides& overrides) {
     }
     return "no error";
 }
-
-// A folder that goes when the test ends.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("carom_scene_" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    fs::path write(const std::string& name, const std::string& text) const {
-        std::ofstream{path / name} << text;
-        return path / name;
-    }
-};
 
 const std::string small_layout =
     "layout: {grid: [40, 20], title: [0, 0, 40, 2], gas: [0, 2, 30, 18], "
@@ -301,7 +291,7 @@ TEST_CASE("an error of the command line points into what was typed") {
 }
 
 TEST_CASE("a template is looked for beside the scene, then in carom's own folder") {
-    const Folder folder;
+    const TemporaryFolder folder;
     folder.write("small.yaml", "fps: 12\npace: 2\npanels: [energy-histogram]\n" + small_layout);
     const std::string text =
         scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: small}\n");
@@ -322,20 +312,20 @@ TEST_CASE("a template is looked for beside the scene, then in carom's own folder
     CHECK(own.film.fps == 24);
     CHECK(own.film.panels.empty());
 
-    const fs::path typed = folder.path / "small.yaml";
+    const fs::path typed = folder.path() / "small.yaml";
     const Scene by_path = load(scene_with("{count: 20}"), {{{"film.template", typed.string()}}});
     CHECK(by_path.film.fps == 12);
 }
 
 TEST_CASE("a scene may be called like its template") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const fs::path path = folder.write("lecture.yaml", scene_with("{count: 20}"));
     CHECK(load_scene(path, root / "templates").film.layout.panels.size() == 3);
 }
 
 TEST_CASE("a template that links out of the scene's folder is refused") {
-    const Folder folder;
-    const fs::path inner = folder.path / "inner";
+    const TemporaryFolder folder;
+    const fs::path inner = folder.path() / "inner";
     fs::create_directories(inner);
     const fs::path outside = folder.write("outside.yaml", small_layout);
     fs::create_symlink(outside, inner / "linked.yaml");

@@ -13,18 +13,13 @@
 #include "scene/load.h"
 #include "scene/reference.h"
 #include "scene/starter.h"
+#include "support/files.h"
 
 using namespace carom;
+using test::contents;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string content(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 Scene loaded(const std::string& text) {
     fs::current_path(CAROM_TEST_ROOT);
@@ -66,7 +61,7 @@ TEST_CASE("the reference page is current") {
     fs::current_path(CAROM_TEST_ROOT);
     const fs::path page = "docs/scene-reference.md";
     if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(page) << scene_reference();
-    const bool current = content(page) == scene_reference();
+    const bool current = contents(page) == scene_reference();
     INFO("make it anew with ./dev docs");
     CHECK(current);
 }

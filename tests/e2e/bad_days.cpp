@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "e2e/program.h"
 #include "support/process.h"
 
 using namespace carom::test;
@@ -14,9 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string root = CAROM_TEST_ROOT;
-const std::string program = CAROM_PROGRAM;
-const std::string scene = root + "/scenes/one-hot-particle.yaml";
+const std::string scene = library_scene("one-hot-particle");
 
 std::string render_small(const std::string& output, const std::string& more = "") {
     return "'" + program + "' render '" + scene + "' -o " + output +
@@ -27,8 +26,9 @@ std::string render_small(const std::string& output, const std::string& more = ""
 
 TEST_CASE("a wrong scene is refused with exit code 2 and nothing is written") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "bad.yaml")
-        << "title: T\nbox: {size: [10, 10]}\ngas: [{count: 3, raduis: 1}]\nrun: {until: 1}\n";
+    folder.write(
+        "bad.yaml",
+        "title: T\nbox: {size: [10, 10]}\ngas: [{count: 3, raduis: 1}]\nrun: {until: 1}\n");
     const Outcome outcome = run({program, "render", "bad.yaml"}, folder.path());
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.out.empty());
@@ -39,9 +39,9 @@ TEST_CASE("a wrong scene is refused with exit code 2 and nothing is written") {
 
 TEST_CASE("a gas that finds no room is refused at its place in the file") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "full.yaml")
-        << "title: T\nbox: {size: [20, 20]}\ngas:\n  - {name: small, count: 420, radius: "
-           "0.45}\nrun: {until: 1}\nfilm: {seconds: 1}\n";
+    folder.write("full.yaml",
+                 "title: T\nbox: {size: [20, 20]}\ngas:\n  - {name: small, count: 420, radius: "
+                 "0.45}\nrun: {until: 1}\nfilm: {seconds: 1}\n");
     const Outcome outcome = run({program, "render", "full.yaml"}, folder.path());
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err.find("full.yaml:4:") == 0);
@@ -56,7 +56,7 @@ TEST_CASE("missing scenes, wrong options and wrong endings are told with exit co
           std::string("render . "), "render '" + scene + "' -o film.avi",
           "render '" + scene + "' --fps fast", "render '" + scene + "' --quality best",
           "render '" + scene + "' --set gas", "render '" + scene + "' '" + scene + "'",
-          "render '" + scene + "' '" + root + "/scenes/mixed-masses.yaml' -o both.mp4",
+          "render '" + scene + "' '" + library_scene("mixed-masses") + "' -o both.mp4",
           "render '" + scene + "' --size 1x1", "render '" + scene + "' --seconds -1",
           "render '" + scene + "' --template none", "still '" + scene + "' --at 13",
           "still '" + scene + "' --at nan", "still '" + scene + "' -o film.mp4"}) {
@@ -85,8 +85,8 @@ TEST_CASE("an unknown command is told with the nearest one") {
 
 TEST_CASE("of several scenes none is rendered when one is wrong, and all their errors are told") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "bad.yaml") << "title: T\nbox: {size: [10, 10]}\ngas: []\n";
-    std::ofstream(folder.path() / "worse.yaml") << "title: T\n";
+    folder.write("bad.yaml", "title: T\nbox: {size: [10, 10]}\ngas: []\n");
+    folder.write("worse.yaml", "title: T\n");
     const Outcome outcome =
         run({program, "render", scene, "bad.yaml", "worse.yaml", "-o", "films"}, folder.path());
     CHECK(outcome.exit_code == 2);
@@ -97,7 +97,7 @@ TEST_CASE("of several scenes none is rendered when one is wrong, and all their e
 
 TEST_CASE("a folder that cannot be written is exit code 1 with its name") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "file") << "x";
+    folder.write("file", "x");
     const Outcome outcome = shell(render_small("file/film.mp4"), folder.path());
     CHECK(outcome.exit_code == 1);
     CHECK(outcome.err.find("file") != std::string::npos);
@@ -106,7 +106,7 @@ TEST_CASE("a folder that cannot be written is exit code 1 with its name") {
 
 TEST_CASE("a full disk is exit code 1; the earlier film stays and no part is left") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "film.mp4") << "earlier";
+    folder.write("film.mp4", "earlier");
     // A limit on file sizes fails as a full disk does, one buffer late, and needs no rights.
     const Outcome limited = shell("ulimit -f 40; " + render_small("film.mp4"), folder.path());
     CAPTURE(limited.err);
@@ -135,7 +135,7 @@ TEST_CASE("a full disk is exit code 1; the earlier film stays and no part is lef
 
 TEST_CASE("Ctrl-C ends at once with exit code 130; the earlier film stays and no part is left") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "film.mp4") << "earlier";
+    folder.write("film.mp4", "earlier");
     // After a second all frames have been handed out and only the workers are busy. A shell's
     // background programs ignore SIGINT until they ask for it, as carom does.
     const auto begun = std::chrono::steady_clock::now();

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "e2e/program.h"
 #include "e2e/still_life.h"
 #include "support/process.h"
 
@@ -20,10 +20,10 @@ TEST_CASE("headless Chromium plays the film in the colours that were drawn") {
         return;
     }
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << still_life;
-    REQUIRE(run({CAROM_PROGRAM, "render", "scene.yaml", "-o", "film.mp4", "--quiet"}, folder.path())
+    folder.write("scene.yaml", still_life);
+    REQUIRE(run({program, "render", "scene.yaml", "-o", "film.mp4", "--quiet"}, folder.path())
                 .exit_code == 0);
-    fs::copy(fs::path(CAROM_TEST_ROOT) / "tests/e2e/page.html", folder.path() / "page.html");
+    fs::copy(root / "tests/e2e/page.html", folder.path() / "page.html");
 
     const fs::path page = folder.path() / "page.html";
     const Outcome outcome =

@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "e2e/program.h"
 #include "support/process.h"
 
 using namespace carom::test;
@@ -17,12 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = CAROM_TEST_ROOT;
-const std::string program = CAROM_PROGRAM;
-
 json checked(const std::string& scene) {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << scene;
+    folder.write("scene.yaml", "title: T\n" + scene);
     const Outcome outcome = run({program, "check", "--json", "scene.yaml"}, folder.path());
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);
@@ -33,7 +30,7 @@ json checked(const std::string& scene) {
 // Collisions between particles in the run itself.
 double counted(const std::string& scene) {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << scene;
+    folder.write("scene.yaml", "title: T\n" + scene);
     const Outcome outcome =
         run({program, "run", "--quiet", "--json", "-", "scene.yaml"}, folder.path());
     REQUIRE(outcome.exit_code == 0);
@@ -113,7 +110,7 @@ TEST_CASE("the rough cost of a film is that of the films that were measured") {
 }
 
 TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2") {
-    const std::string good = (root / "scenes/time-reversal.yaml").string();
+    const std::string good = library_scene("time-reversal");
     const std::vector<std::string> scenes{(root / "tests/scenes_bad/box_both.yaml").string(), good,
                                           (root / "tests/scenes_bad/run_times.yaml").string()};
     const Outcome table = run({program, "check", scenes[0], scenes[1], scenes[2]});
@@ -159,12 +156,12 @@ TEST_CASE("a scene without a film may be too long for one") {
         "box: {length: 10}\ngas: [{count: 2, speed: 1}]\nrun: {until: 1e9}\n";
     CHECK(checked(physics).at("film") == nullptr);
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << physics << "film: {fps: 30}\n";
+    folder.write("scene.yaml", "title: T\n" + physics + "film: {fps: 30}\n");
     CHECK(run({program, "check", "scene.yaml"}, folder.path()).exit_code == 2);
 }
 
 TEST_CASE("values of the command line are checked as in the file") {
-    const std::string scene = (root / "scenes/one-hot-particle.yaml").string();
+    const std::string scene = library_scene("one-hot-particle");
     const Outcome good = run({program, "check", "--json", "--set", "gas.0.count=50", scene});
     CHECK(json::parse(good.out).at(0).at("particles") == 51);
     CHECK(run({program, "check", "--quiet", "--set", "gas.0.count=-5", scene}).exit_code == 2);

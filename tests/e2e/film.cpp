@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "e2e/program.h"
 #include "e2e/still_life.h"
 #include "support/process.h"
 
@@ -17,19 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string root = CAROM_TEST_ROOT;
-const std::string program = CAROM_PROGRAM;
-
 Outcome run_carom(std::vector<std::string> arguments, const fs::path& folder = ".") {
     arguments.insert(arguments.begin(), program);
     return run(arguments, folder);
-}
-
-fs::path write_scene(const TemporaryFolder& folder, const std::string& text,
-                     const std::string& name = "scene.yaml") {
-    const fs::path path = folder.path() / name;
-    std::ofstream(path) << text;
-    return path;
 }
 
 struct Rgb {
@@ -85,7 +75,7 @@ nlohmann::json probe(const fs::path& film) {
 
 TEST_CASE("a scene becomes a film of the promised format, length and words") {
     const TemporaryFolder folder;
-    const fs::path scene = write_scene(folder, still_life);
+    const fs::path scene = folder.write("scene.yaml", still_life);
     const Outcome outcome = run_carom({"render", scene.string()}, folder.path());
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);
@@ -122,7 +112,7 @@ TEST_CASE("a scene becomes a film of the promised format, length and words") {
 TEST_CASE(
     "a picture of odd size is padded to an even one, and what the command line changed is noted") {
     const TemporaryFolder folder;
-    const fs::path scene = write_scene(folder, still_life);
+    const fs::path scene = folder.write("scene.yaml", still_life);
     const Outcome outcome =
         run_carom({"render", scene.string(), "-o", "odd.mp4", "--size", "321x181", "--seed", "7"},
                   folder.path());
@@ -138,7 +128,7 @@ TEST_CASE(
 
 TEST_CASE("the decoded colours are those that were drawn") {
     const TemporaryFolder folder;
-    const fs::path scene = write_scene(folder, still_life);
+    const fs::path scene = folder.write("scene.yaml", still_life);
     REQUIRE(run_carom({"render", scene.string(), "-o", "film.mp4"}, folder.path()).exit_code == 0);
     const Decoded frame(folder.path() / "film.mp4", 30, 640, 360);
     check_color(frame.at(4, 4), {0xFB, 0xFA, 0xF7});  // page
@@ -161,7 +151,7 @@ TEST_CASE(
     "the film is the same, byte for byte, on any number of threads, and another with another "
     "seed") {
     const TemporaryFolder folder;
-    const std::string scene = root + "/scenes/one-hot-particle.yaml";
+    const std::string scene = library_scene("one-hot-particle");
     const auto render = [&](const std::string& name, const std::string& threads,
                             const std::string& seed) {
         const Outcome outcome =
@@ -181,7 +171,7 @@ TEST_CASE(
 
 TEST_CASE("the last picture of a reversed film is its first") {
     const TemporaryFolder folder;
-    const std::string scene = root + "/scenes/time-reversal.yaml";
+    const std::string scene = library_scene("time-reversal");
     const std::vector<std::string> common{"still",   scene,   "--size",        "640x360",
                                           "--quiet", "--set", "film.panels=[]"};
     const auto still = [&](const std::string& at) {

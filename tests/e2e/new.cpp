@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "e2e/program.h"
 #include "support/process.h"
 
 using namespace carom::test;
@@ -13,8 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = CAROM_TEST_ROOT;
-const std::string program = CAROM_PROGRAM;
 const std::string mark = "# yaml-language-server: $schema=";
 
 std::string first_line(const fs::path& file) {
@@ -55,7 +53,7 @@ TEST_CASE("an independent validator takes the new scene by the schema it names")
 
 TEST_CASE("carom new replaces nothing") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "mine.yaml") << "kept";
+    folder.write("mine.yaml", "kept");
     fs::create_symlink("nowhere", folder.path() / "link.yaml");
     for (const std::string& name : std::vector<std::string>{"mine", "link.yaml"}) {
         const Outcome again = run({program, "new", name}, folder.path());
@@ -73,7 +71,7 @@ TEST_CASE("a new scene may begin with another one, by its path or its name in th
     const TemporaryFolder folder;
     const std::string original = contents(root / "scenes/time-reversal.yaml");
     for (const std::string& from :
-         std::vector<std::string>{"time-reversal", (root / "scenes/time-reversal.yaml").string()}) {
+         std::vector<std::string>{"time-reversal", library_scene("time-reversal")}) {
         fs::remove(folder.path() / "mine.yaml");
         CHECK(run({program, "new", "mine", "--from", from}, folder.path()).exit_code == 0);
         const std::string text = contents(folder.path() / "mine.yaml");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "e2e/program.h"
 #include "support/process.h"
 
 using namespace carom::test;
@@ -16,9 +17,6 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path root = CAROM_TEST_ROOT;
-const std::string program = CAROM_PROGRAM;
 
 // Debian's own: another one on PATH does not see Debian's packages.
 const std::string python = "/usr/bin/python3";

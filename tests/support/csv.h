@@ -1,4 +1,4 @@
-// Reads the small tables of numbers in tests/reference/.
+// Reads tables of numbers, such as those in tests/reference/.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,18 @@
 #include <vector>
 
 namespace carom::test {
+
+/// What stands between the commas of a line; none may be quoted.
+inline std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells(1);
+    for (const char c : line) {
+        if (c == ',')
+            cells.emplace_back();
+        else
+            cells.back() += c;
+    }
+    return cells;
+}
 
 /// The rows of tests/reference/NAME as text cells, without comments and the line of titles.
 inline std::vector<std::vector<std::string>> reference_rows(const std::string& name) {
@@ -22,14 +34,7 @@ inline std::vector<std::vector<std::string>> reference_rows(const std::string& n
             titles = false;
             continue;
         }
-        std::vector<std::string> cells(1);
-        for (char c : line) {
-            if (c == ',')
-                cells.emplace_back();
-            else
-                cells.back() += c;
-        }
-        rows.push_back(cells);
+        rows.push_back(cells_of(line));
     }
     return rows;
 }

@@ -1,84 +1,22 @@
-// carom run, by the program itself: its JSON and its CSV against truths that are known exactly, and
-// against each other.
+// carom run, by the program itself: its report against truths that are known exactly, and against
+// its samples.
 #include <doctest/doctest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <limits>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "support/process.h"
+#include "e2e/run_scene.h"
 
 using namespace carom::test;
 using nlohmann::json;
-namespace fs = std::filesystem;
 
 namespace {
-
-const std::string root = CAROM_TEST_ROOT;
-const std::string program = CAROM_PROGRAM;
-
-struct Run {
-    json report;
-    std::string csv;
-};
-
-// Both outputs of a scene that is given as text; the seconds apart, nothing may be said.
-Run run_scene(const std::string& scene, const std::vector<std::string>& more = {}) {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << scene;
-    std::vector<std::string> command{program,  "run", "scene.yaml", "--quiet",
-                                     "--json", "-",   "--csv",      "samples.csv"};
-    command.insert(command.end(), more.begin(), more.end());
-    const Outcome outcome = run(command, folder.path());
-    CAPTURE(outcome.err);
-    REQUIRE(outcome.exit_code == 0);
-    CHECK(outcome.err.empty());
-    CHECK(folder.names() == std::vector<std::string>{"samples.csv", "scene.yaml"});
-    return {json::parse(outcome.out), contents(folder.path() / "samples.csv")};
-}
-
-// One row of the CSV.
-struct Row {
-    double time;
-    std::size_t particle;
-    std::string species;
-    double mass, radius, x, y, vx, vy;
-};
-
-double number(const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    CHECK(end == text.c_str() + text.size());
-    return value;
-}
-
-std::vector<Row> rows_of(const std::string& csv) {
-    std::istringstream lines(csv);
-    std::string line;
-    std::getline(lines, line);
-    CHECK(line == "time,particle,species,mass,radius,x,y,vx,vy");
-    std::vector<Row> rows;
-    while (std::getline(lines, line)) {
-        std::vector<std::string> fields(1);
-        for (const char c : line) {
-            if (c == ',')
-                fields.emplace_back();
-            else
-                fields.back() += c;
-        }
-        REQUIRE(fields.size() == 9);
-        rows.push_back({number(fields[0]), std::stoul(fields[1]), fields[2], number(fields[3]),
-                        number(fields[4]), number(fields[5]), number(fields[6]), number(fields[7]),
-                        number(fields[8])});
-    }
-    return rows;
-}
 
 // Every number of the report is one: no word, no NaN.
 void check_numbers(const json& value) {
@@ -86,18 +24,6 @@ void check_numbers(const json& value) {
     if (value.is_structured())
         for (const json& item : value) check_numbers(item);
 }
-
-const std::string one_disk =  // 3 round trips of 2 * 10 at speed 3 in 20 units of time
-    "box: {size: [12, 10]}\n"
-    "gas: [{name: a, radius: 1, mass: 2, position: [6, 5], velocity: [3, 0]}]\n"
-    "run: {until: 20, sample_every: 3.2}\n";
-
-const std::string small_gas =
-    "box: {size: [20, 15]}\n"
-    "gas:\n"
-    "  - {name: light, count: 30, radius: 0.4, speed: 2}\n"
-    "  - {name: heavy, count: 5, radius: {uniform: [0.6, 1]}, density: 3, temperature: 1}\n"
-    "run: {until: 30, equilibrate: 5, sample_every: 0.7}\n";
 
 }  // namespace
 
@@ -265,21 +191,6 @@ TEST_CASE("the report is what the samples say") {
     check_numbers(report);
 }
 
-TEST_CASE("the same scene and seed give the same bytes, another seed others") {
-    CHECK(run_scene(small_gas).csv == run_scene(small_gas, {"--threads", "2"}).csv);
-    CHECK(run_scene(small_gas).csv != run_scene(small_gas, {"--seed", "2"}).csv);
-    CHECK(run_scene(small_gas, {"--seed", "2"}).report["seed"] == 2);
-}
-
-TEST_CASE("how often samples are taken changes nothing in the run, and none is lost") {
-    const auto [often, csv] = run_scene(small_gas, {"--set", "run.sample_every=0.01"});
-    const json once = run_scene(small_gas, {"--set", "run.sample_every=30"}).report;
-    for (const char* key : {"collisions", "momentum"}) CHECK(often[key] == once[key]);
-    CHECK(often["pressure"]["wall"] == once["pressure"]["wall"]);
-    CHECK(csv.size() > 5'000'000);  // several times what is written at once
-    CHECK(rows_of(csv).size() == 3001 * 35);
-}
-
 TEST_CASE("a reversed gas comes home by as many events as it left") {
     const std::string gas =
         "box: {size: [20, 15], walls: periodic}\n"
@@ -324,178 +235,13 @@ TEST_CASE("a reversed gas comes home by as many events as it left") {
     CHECK(after[1]["largest_return_distance"].is_null());
 }
 
-TEST_CASE("names with commas and quotes stay one field of the CSV") {
-    const auto [report, csv] = run_scene(
-        "box: {size: [9, 9]}\ngas: [{name: 'a \"hot\", fast one', count: 1, position: [4, 4]}]\n"
-        "run: {until: 1, sample_every: 1}\n");
-    CHECK(csv.find("\n0,0,\"a \"\"hot\"\", fast one\",1,0.5,4,4,0,0\n1,0,") != std::string::npos);
-    CHECK(report["species"][0]["name"] == "a \"hot\", fast one");
-}
-
-TEST_CASE("numbers of the CSV have the 17 digits that give back every bit") {
-    const std::string csv = run_scene(
-                                "box: {size: [9, 9]}\ngas: [{radius: 0.3, mass: 4.9, position: "
-                                "[4.1, 4.7], velocity: [0.1, -0.7]}]\n"
-                                "run: {until: 1, sample_every: 1}\n")
-                                .csv;
-    CHECK(csv.find("\n0,0,gas,4.9000000000000004,0.29999999999999999,4.0999999999999996,"
-                   "4.7000000000000002,0.10000000000000001,-0.69999999999999996\n") !=
-          std::string::npos);
-}
-
-TEST_CASE("without files the report is a table for people; --timings adds to it, --quiet says no") {
-    const std::string scene = root + "/scenes/time-reversal.yaml";
-    const Outcome table = run({program, "run", scene});
-    CHECK(table.exit_code == 0);
-    CHECK(table.err.empty());
-    for (const char* words :
-         {"Reverse every velocity", "132 particles in two dimensions", "for each), ", "kept to ",
-          "reversed at 12", "out, ", "letters", "mean speed", " by the virial", "█"})
-        CHECK(table.out.find(words) != std::string::npos);
-    CHECK(table.out.find("events/s") == std::string::npos);
-    CHECK(run({program, "run", scene, "--timings"}).out.find("events/s") != std::string::npos);
-    const Outcome quiet = run({program, "run", scene, "--quiet"});
-    CHECK(quiet.exit_code == 0);
-    CHECK(quiet.out.empty());
-    CHECK(quiet.err.empty());
-}
-
-TEST_CASE("standard output holds what is asked for and nothing else") {
-    const TemporaryFolder folder;
-    const std::string scene = root + "/scenes/time-reversal.yaml";
-    const Outcome both =
-        run({program, "run", scene, "--json", "-", "--csv", "a.csv", "--timings"}, folder.path());
-    CHECK(both.exit_code == 0);
-    CHECK(json::parse(both.out)["particles"] == 132);
-    CHECK(both.err.find("events/s") != std::string::npos);
-    const Outcome csv =
-        run({program, "run", scene, "--csv", "-", "--json", "a.json"}, folder.path());
-    CHECK(csv.out == contents(folder.path() / "a.csv"));
-    CHECK(csv.err.empty());
-    CHECK(json::parse(contents(folder.path() / "a.json"))["seed"] == 4);
-    const Outcome named =
-        run({program, "run", scene, "--csv", "b.csv", "--json", "b.json"}, folder.path());
-    CHECK(named.out == "b.json\nb.csv\n");
-    CHECK(contents(folder.path() / "b.csv") == csv.out);
-}
-
-TEST_CASE("outputs that would lie on each other or on the scene are refused") {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << one_disk;
-    const std::string before = contents(folder.path() / "scene.yaml");
-    for (const char* arguments :
-         {"--json - --csv -", "--json a --csv a", "--json a --csv ./b/../a", "--json scene.yaml",
-          "--csv ./scene.yaml", "other.yaml", "--json", "--at 3"}) {
-        CAPTURE(arguments);
-        const Outcome outcome =
-            shell("'" + program + "' run scene.yaml " + arguments, folder.path());
-        CHECK(outcome.exit_code == 2);
-        CHECK(outcome.out.empty());
-        CHECK_FALSE(outcome.err.empty());
-        CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
-    }
-    CHECK(contents(folder.path() / "scene.yaml") == before);
-}
-
-TEST_CASE("a scene that does not say how long is told to; the command line can say it") {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml")
-        << "title: T\nbox: {size: [12, 10]}\ngas: [{count: 1, speed: 1}]\n";
-    const Outcome outcome = run({program, "run", "scene.yaml"}, folder.path());
-    CHECK(outcome.exit_code == 2);
-    CHECK(outcome.err.find("`run`") != std::string::npos);
-    const Outcome given =
-        run({program, "run", "scene.yaml", "--json", "-", "--set", "run.until=1e5"}, folder.path());
-    CAPTURE(given.err);
-    CHECK(given.exit_code == 0);
-    CHECK(json::parse(given.out)["time"] == 1e5);
-}
-
-TEST_CASE("what cannot be written is exit code 1; earlier files stay and no part is left") {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << small_gas;
-    std::ofstream(folder.path() / "a.csv") << "earlier";
-    const auto attempt = [&](const std::string& arguments, const std::string& before = "") {
-        return shell(before + "'" + program + "' run scene.yaml --quiet " + arguments,
-                     folder.path());
-    };
-    const Outcome no_folder = attempt("--json a.csv/a.json --csv b.csv");
-    CHECK(no_folder.exit_code == 1);
-    CHECK(no_folder.err.find("a.csv") != std::string::npos);
-    // A limit on file sizes fails as a full disk does, while samples are written.
-    const Outcome limited =
-        attempt("--csv a.csv --json a.json --set run.sample_every=0.01", "ulimit -f 40; ");
-    CHECK(limited.exit_code == 1);
-    CHECK(limited.err.find("a.csv") != std::string::npos);
-    CHECK(contents(folder.path() / "a.csv") == "earlier");
-    CHECK(folder.names() == std::vector<std::string>{"a.csv", "scene.yaml"});
-
-    for (const char* arguments : {"--json - >/dev/full", "--csv - >/dev/full"}) {
-        CAPTURE(arguments);
-        const Outcome full = attempt(arguments);
-        CHECK(full.exit_code == 1);
-        CHECK(full.err.find("No space left on device") != std::string::npos);
-    }
-    const Outcome table = shell("'" + program + "' run scene.yaml >/dev/full", folder.path());
-    CHECK(table.exit_code == 1);
-}
-
-TEST_CASE("a pipe is written as it stands") {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << one_disk;
-    const Outcome outcome =
-        shell("mkfifo pipe; cat pipe & '" + program + "' run scene.yaml --quiet --csv pipe; wait",
-              folder.path());
-    CHECK(outcome.exit_code == 0);
-    CHECK(rows_of(outcome.out).size() == 8);
-    CHECK(fs::is_fifo(folder.path() / "pipe"));
-}
-
-TEST_CASE("Ctrl-C ends a run with exit code 130; earlier files stay and no part is left") {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << small_gas;
-    std::ofstream(folder.path() / "a.csv") << "earlier";
-    // Few events and a million samples, a sample and many events, and some of both
-    for (const char* more :
-         {"--set run.sample_every=100 --set gas.0.speed=1e-9 --set gas.1.speed=0",
-          "--set run.sample_every=1e9 --csv a.csv", "--set run.sample_every=1000 --csv a.csv"}) {
-        CAPTURE(more);
-        const auto begun = std::chrono::steady_clock::now();
-        const Outcome outcome = shell("'" + program + "' run scene.yaml --json a.json " + more +
-                                          " --set run.until=1e9 & sleep 0.5; kill -INT $!; wait $!",
-                                      folder.path());
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-        CHECK(outcome.exit_code == 130);
-        CHECK(outcome.err.find("interrupted") != std::string::npos);
-        CHECK(took.count() < 5.0);  // no measurement: the runs take from half a minute to an hour
-        CHECK(contents(folder.path() / "a.csv") == "earlier");
-        CHECK(folder.names() == std::vector<std::string>{"a.csv", "scene.yaml"});
-    }
-}
-
-TEST_CASE("on a terminal a bar tells how far a long run has come") {
-    if (!is_installed("script")) {
-        MESSAGE("no `script` here to play the terminal: the bar is not tested");
-        return;
-    }
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml") << "title: T\n" << small_gas;
-    const Outcome outcome =
-        shell("script -qec \"timeout -s INT 0.7 '" + program +
-                  "' run scene.yaml --set run.until=1e9 --set run.sample_every=1e9\" /dev/null",
-              folder.path());
-    CHECK(outcome.out.find("░ scene: simulating ") != std::string::npos);
-    CHECK(outcome.out.find("/1e+09 time units, ") != std::string::npos);
-    CHECK(outcome.out.find(" left\r\x1b[K") != std::string::npos);
-    CHECK(outcome.out.ends_with("carom: interrupted; nothing was written\r\n"));
-}
-
 TEST_CASE("beads on a wire have one coordinate, and press with a force") {
     // Points of equal masses pass their velocities on: as if each flew alone from end to end.
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "scene.yaml")
-        << "title: T\nbox: {length: 10}\n"
-           "gas: [{position: [2, 7], velocity: [1, -2]}]\nrun: {until: 20, sample_every: 10}\n";
+    folder.write(
+        "scene.yaml",
+        "title: T\nbox: {length: 10}\n"
+        "gas: [{position: [2, 7], velocity: [1, -2]}]\nrun: {until: 20, sample_every: 10}\n");
     const Outcome outcome =
         run({program, "run", "scene.yaml", "--quiet", "--json", "-", "--csv", "samples.csv"},
             folder.path());

@@ -1,0 +1,17 @@
+// The program that is tested, and the files that it comes with.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace carom::test {
+
+inline const std::string program = CAROM_PROGRAM;
+inline const std::filesystem::path root = CAROM_TEST_ROOT;
+
+/// The path of a scene of the library.
+inline std::string library_scene(const std::string& name) {
+    return (root / "scenes" / (name + ".yaml")).string();
+}
+
+}  // namespace carom::test

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "scene/key_text.h"
-#include "scene/limits.h"
 
 namespace carom {
 namespace {
@@ -152,16 +151,6 @@ class Page {
     std::set<std::string> told_;
 };
 
-std::string ceilings() {
-    std::string text =
-        "## Ceilings\n\nScenes come from strangers: what is over one of these is refused before "
-        "memory is taken.\n\n| number | of what |\n| ---: | --- |\n";
-    for (const Limit& limit : limits)
-        text += fmt::format("| {} | {} |\n", number_text(limit.value),
-                            cell(std::string{limit.meaning}));
-    return text;
-}
-
 }  // namespace
 
 std::string reference_example() { return example; }
@@ -174,7 +163,9 @@ std::string scene_reference() {
         "`film` but `template`, and a `layout`:\n\n");
     const Section& layout = section_of(template_section(), "layout");
     page.add(layout, layout);
-    page.add(ceilings());
+    page.add(
+        "## Ceilings\n\nWhat is over a ceiling is refused before memory is taken: "
+        "[limits.md](limits.md) lists them all.\n");
     return page.text();
 }
 

@@ -1,4 +1,4 @@
-// The reference page of the scene language, made from the key table and the list of ceilings.
+// The reference page of the scene language, made from the key table.
 #pragma once
 
 #include <string>

@@ -76,7 +76,7 @@ TEST_CASE("the reference page tells every key, and its example is valid") {
             }
     CHECK(page.find("```yaml\n" + reference_example() + "```") != std::string::npos);
     CHECK(loaded(reference_example()).film.panels.size() == 2);
-    CHECK(page.find("| 2000000 | particles in all |") != std::string::npos);
+    CHECK(page.find("(limits.md)") != std::string::npos);
 }
 
 TEST_CASE("the page tells what a wire has otherwise") {

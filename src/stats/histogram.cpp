@@ -22,11 +22,13 @@ Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins) {
     return result;
 }
 
+double freedman_diaconis_width(double spread, double n) { return 2.0 * spread / std::cbrt(n); }
+
 int freedman_diaconis(const std::vector<double>& values, double n, double low, double high,
                       int fewest, int most) {
     std::vector<double> copy = values;
     const double spread = quantile(copy, 0.75) - quantile(copy, 0.25);
-    const double width = 2.0 * spread / std::cbrt(n);
+    const double width = freedman_diaconis_width(spread, n);
     if (!(width > 0.0)) return fewest;
     const double bins = std::ceil((high - low) / width);
     return static_cast<int>(std::clamp(bins, double(fewest), double(most)));

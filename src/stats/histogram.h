@@ -1,4 +1,6 @@
-// Histograms with fixed edges, and the rule that chooses the edges.
+// Histograms with fixed edges, and the rule that chooses the edges. Here one set of values is
+// counted; RunningHistogram has the mean of such counts over the samples of a window, and
+// GrowingHistogram finds its own edges while it counts.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,8 +29,12 @@ struct Histogram {
 /// above.
 Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins);
 
-/// Number of bins over [low, high] by Freedman and Diaconis (1981), 2 IQR n^(-1/3) wide, for
-/// samples of size `n` like `values`; within [fewest, most].
+/// Width of the bins by Freedman and Diaconis (1981), 2 IQR n^(-1/3), for `n` values whose
+/// quartiles are `spread` apart.
+double freedman_diaconis_width(double spread, double n);
+
+/// Number of bins of that width over [low, high] for samples of size `n` like `values`; within
+/// [fewest, most].
 int freedman_diaconis(const std::vector<double>& values, double n, double low, double high,
                       int fewest, int most);
 

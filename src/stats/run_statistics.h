@@ -10,7 +10,7 @@
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
-#include "stats/run_histogram.h"
+#include "stats/growing_histogram.h"
 
 namespace carom {
 
@@ -74,7 +74,7 @@ class RunStatistics {
     double thermal_energy_ = 0.0;  ///< summed over the samples
     std::vector<Sums> sums_;       ///< by species, over its particles and the samples
     std::vector<std::int64_t> counts_;
-    RunHistogram speeds_, energies_;
+    GrowingHistogram speeds_, energies_;
 };
 
 }  // namespace carom

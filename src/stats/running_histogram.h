@@ -1,5 +1,6 @@
 // The mean of histograms over time: of the present sample alone, of all since the start, or of
-// those of a while before the present. With it the mean and deviation of the values.
+// those of a while before the present. With it the mean and deviation of the values. For the bars
+// of the histogram panels; see histogram.h for the others.
 #pragma once
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "stats/run_histogram.h"
+#include "stats/growing_histogram.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -35,10 +35,10 @@ void check_counts(const BinnedCounts& bins, const std::vector<double>& values) {
 }  // namespace
 
 TEST_CASE("no value at all, and nothing but zeros, give one bin from 0 to 1") {
-    RunHistogram none;
+    GrowingHistogram none;
     CHECK(none.counts().edges == std::vector<double>{0.0, 1.0});
     CHECK(none.counts().counts == std::vector<std::int64_t>{0});
-    RunHistogram zeros;
+    GrowingHistogram zeros;
     zeros.add(array({0.0, 0.0}));
     zeros.add(array({0.0}));
     CHECK(zeros.counts().edges == std::vector<double>{0.0, 1.0});
@@ -46,7 +46,7 @@ TEST_CASE("no value at all, and nothing but zeros, give one bin from 0 to 1") {
 }
 
 TEST_CASE("zeros seen before the first larger value are counted with the smallest") {
-    RunHistogram histogram;
+    GrowingHistogram histogram;
     histogram.add(array({0.0, 0.0}));
     histogram.add(array({0.0, 2.0}));
     const BinnedCounts bins = histogram.counts();
@@ -56,14 +56,14 @@ TEST_CASE("zeros seen before the first larger value are counted with the smalles
 }
 
 TEST_CASE("values that are no number or infinite are left out") {
-    RunHistogram histogram;
+    GrowingHistogram histogram;
     histogram.add(array(
         {std::numeric_limits<double>::quiet_NaN(), 1.0, std::numeric_limits<double>::infinity()}));
     check_counts(histogram.counts(), {1.0});
 }
 
 TEST_CASE("every value is counted in its bin, however far the range grows") {
-    RunHistogram histogram;
+    GrowingHistogram histogram;
     std::vector<double> all;
     Random random(1, "values");
     for (int round = 0; round < 60; ++round) {  // up to 10^6 times the values of the first look
@@ -78,7 +78,7 @@ TEST_CASE("every value is counted in its bin, however far the range grows") {
 }
 
 TEST_CASE("edges are decimal numbers, and a value on an edge begins a bin") {
-    RunHistogram histogram;
+    GrowingHistogram histogram;
     std::vector<double> all;
     for (int i = 0; i <= 30; ++i) all.push_back(i / 10.0);
     histogram.add(Eigen::Map<const Eigen::ArrayXd>(all.data(), 31));
@@ -92,7 +92,7 @@ TEST_CASE("edges are decimal numbers, and a value on an edge begins a bin") {
 }
 
 TEST_CASE("bins are as wide as Freedman and Diaconis say, rounded up to 1, 2 or 5") {
-    RunHistogram histogram;
+    GrowingHistogram histogram;
     Eigen::ArrayXd values(64'000);
     for (Eigen::Index i = 0; i < values.size(); ++i)  // uniform in [0, 100): IQR 50, width 2.5
         values[i] = 100.0 * (static_cast<double>(i) + 0.5) / 64'000.0;
@@ -105,7 +105,7 @@ TEST_CASE("bins are as wide as Freedman and Diaconis say, rounded up to 1, 2 or 
 TEST_CASE("tiny and huge values have bins of their size") {
     for (const double scale : {1e-200, 1e-30, 1e30, 1e200}) {
         CAPTURE(scale);
-        RunHistogram histogram;
+        GrowingHistogram histogram;
         histogram.add(scale * array({1.0, 2.0, 3.0}));
         const BinnedCounts bins = histogram.counts();
         check_counts(bins, {scale * 1.0, scale * 2.0, scale * 3.0});

@@ -1,8 +1,10 @@
-#include "stats/run_histogram.h"
+#include "stats/growing_histogram.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "stats/histogram.h"
 
 namespace carom {
 namespace {
@@ -18,7 +20,7 @@ double largest_finite(const Eigen::ArrayXd& values) {
 
 }  // namespace
 
-void RunHistogram::add(const Eigen::ArrayXd& values) {
+void GrowingHistogram::add(const Eigen::ArrayXd& values) {
     const double largest = largest_finite(values);
     if (fine_.empty() && largest > 0.0) look_first(largest);
     if (!fine_.empty())
@@ -37,32 +39,32 @@ void RunHistogram::add(const Eigen::ArrayXd& values) {
 }
 
 // At least a thousand bins up to the largest value of the first look, at most ten thousand.
-void RunHistogram::look_first(double largest) {
+void GrowingHistogram::look_first(double largest) {
     constexpr int least_exponent = -300;  // below, powers of ten lose their digits
     set_exponent(std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3));
     fine_.assign(1, zeros_);
 }
 
-void RunHistogram::coarsen() {
+void GrowingHistogram::coarsen() {
     std::vector<std::int64_t> coarse((fine_.size() + 9) / 10);
     for (std::size_t bin = 0; bin < fine_.size(); ++bin) coarse[bin / 10] += fine_[bin];
     fine_.swap(coarse);
     set_exponent(exponent_ + 1);
 }
 
-void RunHistogram::set_exponent(int exponent) {
+void GrowingHistogram::set_exponent(int exponent) {
     exponent_ = exponent;
     width_ = std::pow(10.0, exponent);
     bins_per_unit_ = std::pow(10.0, -exponent);
 }
 
 // A decimal number to the last digit: 3 bins of 0.1 end at 0.3.
-double RunHistogram::edge(std::int64_t bin) const {
+double GrowingHistogram::edge(std::int64_t bin) const {
     const auto count = static_cast<double>(bin);
     return exponent_ < 0 ? count / bins_per_unit_ : count * width_;
 }
 
-std::int64_t RunHistogram::bin_of(double value) const {
+std::int64_t GrowingHistogram::bin_of(double value) const {
     auto bin = static_cast<std::int64_t>(value / width_);
     while (bin > 0 && value < edge(bin)) --bin;
     while (value >= edge(bin + 1)) ++bin;
@@ -70,7 +72,7 @@ std::int64_t RunHistogram::bin_of(double value) const {
 }
 
 // To within a fine bin.
-double RunHistogram::quantile(double share) const {
+double GrowingHistogram::quantile(double share) const {
     const double wanted = share * static_cast<double>(total_);
     double seen = 0.0;
     std::size_t bin = 0;
@@ -82,17 +84,17 @@ double RunHistogram::quantile(double share) const {
 }
 
 // The least of 1, 2, 5, 10, 20, ... fine bins that is as wide.
-std::int64_t RunHistogram::bins_together(double width) const {
+std::int64_t GrowingHistogram::bins_together(double width) const {
     const double fine = width / width_;
     for (std::int64_t decade = 1;; decade *= 10)
         for (const std::int64_t step : {1, 2, 5})
             if (static_cast<double>(step * decade) >= fine) return step * decade;
 }
 
-BinnedCounts RunHistogram::counts() const {
+BinnedCounts GrowingHistogram::counts() const {
     if (fine_.empty()) return {{0.0, 1.0}, {zeros_}};
     const double rule =
-        2.0 * (quantile(0.75) - quantile(0.25)) / std::cbrt(static_cast<double>(total_));
+        freedman_diaconis_width(quantile(0.75) - quantile(0.25), static_cast<double>(total_));
     const double top = edge(static_cast<std::int64_t>(fine_.size()));
     const std::int64_t together = bins_together(std::clamp(rule, top / 200.0, top / 20.0));
     BinnedCounts result;

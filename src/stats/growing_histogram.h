@@ -1,5 +1,6 @@
 // A histogram of all values of a run, whose range nobody knows before its end: bins grow with the
-// values, none is lost, and memory stays the same however many there are.
+// values, none is lost, and memory stays the same however many there are. For the report of
+// `carom run`; see histogram.h for the others.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +15,7 @@ struct BinnedCounts {
     std::vector<std::int64_t> counts;
 };
 
-class RunHistogram {
+class GrowingHistogram {
   public:
     /// Counts values of at least 0; those that are infinite or no number are left out.
     void add(const Eigen::ArrayXd& values);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "e2e/run_scene.h"
+#include "support/relative.h"
 
 using namespace carom::test;
 using nlohmann::json;
@@ -40,11 +41,9 @@ TEST_CASE("a disk between two walls presses with twice its momentum at each retu
           json{{"initial", 9.0}, {"final", 9.0}, {"largest_relative_error", 0.0}});
     CHECK(report["momentum"] == json{{"initial", {6.0, 0.0}}, {"final", {6.0, 0.0}}});
     CHECK(report["overlap"]["largest_relative"] == 0.0);
-    CHECK(report["pressure"]["wall"].get<double>() ==
-          doctest::Approx(6 * 12.0 / (20.0 * 44.0)).epsilon(1e-14));
+    CHECK(report["pressure"]["wall"].get<double>() == relative(6 * 12.0 / (20.0 * 44.0), 1e-14));
     // 2K over (12 * 8 + 10 * 10), the room that its centre can reach
-    CHECK(report["pressure"]["virial"].get<double>() ==
-          doctest::Approx(18.0 / 196.0).epsilon(1e-14));
+    CHECK(report["pressure"]["virial"].get<double>() == relative(18.0 / 196.0, 1e-14));
     CHECK(report["temperature"] == 9.0);
     CHECK(report["species"] ==
           json{{{"name", "a"}, {"count", 1}, {"mean_energy", 9.0}, {"mean_speed", 3.0}}});
@@ -64,7 +63,7 @@ TEST_CASE("a disk between two walls presses with twice its momentum at each retu
         CHECK(rows[k].mass == 2.0);
         CHECK(rows[k].radius == 1.0);
         const double way = std::fmod(3.0 * time + 5.0, 20.0);  // from the left end of its way
-        CHECK(rows[k].x == doctest::Approx(1.0 + (way <= 10.0 ? way : 20.0 - way)).epsilon(1e-14));
+        CHECK(rows[k].x == relative(1.0 + (way <= 10.0 ? way : 20.0 - way), 1e-14));
         CHECK(rows[k].y == 5.0);
         CHECK(rows[k].vx == (way < 10.0 ? 3.0 : -3.0));
         CHECK(rows[k].vy == 0.0);
@@ -79,8 +78,8 @@ TEST_CASE("pressure times area is the energy of a gas of points") {
         "gas: [{radius: 1e-9, position: [[2, 5], [7, 1]], velocity: [[2, 0], [0, 2]]}]\n"
         "run: {until: 30}\n");
     CHECK(report["collisions"]["wall"] == 12);
-    CHECK(report["pressure"]["wall"].get<double>() == doctest::Approx(4.0 / 100.0).epsilon(1e-8));
-    CHECK(report["pressure"]["virial"].get<double>() == doctest::Approx(4.0 / 100.0).epsilon(1e-8));
+    CHECK(report["pressure"]["wall"].get<double>() == relative(4.0 / 100.0, 1e-8));
+    CHECK(report["pressure"]["virial"].get<double>() == relative(4.0 / 100.0, 1e-8));
     CHECK(rows_of(csv).size() == 2 * 1001);
 }
 
@@ -94,13 +93,13 @@ TEST_CASE("two disks that meet head on change velocities once") {
     CHECK(report["pressure"]["wall"].is_null());
     // N T = 1 and r . dp = 1 * 2 in 8 units of time
     CHECK(report["pressure"]["virial"].get<double>() ==
-          doctest::Approx((1.0 + 2.0 / 16.0) / 300.0).epsilon(1e-14));
+          relative((1.0 + 2.0 / 16.0) / 300.0, 1e-14));
     CHECK(report["temperature"] == 0.5);
     const std::vector<Row> rows = rows_of(csv);
     REQUIRE(rows.size() == 6);
     CHECK(rows[3].x == 16.0);
-    CHECK(rows[4].x == doctest::Approx(11.0).epsilon(1e-14));  // 14.5 at 4.5, then back
-    CHECK(rows[5].x == doctest::Approx(19.0).epsilon(1e-14));
+    CHECK(rows[4].x == relative(11.0, 1e-14));  // 14.5 at 4.5, then back
+    CHECK(rows[5].x == relative(19.0, 1e-14));
     CHECK(rows[4].vx == -1.0);
 }
 
@@ -157,12 +156,11 @@ TEST_CASE("the report is what the samples say") {
         sums[row.species].second += speeds.back();
     }
     CHECK(report["species"][0]["mean_energy"].get<double>() ==
-          doctest::Approx(sums["light"].first / (44.0 * 30.0)).epsilon(1e-13));
+          relative(sums["light"].first / (44.0 * 30.0), 1e-13));
     CHECK(report["species"][1]["mean_speed"].get<double>() ==
-          doctest::Approx(sums["heavy"].second / (44.0 * 5.0)).epsilon(1e-13));
+          relative(sums["heavy"].second / (44.0 * 5.0), 1e-13));
     CHECK(report["temperature"].get<double>() ==
-          doctest::Approx((sums["light"].first + sums["heavy"].first) / double(rows.size()))
-              .epsilon(1e-13));
+          relative((sums["light"].first + sums["heavy"].first) / double(rows.size()), 1e-13));
     for (const auto& [name, values] : {std::pair("speed", speeds), {"energy", energies}}) {
         CAPTURE(name);
         const std::vector<double> edges = report["histograms"][name]["edges"];
@@ -180,11 +178,10 @@ TEST_CASE("the report is what the samples say") {
         last += energies[rows.size() - 35 + k];
         momentum += rows[k].mass * rows[k].vx;
     }
-    CHECK(report["energy"]["initial"].get<double>() == doctest::Approx(first).epsilon(1e-13));
-    CHECK(report["energy"]["final"].get<double>() == doctest::Approx(last).epsilon(1e-13));
+    CHECK(report["energy"]["initial"].get<double>() == relative(first, 1e-13));
+    CHECK(report["energy"]["final"].get<double>() == relative(last, 1e-13));
     CHECK(report["energy"]["largest_relative_error"].get<double>() < 1e-13);
-    CHECK(report["momentum"]["initial"][0].get<double>() ==
-          doctest::Approx(momentum).epsilon(1e-12));
+    CHECK(report["momentum"]["initial"][0].get<double>() == relative(momentum, 1e-12));
     CHECK(report["overlap"]["largest_relative"].get<double>() < 1e-13);
     CHECK(report["collisions"]["per_particle"].get<double>() ==
           2.0 * report["collisions"]["particle"].get<double>() / 35.0);
@@ -254,8 +251,8 @@ TEST_CASE("beads on a wire have one coordinate, and press with a force") {
     CHECK(report["collisions"]["particle"].get<int>() > 0);
     CHECK(report["energy"]["largest_relative_error"] == 0.0);
     // Momentum 2 * 1 * 2 hits and 2 * 2 * 4 hits on two ends in 20 units of time; 2E / L
-    CHECK(report["pressure"]["wall"].get<double>() == doctest::Approx(0.5).epsilon(1e-14));
-    CHECK(report["pressure"]["virial"].get<double>() == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(report["pressure"]["wall"].get<double>() == relative(0.5, 1e-14));
+    CHECK(report["pressure"]["virial"].get<double>() == relative(0.5, 1e-14));
     CHECK(report["temperature"] == 2.5);  // twice the mean energy
     CHECK(contents(folder.path() / "samples.csv")
               .starts_with("time,particle,species,mass,radius,x,vx\n"

@@ -10,9 +10,11 @@
 #include "stats/mechanics.h"
 #include "stats/pressure.h"
 #include "support/bodies.h"
+#include "support/relative.h"
 #include "util/random.h"
 
 using namespace carom;
+using test::relative;
 
 namespace {
 
@@ -108,7 +110,7 @@ TEST_CASE("both pressures of a long run agree, whatever the radii and the sides 
         *virial_pressure(gas.box, simulation.particles(), energy, transfers, time);
     CAPTURE(by_walls);
     // 1e5 hits of the walls: a standard error of 0.3 %, and a mean radius in place of two
-    CHECK(by_virial == doctest::Approx(by_walls).epsilon(0.015));
+    CHECK(by_virial == relative(by_walls, 0.015));
 }
 
 TEST_CASE("the virial gives Henderson's equation of state") {
@@ -129,7 +131,7 @@ TEST_CASE("the virial gives Henderson's equation of state") {
     // Henderson 1975: within 0.1 % at this packing
     const double z = (1.0 + packing * packing / 8.0) / ((1.0 - packing) * (1.0 - packing));
     // 1/N = 0.25 % from the conserved momentum, 0.2 % of 1e5 collisions
-    CHECK(pressure * side * side / energy == doctest::Approx(z).epsilon(0.006));
+    CHECK(pressure * side * side / energy == relative(z, 0.006));
 }
 
 TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
@@ -140,8 +142,7 @@ TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
         thermal_energy(simulation.box(), simulation.particles(), simulation.sample());
     const double exact = 2.0 * energy / (20.0 - 16 * 0.6);
     // 4e4 hits of each wall
-    CHECK(*wall_pressure(simulation.box(), transfers, time) ==
-          doctest::Approx(exact).epsilon(0.02));
+    CHECK(*wall_pressure(simulation.box(), transfers, time) == relative(exact, 0.02));
     CHECK(*virial_pressure(simulation.box(), simulation.particles(), energy, transfers, time) ==
-          doctest::Approx(exact).epsilon(0.02));
+          relative(exact, 0.02));
 }

@@ -11,11 +11,13 @@
 #include "physics/event_loop.h"
 #include "physics/placement.h"
 #include "physics/simulation.h"
+#include "support/relative.h"
 #include "support/same_events.h"
 #include "support/slow_simulator.h"
 #include "util/random.h"
 
 using namespace carom;
+using test::relative;
 
 namespace {
 
@@ -128,7 +130,7 @@ TEST_CASE("no overlap after any event, energy and momentum are kept") {
             disks.sample(collision.time, sample);
             REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
             if (driven) continue;
-            REQUIRE(energy_of(sample) == doctest::Approx(energy_of(start)).epsilon(1e-13));
+            REQUIRE(energy_of(sample) == relative(energy_of(start), 1e-13));
             for (int a = 0; a < 2; ++a) {
                 if (fixed || gas.box.walls[static_cast<std::size_t>(a)] == Wall::solid) continue;
                 const double scale = (masses * speeds(start)).sum();
@@ -195,7 +197,7 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
             REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
         }
         CHECK(kinetic_energies(particles, sample).sum() ==
-              doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-12));
+              relative(kinetic_energies(particles, start).sum(), 1e-12));
     }
 }
 
@@ -249,7 +251,7 @@ TEST_CASE("dense from a lattice, at late and early times alike") {
             REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
         }
         CHECK(kinetic_energies(particles, sample).sum() ==
-              doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-13));
+              relative(kinetic_energies(particles, start).sum(), 1e-13));
     }
 }
 
@@ -281,7 +283,7 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
     CHECK(deepest_overlap(gas.box, particles, simulation.sample()) <=
           overlap_bound(gas.box, simulation.sample()));
     CHECK(kinetic_energies(particles, simulation.sample()).sum() ==
-          doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-12));
+          relative(kinetic_energies(particles, start).sum(), 1e-12));
 }
 
 TEST_CASE("a reversal brings everything home within what doubles can do") {
@@ -369,5 +371,5 @@ TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
             REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
     }
     CHECK(kinetic_energies(particles, sample).sum() ==
-          doctest::Approx(kinetic_energies(particles, start).sum()).epsilon(1e-12));
+          relative(kinetic_energies(particles, start).sum(), 1e-12));
 }

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "draw/axis.h"
+#include "support/relative.h"
 
 using namespace carom;
+using test::relative;
 
 namespace {
 
@@ -57,11 +59,11 @@ TEST_CASE("a rounded end of an axis is a tick itself") {
         CAPTURE(value);
         CHECK(end >= value * (1 - 1e-9));
         CHECK(end <= 1.5 * value);
-        CHECK(ticks(0, end).back().value == doctest::Approx(end));
+        CHECK(ticks(0, end).back().value == relative(end, 1e-12));
     }
-    CHECK(round_up_for_axis(1.0) == doctest::Approx(1.0));
-    CHECK(round_up_for_axis(0.29) == doctest::Approx(0.3));
-    CHECK(round_up_for_axis(8.1) == doctest::Approx(10));
+    CHECK(round_up_for_axis(1.0) == relative(1.0, 1e-12));
+    CHECK(round_up_for_axis(0.29) == relative(0.3, 1e-12));
+    CHECK(round_up_for_axis(8.1) == relative(10, 1e-12));
 }
 
 namespace {

@@ -12,10 +12,12 @@
 #include "panels/wire_panel.h"
 #include "scene/load.h"
 #include "support/pixels.h"
+#include "support/relative.h"
 #include "support/shot.h"
 
 using namespace carom;
 using test::pixels_of;
+using test::relative;
 using test::Shot;
 
 namespace {
@@ -51,13 +53,13 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
                 const double first = map.place(c.first, c.first_position[0], last[c.first]);
                 const double r = map.radius(c.first);
                 if (c.second < 0) {
-                    CHECK(first == doctest::Approx(c.second == -1 ? r : map.length() - r));
+                    CHECK(first == relative(c.second == -1 ? r : map.length() - r, 1e-12));
                     continue;
                 }
                 ++meetings;
                 const double second = map.place(c.second, c.second_position[0], last[c.second]);
                 const double apart = std::abs(std::remainder(second - first, map.length()));
-                CHECK(apart == doctest::Approx(r + map.radius(c.second)));
+                CHECK(apart == relative(r + map.radius(c.second), 1e-12));
             }
             // In between they are apart, in the same order, and nothing jumps.
             const Eigen::ArrayXd places = map.places(simulation.sample(), last);
@@ -78,10 +80,10 @@ TEST_CASE("beads are drawn with their own radius, the wanted one, or 0.4 of the 
     const std::optional<EquilibriumGas> none;
     const Particles& particles = simulation.particles();
     const WireMap map({scene, particles, 30, none}, simulation.sample());
-    CHECK(map.radius(0) == doctest::Approx(0.4));
-    CHECK(map.radius(9) == doctest::Approx(0.6));
-    CHECK(map.radius(10) == doctest::Approx(0.3));
-    CHECK(map.length() == doctest::Approx(11.0 + 9 * 0.8 + 0.6));
+    CHECK(map.radius(0) == relative(0.4, 1e-12));
+    CHECK(map.radius(9) == relative(0.6, 1e-12));
+    CHECK(map.radius(10) == relative(0.3, 1e-12));
+    CHECK(map.length() == relative(11.0 + 9 * 0.8 + 0.6, 1e-12));
 }
 
 TEST_CASE("a frame of a wire is a pure function of it: any order, any painter") {

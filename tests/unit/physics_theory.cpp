@@ -9,9 +9,11 @@
 #include "physics/theory.h"
 #include "support/csv.h"
 #include "support/goodness_of_fit.h"
+#include "support/relative.h"
 #include "util/random.h"
 
 using namespace carom;
+using test::relative;
 
 namespace {
 
@@ -62,7 +64,7 @@ TEST_CASE("moments of the densities are the exact ones of the finite gas") {
         const auto gas = equilibrium(s.box, s.particles, s.sample);
         REQUIRE(gas.has_value());
         const double energy = gas->energy;
-        CHECK(energy == doctest::Approx(periodic ? 18.0 : 9.0));
+        CHECK(energy == relative(periodic ? 18.0 : 9.0, 1e-12));
         const double most = gas->groups[0].largest_share * energy;
         const double fastest = std::sqrt(most);  // m = 2
         const double thermal = std::sqrt(energy / (periodic ? count - 1 : count) / 2.0);
@@ -71,15 +73,15 @@ TEST_CASE("moments of the densities are the exact ones of the finite gas") {
                 [&](double e) { return std::pow(e / energy, power) * energy_density(*gas, e); },
                 most);
         };
-        CHECK(share_moment(0) == doctest::Approx(1.0).epsilon(1e-7));
-        CHECK(share_moment(1) == doctest::Approx(test::fraction(row[2])).epsilon(1e-7));
-        CHECK(share_moment(2) == doctest::Approx(test::fraction(row[3])).epsilon(1e-7));
+        CHECK(share_moment(0) == relative(1.0, 1e-7));
+        CHECK(share_moment(1) == relative(test::fraction(row[2]), 1e-7));
+        CHECK(share_moment(2) == relative(test::fraction(row[3]), 1e-7));
         CHECK(integral([&](double v) { return speed_density(*gas, v); }, fastest) ==
-              doctest::Approx(1.0).epsilon(1e-7));
+              relative(1.0, 1e-7));
         CHECK(integral([&](double v) { return v * speed_density(*gas, v); }, fastest) / thermal ==
-              doctest::Approx(std::stod(row[6])).epsilon(1e-6));
-        CHECK(mean_speed(*gas) / thermal == doctest::Approx(std::stod(row[6])).epsilon(1e-12));
-        CHECK(mean_energy(*gas) / energy == doctest::Approx(test::fraction(row[2])));
+              relative(std::stod(row[6]), 1e-6));
+        CHECK(mean_speed(*gas) / thermal == relative(std::stod(row[6]), 1e-12));
+        CHECK(mean_energy(*gas) / energy == relative(test::fraction(row[2]), 1e-12));
     }
     CHECK(rows >= 12);
 }
@@ -113,8 +115,8 @@ TEST_CASE("moments of beads between walls are the exact ones of the finite gas")
         // The laws are the same for all masses; a wire draws them only where masses differ.
         const EquilibriumGas gas{9.0, 0.5, 0.5 * (count - 1), {{2.0, double(count), 1.0}}};
         const double thermal = std::sqrt(2.0 * 9.0 / count / 2.0);
-        CHECK(mean_speed(gas) / thermal == doctest::Approx(std::stod(row[6])).epsilon(1e-12));
-        CHECK(mean_energy(gas) / 9.0 == doctest::Approx(test::fraction(row[2])).epsilon(1e-12));
+        CHECK(mean_speed(gas) / thermal == relative(std::stod(row[6]), 1e-12));
+        CHECK(mean_energy(gas) / 9.0 == relative(test::fraction(row[2]), 1e-12));
         if (count == 2) continue;  // its density is infinite at both ends
         const auto share_moment = [&](int power) {
             return integral(
@@ -123,15 +125,15 @@ TEST_CASE("moments of beads between walls are the exact ones of the finite gas")
                 },
                 9.0);
         };
-        CHECK(share_moment(1) == doctest::Approx(test::fraction(row[2])).epsilon(1e-6));
-        CHECK(share_moment(2) == doctest::Approx(test::fraction(row[3])).epsilon(1e-6));
+        CHECK(share_moment(1) == relative(test::fraction(row[2]), 1e-6));
+        CHECK(share_moment(2) == relative(test::fraction(row[3]), 1e-6));
         const auto speed_moment = [&](int power) {
             return integral([&](double v) { return std::pow(v, power) * speed_density(gas, v); },
                             3.0);
         };
-        CHECK(speed_moment(0) == doctest::Approx(1.0).epsilon(1e-6));
+        CHECK(speed_moment(0) == relative(1.0, 1e-6));
         CHECK(speed_moment(4) / std::pow(speed_moment(2), 2) ==
-              doctest::Approx(test::fraction(row[4])).epsilon(1e-6));
+              relative(test::fraction(row[4]), 1e-6));
     }
     CHECK(rows == 7);
 }
@@ -181,10 +183,10 @@ TEST_CASE("the probability of an interval is the integral of the density") {
     double sum = 0.0;
     for (int i = 0; i * step < gas->energy; ++i)
         sum += energy_probability(*gas, i * step, (i + 1) * step);
-    CHECK(sum == doctest::Approx(1.0).epsilon(1e-6));
+    CHECK(sum == relative(1.0, 1e-6));
     const auto density = [&](double e) { return e > 0.0 ? energy_density(*gas, e) : 0.0; };
     CHECK(energy_probability(*gas, 0.5 * step, step) ==
-          doctest::Approx(integral(density, step) - integral(density, 0.5 * step)).epsilon(1e-4));
+          relative(integral(density, step) - integral(density, 0.5 * step), 1e-4));
     CHECK(std::isinf(energy_density(*gas, 0.0)));
     CHECK(std::isfinite(speed_density(*gas, 0.0)));
     CHECK(energy_probability(*gas, -1.0, 0.0) == 0.0);
@@ -233,11 +235,11 @@ TEST_CASE("a mixture's density is the average over its particles, species can be
     CHECK(all->groups.size() == 2);
     for (const double v : {0.1, 0.7, 1.3}) {
         CHECK(speed_density(*all, v) ==
-              doctest::Approx(0.4 * speed_density(*light, v) + 0.6 * speed_density(*heavy, v)));
+              relative(0.4 * speed_density(*light, v) + 0.6 * speed_density(*heavy, v), 1e-12));
         // 4 particles share what is left: (1 - e/E)^3 4/E
         const double e = 0.5 * 2.0 * v * v;
         CHECK(speed_density(*light, v) ==
-              doctest::Approx(2.0 * v * 4.0 / 9.0 * std::pow(1.0 - e / 9.0, 3.0)));
+              relative(2.0 * v * 4.0 / 9.0 * std::pow(1.0 - e / 9.0, 3.0), 1e-12));
     }
     CHECK(energy_density(*all, 9.1) == 0.0);
     CHECK(energy_density(*all, -0.1) == 0.0);
@@ -248,8 +250,8 @@ TEST_CASE("two particles share the energy uniformly") {
     const State s = gas_of(2, Wall::solid);
     const auto gas = equilibrium(s.box, s.particles, s.sample);
     REQUIRE(gas.has_value());
-    CHECK(energy_density(*gas, 0.0) == doctest::Approx(1.0 / 9.0));
-    CHECK(energy_density(*gas, 9.0) == doctest::Approx(1.0 / 9.0));
+    CHECK(energy_density(*gas, 0.0) == relative(1.0 / 9.0, 1e-12));
+    CHECK(energy_density(*gas, 9.0) == relative(1.0 / 9.0, 1e-12));
 }
 
 TEST_CASE("there is no curve where nothing tends to it") {
@@ -287,7 +289,7 @@ TEST_CASE("many different masses are merged without harm") {
     const double t = gas->energy / 5000.0, v = 0.04;
     for (const double w : s.particles.inverse_mass)
         exact += v / (w * t) * std::exp(-v * v / (2.0 * w * t)) / 5000.0;
-    CHECK(speed_density(*gas, v) == doctest::Approx(exact).epsilon(2e-3));
+    CHECK(speed_density(*gas, v) == relative(exact, 2e-3));
 }
 
 namespace {
@@ -364,19 +366,18 @@ TEST_CASE("a component of velocity is that of points spread evenly over the ener
             std::sqrt(2.0 * first->groups[0].largest_share * energy / one.masses[0]);
         // Six tests: one in a thousand overall.
         CHECK(test::chance(found, below(*first, fastest)) > 1e-3 / 6);
-        CHECK(below(*first, fastest)(fastest) == doctest::Approx(1.0).epsilon(1e-4));
+        CHECK(below(*first, fastest)(fastest) == relative(1.0, 1e-4));
         double square = 0.0;
         for (const double v : found) square += v * v / 4000.0;
         // The mean of 4000 squares, whose deviation is at most 1.5 of their mean: four times 2.4 %.
-        CHECK(square == doctest::Approx(std::pow(velocity_deviation(*first), 2)).epsilon(0.1));
+        CHECK(square == relative(std::pow(velocity_deviation(*first), 2), 0.1));
     }
 }
 
 TEST_CASE("in one dimension a speed is a component of velocity of either sign") {
     const EquilibriumGas gas{9.0, 0.5, 2.5, {{1.0, 2.0, 1.0}, {4.0, 1.0, 1.0}}};
     for (const double v : {0.1, 0.7, 1.9, 2.5, 4.0})
-        CHECK(2.0 * velocity_density(gas, v) ==
-              doctest::Approx(speed_density(gas, v)).epsilon(1e-12));
+        CHECK(2.0 * velocity_density(gas, v) == relative(speed_density(gas, v), 1e-12));
     CHECK(velocity_density(gas, -0.7) == velocity_density(gas, 0.7));
     CHECK(velocity_density(gas, 5.0) == 0.0);
 }

@@ -9,9 +9,11 @@
 #include "physics/placement.h"
 #include "physics/wire_room.h"
 #include "support/placement_error.h"
+#include "support/relative.h"
 
 using namespace carom;
 using test::placement_error;
+using test::relative;
 
 namespace {
 
@@ -128,7 +130,8 @@ TEST_CASE("on a ring no place is like the ends of a wire") {
         across_the_end += double((from_end > 3.0).count());
         left_half += (start.position.col(0) < 4.0).cast<double>().sum() / 3.0;
     }
-    CHECK(square / seeds == doctest::Approx(1.0 / 6.0).epsilon(0.03));
+    // Four standard errors of 0.4 %
+    CHECK(square / seeds == relative(1.0 / 6.0, 0.016));
     CHECK(std::abs(left_half / seeds - 0.5) < 4.5 * std::sqrt(0.25 / seeds));
     CHECK(std::abs(across_the_end / seeds - 0.75) < 4.5 * std::sqrt(0.1875 / seeds));
 }
@@ -141,7 +144,7 @@ TEST_CASE("a lattice has equal gaps, and stands in the order of the numbers") {
             const auto [particles, start] = place(gas);
             const double gap = (50.0 - 0.04 * count) / (count + (ends == Wall::solid ? 1 : 0));
             for (const double found : gaps(gas, particles, start))
-                REQUIRE(found == doctest::Approx(gap).epsilon(1e-9));
+                REQUIRE(found == relative(gap, 1e-11));
             const std::vector<Eigen::Index> order = from_left_to_right(start);
             CHECK(std::is_sorted(order.begin(), order.end()));
         }
@@ -153,7 +156,7 @@ TEST_CASE("a lattice has equal gaps, and stands in the order of the numbers") {
     gas.species[1].position = gas.species[2].position = LatticePlaces{};
     const auto [particles, start] = place(gas);
     CHECK((start.position.col(0) < 30.0).count() == 31);
-    CHECK(least_gap(gas, particles, start) == doctest::Approx(30.0 / 32.0));
+    CHECK(least_gap(gas, particles, start) == relative(30.0 / 32.0, 1e-13));
     CHECK((start.position.middleRows(1, 20) < 30.0).count() != 20);  // mixed
 }
 
@@ -280,7 +283,7 @@ TEST_CASE("masses and velocities of beads follow their rules") {
                          .velocity = Temperature{2.0}}});
     gas.species[1].velocity = Velocity{{{1.0, 0.0}, {-2.0, 0.0}}};
     const auto [particles, start] = place(gas);
-    CHECK(particles.inverse_mass[0] == doctest::Approx(1.0 / 12.0));
+    CHECK(particles.inverse_mass[0] == relative(1.0 / 12.0, 4e-16));
     CHECK(start.velocity(1, 0) == 1.0);
     CHECK(start.velocity(2, 0) == -2.0);
     CHECK((speeds(start).segment(3, 400) == 3.0).all());
@@ -288,7 +291,7 @@ TEST_CASE("masses and velocities of beads follow their rules") {
     CHECK(std::abs(start.velocity.col(0).segment(3, 400).sum() / 3.0) < 4.0 * 20.0);
     // <m v^2> = T in 1-D, with a standard error of T sqrt(2/2000)
     CHECK(2.0 * kinetic_energies(particles, start).tail(2000).mean() ==
-          doctest::Approx(2.0).epsilon(4.0 * std::sqrt(2.0 / 2000.0)));
+          relative(2.0, 4.0 * std::sqrt(2.0 / 2000.0)));
     gas.box.walls[0] = Wall::periodic;
     const Sample balanced = place(gas).second;
     CHECK(balanced.velocity.col(0).segment(3, 400).sum() == 0.0);

@@ -4,9 +4,11 @@
 #include <limits>
 
 #include "stats/running_histogram.h"
+#include "support/relative.h"
 #include "util/random.h"
 
 using namespace carom;
+using test::relative;
 
 TEST_CASE("mean and deviation over several samples are those of all their values in one") {
     Random random(7, "running histogram");
@@ -22,9 +24,8 @@ TEST_CASE("mean and deviation over several samples are those of all their values
     const MeanHistogram mean = running.mean();
     const double expected = all.mean();
     CHECK(mean.values == samples * each);
-    CHECK(mean.mean == doctest::Approx(expected).epsilon(1e-14));
-    CHECK(mean.deviation ==
-          doctest::Approx(std::sqrt((all - expected).square().mean())).epsilon(1e-9));
+    CHECK(mean.mean == relative(expected, 1e-14));
+    CHECK(mean.deviation == relative(std::sqrt((all - expected).square().mean()), 1e-9));
     CHECK(mean.above == each);  // a mean number, as the bars are
 }
 
@@ -35,8 +36,8 @@ TEST_CASE("a window holds the samples later than it before the last") {
     CHECK(mean.counts[3] == 0.0);
     CHECK(mean.counts[4] == 1.5);
     CHECK(mean.counts[5] == 1.5);
-    CHECK(mean.mean == doctest::Approx(5.0));
-    CHECK(mean.deviation == doctest::Approx(0.5));
+    CHECK(mean.mean == relative(5.0, 1e-14));
+    CHECK(mean.deviation == relative(0.5, 1e-14));
 }
 
 TEST_CASE("what is not finite is counted and has no part in the moments") {

@@ -38,13 +38,6 @@ json verdicts(const std::vector<fs::path>& files) {
     return json::parse(outcome.out);
 }
 
-std::vector<fs::path> scenes_in(const fs::path& folder) {
-    std::vector<fs::path> scenes;
-    for (const auto& entry : fs::directory_iterator(root / folder))
-        if (entry.path().extension() == ".yaml") scenes.push_back(entry.path());
-    return scenes;
-}
-
 const char* const several_places = "the fault is between several places, or in what numbers mean";
 const char* const other_file = "the fault is in the template, which is another file";
 const char* const below_json = "YAML that no JSON can show";
@@ -154,8 +147,8 @@ TEST_CASE("the schema in scenes/ is current") {
 }
 
 TEST_CASE("every good scene fits the schema") {
-    std::vector<fs::path> scenes = scenes_in("scenes");
-    for (const fs::path& scene : scenes_in("tests/golden")) scenes.push_back(scene);
+    std::vector<fs::path> scenes = yaml_files(root / "scenes");
+    for (const fs::path& scene : yaml_files(root / "tests/golden")) scenes.push_back(scene);
     CHECK(scenes.size() >= 5);
     const json found = verdicts(scenes);
     for (const auto& [file, verdict] : found.items()) {
@@ -166,7 +159,7 @@ TEST_CASE("every good scene fits the schema") {
 }
 
 TEST_CASE("every bad scene is refused by the schema, where a schema can") {
-    std::vector<fs::path> scenes = scenes_in("tests/scenes_bad");
+    std::vector<fs::path> scenes = yaml_files(root / "tests/scenes_bad");
     std::erase_if(scenes, [](const fs::path& scene) {  // templates
         return scene.stem().string().starts_with("with_");
     });

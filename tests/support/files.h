@@ -20,6 +20,15 @@ inline std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
+/// The YAML files in a folder, sorted.
+inline std::vector<std::filesystem::path> yaml_files(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
 /// A fresh folder that is removed at the end of the test.
 class TemporaryFolder {
   public:

@@ -20,14 +20,6 @@ namespace {
 
 const fs::path root{CAROM_TEST_ROOT};
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".yaml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 Scene scene(const std::string& name, const Overrides& overrides = {}) {
     return load_scene(root / "scenes" / (name + ".yaml"), root / "templates", overrides);
 }
@@ -41,7 +33,7 @@ CollisionCounts collisions_in(const Scene& loaded) {
 
 TEST_CASE("every scene of the library says what is seen, and makes a picture") {
     const carom::test::TemporaryFolder folder;
-    const std::vector<fs::path> files = files_in(root / "scenes");
+    const std::vector<fs::path> files = test::yaml_files(root / "scenes");
     CHECK(files.size() >= 16);
     for (const fs::path& file : files) {
         CAPTURE(file.string());
@@ -57,7 +49,7 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
 
 TEST_CASE("every template makes a picture of a plane and of a wire, in every theme") {
     const carom::test::TemporaryFolder folder;
-    const std::vector<fs::path> files = files_in(root / "templates/films");
+    const std::vector<fs::path> files = test::yaml_files(root / "templates/films");
     CHECK(files.size() == 6);
     for (const fs::path& file : files)
         for (const std::string name : {"two-to-one", "cradle"})

@@ -1,7 +1,6 @@
 // Every bad scene with its whole message: tests/scenes_bad/NAME.yaml gives exactly NAME.txt.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -27,11 +26,8 @@ std::string message_of(const fs::path& scene) {
 bool is_part(const fs::path& path) { return path.stem().string().starts_with("with_"); }
 
 std::vector<fs::path> bad_scenes() {
-    std::vector<fs::path> scenes;
-    for (const auto& entry : fs::directory_iterator("tests/scenes_bad"))
-        if (entry.path().extension() == ".yaml" && !is_part(entry.path()))
-            scenes.push_back(entry.path());
-    std::sort(scenes.begin(), scenes.end());
+    std::vector<fs::path> scenes = carom::test::yaml_files("tests/scenes_bad");
+    std::erase_if(scenes, is_part);
     return scenes;
 }
 

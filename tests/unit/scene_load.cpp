@@ -76,10 +76,9 @@ TEST_CASE("the first scene of the book") {
 }
 
 TEST_CASE("every scene of the library loads") {
-    for (const auto& entry : fs::directory_iterator(root / "scenes")) {
-        if (entry.path().extension() != ".yaml") continue;
-        CAPTURE(entry.path().string());
-        CHECK_NOTHROW(load_scene(entry.path(), root / "templates"));
+    for (const fs::path& file : test::yaml_files(root / "scenes")) {
+        CAPTURE(file.string());
+        CHECK_NOTHROW(load_scene(file, root / "templates"));
     }
 }
 

@@ -94,6 +94,25 @@ double overlap_bound(const Box& box, const Sample& sample) {
     return epsilon * (4.0 * box.size.sum() + 2.0 * speeds(sample).maxCoeff() * sample.time);
 }
 
+// No overlap at any of so many collisions that is looked at, the first and then one in `each`, and
+// the energy of the start at the last.
+void require_hard_disks(const Gas& gas, int collisions, int each) {
+    const auto [particles, start] = place(gas);
+    EventLoop<2> disks(gas.box, particles);
+    disks.start(start);
+    Sample sample;
+    Collision collision{};
+    for (int k = 0; k < collisions; ++k) {
+        REQUIRE(disks.advance_one(1e6, collision));
+        if (k % each != 0) continue;
+        disks.sample(collision.time, sample);
+        REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+    }
+    disks.sample(collision.time, sample);
+    CHECK(kinetic_energies(particles, sample).sum() ==
+          relative(kinetic_energies(particles, start).sum(), 1e-12));
+}
+
 }  // namespace
 
 TEST_CASE("the same events in the same order as the slow, obvious simulator") {
@@ -185,19 +204,7 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
                         .radius = UniformLaw{0.1, 0.4},
                         .mass = Density{1.0},
                         .velocity = Temperature{30.0}}};
-        const auto [particles, start] = place(gas);
-        EventLoop<2> disks(gas.box, particles);
-        disks.start(start);
-        Sample sample;
-        Collision collision{};
-        for (int k = 0; k < 30'000; ++k) {
-            REQUIRE(disks.advance_one(1e6, collision));
-            if (k % 60 != 0) continue;
-            disks.sample(collision.time, sample);
-            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
-        }
-        CHECK(kinetic_energies(particles, sample).sum() ==
-              relative(kinetic_energies(particles, start).sum(), 1e-12));
+        require_hard_disks(gas, 30'000, 60);
     }
 }
 
@@ -359,17 +366,5 @@ TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
     gas.species = {{.name = "fast", .count = 3, .velocity = Speed{1e6}},
                    {.name = "slow", .count = 20, .mass = Quantity{1e15}, .velocity = Speed{1e-12}},
                    {.name = "light", .count = 5, .mass = Quantity{1e-3}}};
-    const auto [particles, start] = place(gas);
-    EventLoop<2> disks(gas.box, particles);
-    disks.start(start);
-    Sample sample;
-    Collision collision{};
-    for (int k = 0; k < 20'000; ++k) {
-        REQUIRE(disks.advance_one(1e6, collision));
-        disks.sample(collision.time, sample);
-        if (k % 10 == 0)
-            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
-    }
-    CHECK(kinetic_energies(particles, sample).sum() ==
-          relative(kinetic_energies(particles, start).sum(), 1e-12));
+    require_hard_disks(gas, 20'000, 10);
 }

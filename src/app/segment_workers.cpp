@@ -93,8 +93,8 @@ void SegmentWorkers::work() {
                 // Finished segments wait for their turn in memory: none runs far ahead of the one
                 // to join next.
                 std::unique_lock lock(mutex_);
-                changed_.wait(lock,
-                              [&] { return stop_ || next_segment_ < next_joined_ + most_ahead_; });
+                changed_.wait(
+                    lock, [&] { return stop_ || next_segment_ < encoded_.next() + most_ahead_; });
                 if (stop_ || next_segment_ == segments_.size()) break;
                 index = next_segment_++;
             }
@@ -143,13 +143,8 @@ bool SegmentWorkers::take(std::size_t index, FrameData& data) {
 
 void SegmentWorkers::join(std::size_t index, EncodedSegment encoded) {
     const std::scoped_lock lock(mutex_);
-    encoded_.emplace(index, std::move(encoded));
-    for (auto next = encoded_.find(next_joined_); next != encoded_.end();
-         next = encoded_.find(next_joined_)) {
-        writer_.append(std::move(next->second));
-        encoded_.erase(next);
-        ++next_joined_;
-    }
+    encoded_.add(index, std::move(encoded),
+                 [this](EncodedSegment segment) { writer_.append(std::move(segment)); });
     changed_.notify_all();
 }
 

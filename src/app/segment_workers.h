@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <deque>
 #include <exception>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "app/in_order.h"
 #include "app/progress.h"
 #include "media/video_writer.h"
 #include "panels/frame.h"
@@ -61,10 +61,9 @@ class SegmentWorkers {
     std::condition_variable changed_;
     std::vector<int> starts_;
     std::vector<Segment> segments_;
-    std::size_t most_ahead_ = 0;    ///< segments taken before the one to be joined next is done
-    std::size_t next_segment_ = 0;  ///< to be taken by a worker
-    std::size_t next_joined_ = 0;   ///< to be appended to the film
-    std::map<std::size_t, EncodedSegment> encoded_;
+    std::size_t most_ahead_ = 0;       ///< segments taken before the one to be joined next is done
+    std::size_t next_segment_ = 0;     ///< to be taken by a worker
+    InOrder<EncodedSegment> encoded_;  ///< appended to the film one after the other
     int next_frame_ = 0;
     std::size_t waiting_bytes_ = 0;
     bool stop_ = false;

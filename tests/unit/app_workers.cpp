@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
+#include "app/in_order.h"
 #include "app/pipeline.h"
 #include "app/segment_workers.h"
 #include "scene/load.h"
@@ -15,11 +18,11 @@ using carom::test::TemporaryFolder;
 
 namespace {
 
-Scene small_scene(int disks, double seconds) {
+Scene small_scene(int disks, double seconds, const std::string& size = "128, 72") {
     return load_scene_text(
         "title: T\nbox: {size: [400, 300]}\ngas: [{count: " + std::to_string(disks) +
             ", radius: 0.3, speed: 1}]\nrun: {until: 3}\nfilm: {seconds: " +
-            std::to_string(seconds) + ", size: [128, 72], panels: []}\n",
+            std::to_string(seconds) + ", size: [" + size + "], panels: []}\n",
         "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
 }
 
@@ -94,4 +97,58 @@ TEST_CASE("a worker's error reaches the caller") {
     Progress silent(Progress::Form::silent, "");
     SegmentWorkers workers(scene, observers, wrong, {0, 1}, 1, writer, silent);
     CHECK_THROWS_AS(workers.finish(), std::exception);
+}
+
+TEST_CASE("values are handed on in order, and none after one that could not be") {
+    InOrder<std::string> words;
+    std::string line;
+    const auto say = [&line](const std::string& word) { line += word + " "; };
+    words.add(2, "three", say);
+    words.add(0, "one", say);
+    CHECK(line == "one ");
+    words.add(1, "two", say);
+    CHECK(line == "one two three ");
+    CHECK(words.next() == 3);
+
+    const auto refuse = [](const std::string&) { throw std::runtime_error("full"); };
+    words.add(4, "five", say);
+    CHECK_THROWS_AS(words.add(3, "four", refuse), std::runtime_error);
+    words.add(5, "six", say);
+    CHECK(line == "one two three ");
+}
+
+TEST_CASE("a film that cannot be written to its end stops all workers, wherever they are") {
+    const TemporaryFolder folder;
+    const Scene scene = small_scene(2000, 1.0, "640, 360");
+    const std::vector<Tick> ticks = timeline(scene);
+    Simulation simulation(scene.gas, scene.run);
+    Observers observers(scene, simulation.particles(), simulation.sample());
+    const Passage passage = simulation.advance_to(0.0);
+    observers.survey(ticks.front(), simulation.sample(), passage);
+    observers.settle();
+    const VideoSettings settings{
+        .width = 640, .height = 360, .fps = 30, .quality = Quality::draft, .metadata = {}};
+    // As with a full disk, some segments, of one frame each, are written before one is not.
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before;
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 10'000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    for (int round = 0; round < 10; ++round) {
+        VideoWriter writer(folder.path() / "film.mp4", settings);
+        Progress silent(Progress::Form::silent, "");
+        const int frames = frame_count(scene.film);
+        SegmentWorkers workers(scene, observers, settings, segment_starts(frames, 1), 8, writer,
+                               silent);
+        const auto whole_film = [&] {
+            for (int i = 0; i < frames; ++i)
+                workers.frame(observers.frame_data(ticks.front(), simulation.sample(), passage));
+            workers.finish();
+        };
+        CHECK_THROWS_AS(whole_film(), SystemError);
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    CHECK(folder.names().empty());
 }

@@ -89,7 +89,19 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
     fine_ = {Axis{columns_, periodic_x, box.size[0]}, Axis{rows_, periodic_y, box.size[1]}};
     coarse_ = {Axis{coarse_column_.back() + 1, periodic_x, box.size[0]},
                Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
-    fine_slots_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
+                       static_cast<std::size_t>(rows_ + 1));
+    plain_ = !has_large_ && (!periodic_x || columns_ >= 5) && (!periodic_y || rows_ >= 5);
+    const auto around = [](const Axis& axis, std::int32_t stride) {
+        std::vector<std::int32_t> cells;
+        for (std::int32_t k = -1; k <= axis.cells; ++k) {
+            const Wrapped in = wrap(k, axis);
+            cells.push_back(stride * (in.cell < 0 ? axis.cells : in.cell));
+        }
+        return cells;
+    };
+    column_around_ = around(fine_[0], 1);
+    row_around_ = around(fine_[1], columns_ + 1);
     coarse_slots_.resize(has_large_ ? static_cast<std::size_t>(coarse_[0].cells) *
                                           static_cast<std::size_t>(coarse_[1].cells)
                                     : 0);
@@ -165,12 +177,12 @@ void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
 }
 
 void CellGrid::fetch_ahead(Cell cell) const {
-    const std::int32_t first_row = std::max(0, cell.row - 1);
-    const std::int32_t last_row = std::min(rows_ - 1, cell.row + 1);
+    const std::int32_t first_row = std::max(0, cell[1] - 1);
+    const std::int32_t last_row = std::min(rows_ - 1, cell[1] + 1);
     for (std::int32_t row = first_row; row <= last_row; ++row)
         __builtin_prefetch(
-            &fine_slots_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                         cell.column]);
+            &fine_slots_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
+                         cell[0]]);
 }
 
 }  // namespace carom

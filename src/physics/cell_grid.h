@@ -24,9 +24,7 @@
 namespace carom {
 
 /// Column and row of a cell.
-struct Cell {
-    std::uint16_t column = 0, row = 0;
-};
+using Cell = std::array<std::uint16_t, 2>;
 
 class CellGrid {
   public:
@@ -73,10 +71,16 @@ class CellGrid {
     static constexpr std::size_t spare = 64;
     void append(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
 
-    /// Appends at once all that for_each_near() would hand out, false (and nothing done) where that
-    /// is not simply the 9 cells around: at the edge of the box, or with large disks about.
-    bool append_around(double radius, Cell cell, std::vector<std::int32_t>& list,
-                       std::size_t& size) const;
+    /// Whether what a disk of `radius` may touch lies in the 9 cells around, and the nearest image
+    /// of each is meant: no large disks about, and no few cells along a periodic axis.
+    bool plain(double radius) const { return plain_ && radius <= small_radius_; }
+
+    /// Appends at once all in the 9 cells around one; in a plain case only.
+    void append_around(Cell cell, std::vector<std::int32_t>& list, std::size_t& size) const;
+
+    /// Those of them that came near when a disk crossed `side` of a cell into `cell`.
+    void append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
+                             std::size_t& size) const;
 
     /// Asks the processor for the cells around one, which will be looked at soon.
     void fetch_ahead(Cell cell) const;
@@ -100,18 +104,20 @@ class CellGrid {
     }
 
     std::size_t fine_index(Cell cell) const {
-        return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
-               cell.column;
+        return static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(columns_ + 1) + cell[0];
     }
     std::size_t coarse_index(Cell cell) const {
-        return static_cast<std::size_t>(coarse_row_[cell.row]) *
+        return static_cast<std::size_t>(coarse_row_[cell[1]]) *
                    static_cast<std::size_t>(coarse_[0].cells) +
-               static_cast<std::size_t>(coarse_column_[cell.column]);
+               static_cast<std::size_t>(coarse_column_[cell[0]]);
     }
     Slots& slots_of(double radius, Cell cell) {
         return radius > small_radius_ ? coarse_slots_[coarse_index(cell)]
                                       : fine_slots_[fine_index(cell)];
     }
+    template <std::size_t Firsts, std::size_t Seconds>
+    void append_cells(const std::int32_t* first, const std::int32_t* second,
+                      std::vector<std::int32_t>& list, std::size_t& size) const;
     void put_in(std::int32_t particle, Slots& slots);
     void take_out(std::int32_t particle, Slots& slots);
     void append_chain(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
@@ -121,7 +127,8 @@ class CellGrid {
                      Wrapped row, Function&& f) const;
     template <typename Function>
     void for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
-                         std::int32_t column, std::int32_t row, Function&& f) const;
+                         std::int32_t stride, std::int32_t column, std::int32_t row,
+                         Function&& f) const;
     template <typename Function>
     void for_each_at_rim(double radius, Cell cell, Function&& f) const;
 
@@ -129,6 +136,10 @@ class CellGrid {
     double width_ = 0.0, height_ = 0.0;
     double small_radius_ = 0.0;  ///< disks with a larger one are in the coarse grid
     bool has_large_ = false;
+    bool plain_ = false;
+    // Where in fine_slots_ the columns and rows -1 to columns_ or rows_ are found. Beyond a wall
+    // lie one more column and row, of cells that stay empty.
+    std::vector<std::int32_t> column_around_, row_around_;
     std::array<Axis, 2> fine_{}, coarse_{};
     LargeVector<Slots> fine_slots_, coarse_slots_;
     std::vector<std::int32_t> coarse_column_, coarse_row_;  ///< of each column, row of fine cells
@@ -145,26 +156,44 @@ inline void CellGrid::append(const Slots& slots, std::vector<std::int32_t>& list
     size += static_cast<std::size_t>(slots.rest_);
 }
 
-inline bool CellGrid::append_around(double radius, Cell cell, std::vector<std::int32_t>& list,
-                                    std::size_t& size) const {
-    if (has_large_ || radius > small_radius_ || cell.column == 0 || cell.row == 0 ||
-        cell.column + 1 >= columns_ || cell.row + 1 >= rows_)
-        return false;
-    const Slots* const middle = &fine_slots_[fine_index(cell)];
+// What the cells at first[k] + second[l] hold. Crowded cells, with chains, are rare: then all is
+// done a second time.
+template <std::size_t Firsts, std::size_t Seconds>
+[[gnu::always_inline]] inline void CellGrid::append_cells(const std::int32_t* first,
+                                                          const std::int32_t* second,
+                                                          std::vector<std::int32_t>& list,
+                                                          std::size_t& size) const {
     std::int32_t* const out = list.data();
     std::size_t used = size;
     std::int32_t fullest = 0;
-    for (std::ptrdiff_t dy = -columns_; dy <= columns_; dy += columns_)
-        for (std::ptrdiff_t dx = -1; dx <= 1; ++dx) {
-            const Slots& slots = middle[dy + dx];
+    for (std::size_t k = 0; k < Firsts; ++k) {
+        const Slots* const cells = fine_slots_.data() + first[k];
+        for (std::size_t l = 0; l < Seconds; ++l) {
+            const Slots& slots = cells[second[l]];
             std::memcpy(out + used, &slots, sizeof slots);
             used += static_cast<std::size_t>(std::min(slots.rest_, Slots::most));
             fullest |= slots.rest_;
         }
-    if (fullest > Slots::most) [[unlikely]]
-        return false;
-    size = used;
-    return true;
+    }
+    if (fullest <= Slots::most) [[likely]] {
+        size = used;
+        return;
+    }
+    for (std::size_t k = 0; k < Firsts; ++k)
+        for (std::size_t l = 0; l < Seconds; ++l)
+            append(fine_slots_[static_cast<std::size_t>(first[k] + second[l])], list, size);
+}
+
+inline void CellGrid::append_around(Cell cell, std::vector<std::int32_t>& list,
+                                    std::size_t& size) const {
+    append_cells<3, 3>(&row_around_[cell[1]], &column_around_[cell[0]], list, size);
+}
+
+inline void CellGrid::append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
+                                          std::size_t& size) const {
+    const std::array around{&column_around_[cell[0]], &row_around_[cell[1]]};
+    const auto axis = static_cast<std::size_t>(side / 2);
+    append_cells<1, 3>(around[axis] + (side % 2 == 0 ? 0 : 2), around[1 - axis], list, size);
 }
 
 template <typename Function>
@@ -178,13 +207,14 @@ void CellGrid::for_each_in(const LargeVector<Slots>& cells, std::int32_t columns
 
 template <typename Function>
 void CellGrid::for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
-                               std::int32_t column, std::int32_t row, Function&& f) const {
+                               std::int32_t stride, std::int32_t column, std::int32_t row,
+                               Function&& f) const {
     for (std::int32_t dy = -1; dy <= 1; ++dy) {
         const Wrapped y = wrap(row + dy, axes[1]);
         if (y.cell < 0) continue;
         for (std::int32_t dx = -1; dx <= 1; ++dx) {
             const Wrapped x = wrap(column + dx, axes[0]);
-            if (x.cell >= 0) for_each_in(cells, axes[0].cells, x, y, f);
+            if (x.cell >= 0) for_each_in(cells, stride, x, y, f);
         }
     }
 }
@@ -198,7 +228,7 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
     const auto chord = [](double r, double y) { return std::sqrt(std::max(0.0, r * r - y * y)); };
     const int most_rows = std::min(static_cast<int>(reach / height_) + 1, rows_);
     for (int dy = -most_rows; dy <= most_rows; ++dy) {
-        const Wrapped y = wrap(cell.row + dy, fine_[1]);
+        const Wrapped y = wrap(cell[1] + dy, fine_[1]);
         const double least = std::max(0, std::abs(dy) - 1) * height_;
         if (y.cell < 0 || least > reach) continue;
         const int outer = std::min(static_cast<int>(chord(reach, least) / width_) + 1, columns_);
@@ -207,8 +237,8 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
         for (int dx = -outer; dx <= outer; ++dx) {
             if (std::abs(dx) <= inner) dx = inner + 1;
             if (dx > outer) break;
-            const Wrapped x = wrap(cell.column + dx, fine_[0]);
-            if (x.cell >= 0) for_each_in(fine_slots_, columns_, x, y, f);
+            const Wrapped x = wrap(cell[0] + dx, fine_[0]);
+            if (x.cell >= 0) for_each_in(fine_slots_, columns_ + 1, x, y, f);
         }
     }
 }
@@ -216,12 +246,12 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
 template <typename Function>
 void CellGrid::for_each_near(double radius, Cell cell, Function&& f) const {
     if (has_large_)
-        for_each_around(coarse_slots_, coarse_, coarse_column_[cell.column], coarse_row_[cell.row],
-                        f);
+        for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_column_[cell[0]],
+                        coarse_row_[cell[1]], f);
     if (radius > small_radius_)
         for_each_at_rim(radius, cell, f);
     else
-        for_each_around(fine_slots_, fine_, cell.column, cell.row, f);
+        for_each_around(fine_slots_, fine_, columns_ + 1, cell[0], cell[1], f);
 }
 
 template <typename Function>
@@ -232,9 +262,9 @@ void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&
     }
     const int ahead = side % 2 == 0 ? -1 : 1;
     for (int across = -1; across <= 1; ++across) {
-        const Wrapped x = wrap(cell.column + (side < 2 ? ahead : across), fine_[0]);
-        const Wrapped y = wrap(cell.row + (side < 2 ? across : ahead), fine_[1]);
-        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, columns_, x, y, f);
+        const Wrapped x = wrap(cell[0] + (side < 2 ? ahead : across), fine_[0]);
+        const Wrapped y = wrap(cell[1] + (side < 2 ? across : ahead), fine_[1]);
+        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, columns_ + 1, x, y, f);
     }
 }
 

@@ -180,7 +180,7 @@ void EventLoop<Dimension>::fetch_ahead() {
         };
         for (; fetched_ < bucket; ++fetched_) {
             in_bucket(bodies_near_ahead,
-                      [&](std::int32_t i) { space_.fetch_bodies_ahead(bodies_, i); });
+                      [&](std::int32_t i) { space_.fetch_bodies_ahead(bodies_, i, queue_); });
             in_bucket(cells_ahead, [&](std::int32_t i) { space_.fetch_cells_ahead(body(i)); });
             in_bucket(body_ahead, [&](std::int32_t i) { __builtin_prefetch(&body(i)); });
             queue_.fetch_ahead(fetched_ + event_ahead);

@@ -1,9 +1,12 @@
 #include "physics/event_queue.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
+
+#include "util/without_branch.h"
 
 namespace carom {
 namespace {
@@ -39,10 +42,22 @@ constexpr auto is_later = [](const auto& a, const auto& b) {
 }  // namespace
 
 EventQueue::EventQueue(std::int32_t count)
-    : nodes_(index(count)),
+    : count_(count),
+      nodes_(index(count) + 1),
       buckets_(static_cast<std::int32_t>(
           std::bit_ceil(std::max(8U, 2U * static_cast<std::uint32_t>(count))))) {
-    heads_.assign(index(buckets_) + 1, -1);
+    clear();
+}
+
+void EventQueue::clear() {
+    heads_.assign(index(buckets_) + 1, nobody());
+    occupied_.assign(index(beyond_lap()) / 64 + 1, 0);
+    occupied_.back() = std::uint64_t{1} << (index(beyond_lap()) % 64);
+    heap_.clear();
+    crowded_ = false;
+    bucket_ = 0;
+    first_beyond_ = Event::never;
+    events_in_lap_ = 0;
 }
 
 void EventQueue::set_width(double width) {
@@ -52,14 +67,9 @@ void EventQueue::set_width(double width) {
 }
 
 void EventQueue::reset(const std::vector<Event>& events) {
-    assert(events.size() == nodes_.size());
+    assert(events.size() == index(count_));
     set_width(width_for(events));
-    std::fill(heads_.begin(), heads_.end(), -1);
-    heap_.clear();
-    crowded_ = false;
-    bucket_ = 0;
-    first_beyond_ = Event::never;
-    events_in_lap_ = 0;
+    clear();
     for (std::size_t i = 0; i < events.size(); ++i) {
         nodes_[i] = Node{.event = events[i]};
         insert(static_cast<std::int32_t>(i));
@@ -75,15 +85,17 @@ void EventQueue::schedule(std::int32_t particle, const Event& event) {
 
 void EventQueue::insert(std::int32_t particle) {
     const double time = nodes_[index(particle)].event.time;
-    if (!(time < lap_)) {
-        if (!std::isfinite(time)) return;
-        first_beyond_ = std::min(first_beyond_, time);
-        link(particle, beyond_lap());
+    if (!std::isfinite(time)) [[unlikely]]
         return;
-    }
-    const std::int32_t bucket =
-        std::max(bucket_, static_cast<std::int32_t>(std::max(0.0, time) * per_width_));
-    if (bucket > bucket_ || !crowded_) {
+    // The list beyond the lap is one more bucket.
+    const double beyond = beyond_lap();
+    const double scaled = time * per_width_;
+    const bool is_beyond = scaled >= beyond;
+    const double due = pick(is_beyond, beyond, scaled);
+    const auto bucket = std::max(bucket_, static_cast<std::int32_t>(due));
+    const bool is_first = is_beyond & (time < first_beyond_);
+    first_beyond_ = pick(is_first, time, first_beyond_);
+    if (bucket > bucket_ || !crowded_) [[likely]] {
         link(particle, bucket);
         return;
     }
@@ -95,22 +107,37 @@ void EventQueue::insert(std::int32_t particle) {
 void EventQueue::link(std::int32_t particle, std::int32_t list) {
     std::int32_t& head = heads_[index(list)];
     Node& node = nodes_[index(particle)];
-    node.previous = -2 - list;
+    node.previous = ~list;
     node.next = head;
-    if (head >= 0) nodes_[index(head)].previous = particle;
+    nodes_[index(head)].previous = particle;
     head = particle;
+    occupied_[index(list) / 64] |= std::uint64_t{1} << (index(list) % 64);
 }
 
 void EventQueue::unlink(std::int32_t particle) {
     Node& node = nodes_[index(particle)];
-    if (node.previous == unlisted) return;
-    if (node.previous >= 0)
-        nodes_[index(node.previous)].next = node.next;
-    else
-        heads_[index(-2 - node.previous)] = node.next;
-    if (node.next >= 0) nodes_[index(node.next)].previous = node.previous;
+    if (node.previous == unlisted) [[unlikely]]
+        return;
+    const std::int32_t at_head = node.previous < 0 ? -1 : 0;
+    const std::int32_t list = ~node.previous & at_head;
+    const std::array<std::int32_t*, 2> links{&nodes_[index(node.previous & ~at_head)].next,
+                                             &heads_[index(list)]};
+    std::int32_t* const link = links[index(-at_head)];
+    *link = node.next;
+    nodes_[index(node.next)].previous = node.previous;
+    const bool emptied = (at_head != 0) & (node.next == nobody()) & (list != beyond_lap());
+    occupied_[index(list) / 64] &= ~(std::uint64_t{emptied} << (index(list) % 64));
     node.previous = unlisted;
-    node.next = -1;
+}
+
+// The first bucket with events from `list` on, or the list beyond the lap.
+std::int32_t EventQueue::next_occupied(std::int32_t list) const {
+    std::size_t word = index(list) / 64;
+    std::uint64_t bits = occupied_[word] >> (index(list) % 64);
+    if (bits != 0) return list + std::countr_zero(bits);
+    while (occupied_[++word] == 0) {
+    }
+    return static_cast<std::int32_t>(64 * word) + std::countr_zero(occupied_[word]);
 }
 
 bool EventQueue::is_current(const Present& entry) const {
@@ -129,14 +156,10 @@ void EventQueue::forget_replaced() {
 
 void EventQueue::order_present_bucket() {
     crowded_ = true;
-    std::int32_t particle = heads_[index(bucket_)];
-    heads_[index(bucket_)] = -1;
-    while (particle >= 0) {
-        Node& node = nodes_[index(particle)];
-        heap_.push_back({node.event.time, particle});
-        particle = node.next;
-        node.previous = unlisted;
-        node.next = -1;
+    while (heads_[index(bucket_)] != nobody()) {
+        const std::int32_t particle = heads_[index(bucket_)];
+        heap_.push_back({nodes_[index(particle)].event.time, particle});
+        unlink(particle);
     }
     std::make_heap(heap_.begin(), heap_.end(), is_later);
 }
@@ -157,32 +180,28 @@ std::int32_t EventQueue::earliest() {
             const std::int32_t particle = earliest_in_heap();
             if (particle >= 0) return particle;
         }
-        std::int32_t best = heads_[index(bucket_)];
-        if (best >= 0) {
-            double time = nodes_[index(best)].event.time;
-            int count = 1;
-            for (std::int32_t i = nodes_[index(best)].next; i >= 0; i = nodes_[index(i)].next) {
-                ++count;
-                const double its = nodes_[index(i)].event.time;
-                if (its > time || (its == time && i > best)) continue;
-                time = its;
-                best = i;
-            }
-            if (count <= most_in_list) return best;
-            order_present_bucket();
-            continue;
-        }
-        do ++bucket_;
-        while (bucket_ < buckets_ && heads_[index(bucket_)] < 0);
-        if (bucket_ >= buckets_) {
+        bucket_ = next_occupied(bucket_);
+        if (bucket_ == beyond_lap()) {
             bucket_ = buckets_ - 1;
             return -1;
         }
+        std::int32_t best = heads_[index(bucket_)];
+        double time = nodes_[index(best)].event.time;
+        int count = 1;
+        for (std::int32_t i = nodes_[index(best)].next; i != nobody(); i = nodes_[index(i)].next) {
+            ++count;
+            const double its = nodes_[index(i)].event.time;
+            const bool earlier = (its < time) | ((its == time) & (i < best));
+            time = earlier ? its : time;
+            best = earlier ? i : best;
+        }
+        if (count <= most_in_list) return best;
+        order_present_bucket();
     }
 }
 
 double EventQueue::next_lap() const {
-    if (heads_[index(beyond_lap())] < 0) return Event::never;
+    if (heads_[index(beyond_lap())] == nobody()) return Event::never;
     const double laps = std::floor(first_beyond_ / lap_);
     return std::isfinite(laps * lap_) ? std::min(first_beyond_, laps * lap_) : first_beyond_;
 }
@@ -192,16 +211,13 @@ void EventQueue::begin_lap(double shift) {
     const double width = events_per_bucket * shift / static_cast<double>(events_in_lap_ + 1);
     // Twice too wide or too narrow does no harm, and a width that changes often costs exactness.
     if (width > 2.0 * width_ || width < 0.5 * width_) set_width(width);
-    heads_[index(beyond_lap())] = -1;
+    heads_[index(beyond_lap())] = nobody();
     bucket_ = 0;
     first_beyond_ = Event::never;
     events_in_lap_ = 0;
-    const auto count = static_cast<std::int32_t>(nodes_.size());
-    for (std::int32_t i = 0; i < count; ++i) {
+    for (std::int32_t i = 0; i < count_; ++i) {
         Node& node = nodes_[index(i)];
         if (node.previous == unlisted) continue;
-        node.previous = unlisted;
-        node.next = -1;
         node.event.time -= shift;
         node.event.contact_time -= shift;
         insert(i);

@@ -50,14 +50,13 @@ class EventQueue {
 
     /// The particles of a bucket to come, in no order: the first, and the next after one, or -1.
     /// For those who fetch ahead what these events will need.
-    std::int32_t first_in(std::int32_t bucket) const { return heads_[index(bucket)]; }
+    std::int32_t first_in(std::int32_t bucket) const { return or_none(heads_[index(bucket)]); }
     std::int32_t next_in_bucket(std::int32_t particle) const {
-        return nodes_[index(particle)].next;
+        return or_none(nodes_[index(particle)].next);
     }
     /// Asks the processor for the first event of a bucket, if there is such a bucket and event.
     void fetch_ahead(std::int32_t bucket) const {
-        const std::int32_t first = bucket < buckets_ ? first_in(bucket) : -1;
-        if (first >= 0) __builtin_prefetch(&nodes_[index(first)]);
+        if (bucket < buckets_) __builtin_prefetch(&nodes_[index(heads_[index(bucket)])]);
     }
 
     /// How far the next lap begins after the present one: a whole number of laps, so that an event
@@ -71,8 +70,8 @@ class EventQueue {
   private:
     struct Node {
         Event event;
-        std::int32_t previous = unlisted;  ///< or -2 - list at the head of a list, or unlisted
-        std::int32_t next = -1;
+        std::int32_t previous = unlisted;  ///< or ~list at the head of a list, or unlisted
+        std::int32_t next = 0;             ///< or nobody()
     };
     struct Present {
         double time;
@@ -81,8 +80,12 @@ class EventQueue {
     static constexpr std::int32_t unlisted = std::numeric_limits<std::int32_t>::min();
 
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+    std::int32_t or_none(std::int32_t i) const { return i == nobody() ? -1 : i; }
+    std::int32_t nobody() const { return count_; }
     std::int32_t beyond_lap() const { return buckets_; }
+    std::int32_t next_occupied(std::int32_t list) const;
     bool is_current(const Present& entry) const;
+    void clear();
     void set_width(double width);
     void insert(std::int32_t particle);
     void link(std::int32_t particle, std::int32_t list);
@@ -91,11 +94,17 @@ class EventQueue {
     void order_present_bucket();
     void forget_replaced();
 
+    // Which list comes next, whether it is empty, who stands at its head: the processor cannot
+    // foretell any of it, so lists are handled without branches. They end in nobody, which has a
+    // node of its own to be written to.
+    std::int32_t count_;
     LargeVector<Node> nodes_;
-    LargeVector<std::int32_t> heads_;  ///< of the buckets, then of the list beyond the lap
-    std::vector<Present> heap_;        ///< of a crowded bucket; entries replaced since are dropped
-                                       ///< when met
-    bool crowded_ = false;             ///< the present bucket is in the heap, not in its list
+    LargeVector<std::int32_t> heads_;      ///< of the buckets, then of the list beyond the lap
+    LargeVector<std::uint64_t> occupied_;  ///< a bit for each bucket with events; one that is
+                                           ///< always set for the list beyond
+    std::vector<Present> heap_;  ///< of a crowded bucket; entries replaced since are dropped
+                                 ///< when met
+    bool crowded_ = false;       ///< the present bucket is in the heap, not in its list
     std::int32_t buckets_;
     std::int32_t bucket_ = 0;  ///< the present one
     double width_ = 1.0;       ///< a power of two, so that laps add up exactly

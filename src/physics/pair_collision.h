@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/lanes.h"
+
 namespace carom {
 
 /// Position and velocity of the second disk as seen from the first (second minus first).
@@ -13,6 +15,12 @@ template <typename Scalar>
 struct RelativeMotion {
     Scalar x, y, vx, vy;
 };
+
+/// The distance from 1 to the next number, of a number or of each of several lanes.
+template <typename Scalar>
+inline constexpr auto epsilon_of = std::numeric_limits<Scalar>::epsilon();
+template <SomeLanes Lanes>
+inline constexpr double epsilon_of<Lanes> = std::numeric_limits<double>::epsilon();
 
 /// The time of what never happens.
 template <typename Scalar>
@@ -22,6 +30,7 @@ inline constexpr Scalar never = std::numeric_limits<Scalar>::infinity();
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar difference_of_products(const Scalar& a, const Scalar& b,
                                                             const Scalar& c, const Scalar& d) {
+    using carom::fma;
     using std::fma;
     const Scalar cd = c * d;
     const Scalar error = fma(-c, d, cd);
@@ -33,6 +42,7 @@ template <typename Scalar>
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar contact_gap(const RelativeMotion<Scalar>& m,
                                                  const Scalar& sigma) {
+    using carom::fma;
     using std::fma;
     const Scalar xx = m.x * m.x;
     const Scalar yy = m.y * m.y;
@@ -52,31 +62,28 @@ template <typename Scalar>
                                                         const Scalar& first_vy,
                                                         const Scalar& second_vx,
                                                         const Scalar& second_vy) {
+    using carom::abs;
     using std::abs;
-    return 4 * std::numeric_limits<Scalar>::epsilon() *
+    return 4 * epsilon_of<Scalar> *
            (abs(m.x) * (abs(first_vx) + abs(second_vx)) +
             abs(m.y) * (abs(first_vy) + abs(second_vy)));
 }
 
-/// A quick look at a pair, for one or for several at once (Scalar may be a vector of lanes): plain
-/// arithmetic without branches. The disks certainly do not touch unless approach > 0 and slack >=
-/// 0, and not before gap / (approach + sqrt(slack)): the time of disks a little larger and a little
-/// nearer, by margins far above the rounding errors, some 1e-15 (r^2 + sigma^2) in r^2 - sigma^2,
-/// for pairs less than 1e10 diameters apart.
+/// A quick look at a pair: plain arithmetic without roots, divisions or branches. The disks
+/// certainly do not touch unless approach > 0 and slack >= 0: they recede, or pass wide even when
+/// one is a little larger, by a margin far above the rounding errors for pairs less than 1e10
+/// diameters apart.
 template <typename Scalar>
 struct QuickLook {
     Scalar approach;  ///< -r . v
     Scalar slack;     ///< sigma^2 v^2 - |r x v|^2 and a margin
-    Scalar gap;       ///< |r|^2 - sigma^2 less a margin
 };
 template <typename Scalar>
 [[gnu::always_inline]] inline QuickLook<Scalar> quick_look(const RelativeMotion<Scalar>& m,
                                                            const Scalar& sigma) {
-    const Scalar square_sigma = sigma * sigma;
     const Scalar miss = m.x * m.vy - m.y * m.vx;
     return {-(m.x * m.vx + m.y * m.vy),
-            1.0001 * (square_sigma * (m.vx * m.vx + m.vy * m.vy)) - miss * miss,
-            0.999 * (m.x * m.x + m.y * m.y - square_sigma) - 1e-10 * square_sigma};
+            1.0001 * (sigma * sigma * (m.vx * m.vx + m.vy * m.vy)) - miss * miss};
 }
 
 /// Time until two approaching disks with sum of radii `sigma` touch: 0 when they overlap, `never`
@@ -84,6 +91,8 @@ template <typename Scalar>
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar time_of_contact(const RelativeMotion<Scalar>& m,
                                                      const Scalar& sigma) {
+    using carom::abs;
+    using carom::sqrt;
     using std::abs;
     using std::sqrt;
     const Scalar gap = contact_gap(m, sigma);
@@ -101,6 +110,21 @@ template <typename Scalar>
 [[gnu::always_inline]] inline Scalar contact_time(const RelativeMotion<Scalar>& m,
                                                   const Scalar& sigma, const Scalar& round_off) {
     return m.x * m.vx + m.y * m.vy < -round_off ? time_of_contact(m, sigma) : never<Scalar>;
+}
+
+/// contact_time() of several pairs at once, with the same bits: everything is worked out, and what
+/// does not count is put aside.
+template <SomeLanes Lanes>
+[[gnu::always_inline]] inline Lanes contact_times(const RelativeMotion<Lanes>& m,
+                                                  const Lanes& sigma, const Lanes& round_off) {
+    const Lanes none = Lanes{} + never<double>;
+    const Lanes gap = contact_gap(m, sigma);
+    const Lanes miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
+    const Lanes reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
+    const Lanes root = sqrt((reach - miss) * (reach + miss));
+    const Lanes time = gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
+    const Lanes meeting = select(gap > 0.0, select(miss < reach, time, none), Lanes{});
+    return select(m.x * m.vx + m.y * m.vy < -round_off, meeting, none);
 }
 
 /// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2

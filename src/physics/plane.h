@@ -9,27 +9,16 @@
 
 #include "physics/arena.h"
 #include "physics/cell_grid.h"
+#include "physics/contact_search.h"
 #include "physics/event_queue.h"
-#include "physics/pair_collision.h"
-#include "util/large_pages.h"
+#include "physics/flying_disk.h"
 
 namespace carom {
 
 class Plane {
   public:
-    /// All that a pair needs to be tested and to collide: one cache line.
-    struct alignas(64) Body {
-        std::array<double, 2> x;  ///< at the disk's own time; in a periodic box not wrapped until
-                                  ///< it crosses the border
-        std::array<double, 2> v;
-        double time;  ///< local
-        double radius;
-        double inverse_mass;
-        std::uint32_t collisions;
-        Cell cell;
-    };
-    static_assert(sizeof(Body) == 64);
-    using Bodies = LargeVector<Body>;
+    using Body = FlyingDisk;
+    using Bodies = FlyingDisks;
 
     Plane(const Box& box, const Eigen::ArrayXd& radii);
 
@@ -61,38 +50,22 @@ class Plane {
     /// Asks the processor for what an event of this body will need: its cells; and, when these are
     /// there, the bodies in them.
     void fetch_cells_ahead(const Body& body) const { grid_.fetch_ahead(body.cell); }
-    void fetch_bodies_ahead(const Bodies& bodies, std::int32_t i);
+    void fetch_bodies_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue);
 
   private:
-    /// The end in `near_` of those seen as images at one shift.
-    struct Group {
-        std::size_t end;
-        double shift_x, shift_y;
-    };
-
-    struct Viewer;
-
-    void begin_list();
-    void list_near(const Bodies& bodies, std::int32_t i);
-    void list(std::int32_t i, const CellGrid::Slots& slots, double shift_x, double shift_y);
-    void end_group(std::int32_t i);
-    std::size_t estimate_times(const Bodies& bodies, const Viewer& a, double& second);
-    std::size_t next_suitor(double bound) const;
-    void consider(const Bodies& bodies, const Viewer& a, std::size_t k, const EventQueue& queue,
-                  Event& first) const;
-    Event first_event(const Bodies& bodies, std::int32_t i, double now, Event first,
-                      const EventQueue& queue);
-    void foresee_border(const Body& d, double x, double y, double now, Event& first) const;
+    void search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
+                const EventQueue& queue, Event& first);
+    auto search_slots(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue,
+                      Event& first);
+    void foresee_border(const Body& d, double now, Event& first) const;
     bool separation_at_contact(const Body& a, const Body& b, double& x, double& y) const;
 
     Box box_;
     CellGrid grid_;
-    // Scratch of foresee():
+    Images nearest_;
     std::vector<std::int32_t> near_ =
-        std::vector<std::int32_t>(2 * CellGrid::spare);  ///< the disks to be looked at
+        std::vector<std::int32_t>(2 * CellGrid::spare);  ///< scratch: the disks to be looked at
     std::size_t near_count_ = 0;
-    std::vector<Group> groups_;
-    std::vector<double> earliest_;  ///< no contact with each in near_ before this, from now
 
     std::array<double, 2> cell_size_{};
     std::array<int, 2> last_cell_{};

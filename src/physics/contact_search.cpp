@@ -1,0 +1,166 @@
+#include "physics/contact_search.h"
+
+#include <bit>
+
+#include "physics/arena.h"
+#include "physics/pair_collision.h"
+#include "util/without_branch.h"
+
+// Only GCC takes the attribute at the definition; its resolver would run before the address
+// sanitizer is ready.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define CAROM_FOR_EACH_PROCESSOR
+#endif
+
+namespace carom {
+namespace {
+
+// A disk as it is now.
+struct Viewer {
+    double x, y, vx, vy, radius, inverse_mass, now;
+};
+
+[[gnu::always_inline]] inline Viewer viewer(const FlyingDisk& d, double now, const Images& images) {
+    const double age = now - d.time;
+    return {(d.x[0] + d.v[0] * age) - images.shift[0],
+            (d.x[1] + d.v[1] * age) - images.shift[1],
+            d.v[0],
+            d.v[1],
+            d.radius,
+            d.inverse_mass,
+            now};
+}
+
+[[gnu::always_inline]] inline FourLanes nearest(const FourLanes& x, const Images& images,
+                                                std::size_t axis) {
+    const FourLanes size = FourLanes{} + images.size[axis];
+    const FourLanes lower = select(x > images.half[axis], size, FourLanes{});
+    const FourLanes higher = select(x < -images.half[axis], size, FourLanes{});
+    return (x - lower) + higher;
+}
+
+// Four pairs as they are now.
+struct FourPairs {
+    FourLanes x, y, vx, vy, sigma;
+};
+
+// Which of four others might be touched: bits 0 to 3 of the lanes together.
+[[gnu::always_inline]] inline FourMasks might_touch(const Viewer& a, const FlyingDisk* disks,
+                                                    const std::int32_t* near, const Images& images,
+                                                    FourPairs& pairs) {
+    const FlyingDisk &b0 = disks[near[0]], &b1 = disks[near[1]], &b2 = disks[near[2]],
+                     &b3 = disks[near[3]];
+    // Each disk's x, y, vx, vy lie side by side: four by four, turned over.
+    const FourLanes row0 = load_lanes(b0.x.data()), row1 = load_lanes(b1.x.data()),
+                    row2 = load_lanes(b2.x.data()), row3 = load_lanes(b3.x.data());
+    const FourLanes x01 = __builtin_shufflevector(row0, row1, 0, 4, 2, 6);
+    const FourLanes y01 = __builtin_shufflevector(row0, row1, 1, 5, 3, 7);
+    const FourLanes x23 = __builtin_shufflevector(row2, row3, 0, 4, 2, 6);
+    const FourLanes y23 = __builtin_shufflevector(row2, row3, 1, 5, 3, 7);
+    const FourLanes vx = __builtin_shufflevector(x01, x23, 2, 3, 6, 7);
+    const FourLanes vy = __builtin_shufflevector(y01, y23, 2, 3, 6, 7);
+    const FourLanes age = a.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
+    const FourLanes x = __builtin_shufflevector(x01, x23, 0, 1, 4, 5) + vx * age;
+    const FourLanes y = __builtin_shufflevector(y01, y23, 0, 1, 4, 5) + vy * age;
+    pairs = {nearest(x - a.x, images, 0), nearest(y - a.y, images, 1), vx - a.vx, vy - a.vy,
+             FourLanes{b0.radius, b1.radius, b2.radius, b3.radius} + a.radius};
+    const auto look =
+        quick_look(RelativeMotion<FourLanes>{pairs.x, pairs.y, pairs.vx, pairs.vy}, pairs.sigma);
+    return (look.approach > 0.0) & (look.slack >= 0.0);
+}
+
+[[gnu::always_inline]] inline std::uint64_t bits_of(FourMasks mask) {
+    mask |= __builtin_shufflevector(mask, mask, 2, 3, 0, 1);
+    return static_cast<std::uint64_t>(mask[0] | mask[1]);
+}
+
+// What is known of the first contact.
+struct First {
+    double time;
+    std::int32_t partner;
+    std::uint32_t collisions;
+};
+
+// Takes a contact at `time` if it is the one to wait for. Without branches, which the processor
+// could not foretell.
+[[gnu::always_inline]] inline void consider(double time, std::int32_t other, double sigma,
+                                            const Viewer& a, const FlyingDisk* disks,
+                                            const EventQueue& queue, First& first) {
+    const FlyingDisk& b = disks[other];
+    const bool before = (time < first.time) | ((time == first.time) & (other < first.partner));
+    const bool may = (time <= queue.event(other).contact_time) &
+                     (a.inverse_mass + b.inverse_mass > 0.0) & (sigma > 0.0);
+    const bool take = before & may;
+    first.time = pick(take, time, first.time);
+    first.partner = pick(take, other, first.partner);
+    first.collisions = pick(take, b.collisions, first.collisions);
+}
+
+// The exact times of two contacts, those of numbers k and l in `near`; the same twice does no harm.
+[[gnu::always_inline]] inline void solve(const Viewer& a, const FlyingDisk* disks,
+                                         const std::int32_t* near, const FourPairs* pairs,
+                                         std::size_t k, std::size_t l, const EventQueue& queue,
+                                         First& first) {
+    const FourPairs &p = pairs[k / lanes], &q = pairs[l / lanes];
+    const std::size_t m = k % lanes, n = l % lanes;
+    const FlyingDisk &b = disks[near[k]], &c = disks[near[l]];
+    RelativeMotion<TwoLanes> motion{
+        {p.x[m], q.x[n]}, {p.y[m], q.y[n]}, {p.vx[m], q.vx[n]}, {p.vy[m], q.vy[n]}};
+    TwoLanes sigma{p.sigma[m], q.sigma[n]};
+    for (TwoLanes* both : {&motion.x, &motion.y, &motion.vx, &motion.vy, &sigma})
+        keep_together(*both);
+    const TwoLanes round_off =
+        approach_round_off(motion, TwoLanes{} + a.vx, TwoLanes{} + a.vy, TwoLanes{b.v[0], c.v[0]},
+                           TwoLanes{b.v[1], c.v[1]});
+    const TwoLanes time = a.now + contact_times(motion, sigma, round_off);
+    consider(time[0], near[k], sigma[0], a, disks, queue, first);
+    consider(time[1], near[l], sigma[1], a, disks, queue, first);
+}
+
+}  // namespace
+
+Images Images::nearest(const Box& box) {
+    Images images;
+    for (std::size_t a = 0; a < 2; ++a) {
+        const bool periodic = box.walls[a] == Wall::periodic;
+        const double size = box.size[static_cast<Eigen::Index>(a)];
+        images.half[a] = periodic ? 0.5 * size : Event::never;
+        images.size[a] = periodic ? size : 0.0;
+    }
+    return images;
+}
+
+Images Images::shifted(double x, double y) {
+    return {.shift = {x, y}, .half = {Event::never, Event::never}, .size = {0.0, 0.0}};
+}
+
+CAROM_FOR_EACH_PROCESSOR
+void search_contact(const FlyingDisks& all, std::int32_t i, double now, const std::int32_t* near,
+                    std::size_t count, const Images& images, const EventQueue& queue,
+                    Event& first) {
+    const FlyingDisk* const disks = all.data();
+    const Viewer a = viewer(disks[i], now, images);
+    FourPairs pairs[most_searched / lanes];
+    FourMasks found{};
+    for (std::size_t k = 0; k < count; k += lanes)
+        found |= might_touch(a, disks, near + k, images, pairs[k / lanes]) &
+                 (FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(k));
+    std::uint64_t bits = bits_of(found);
+    if (bits == 0) return;
+    First best{first.contact_time, first.partner, first.partner_collisions};
+    do {
+        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+        bits &= bits - 1;
+        const auto l = bits != 0 ? static_cast<std::size_t>(std::countr_zero(bits)) : k;
+        bits &= bits - 1;
+        solve(a, disks, near, pairs, k, l, queue, best);
+    } while (bits != 0);
+    first.contact_time = best.time;
+    first.partner = best.partner;
+    first.partner_collisions = best.collisions & most_collisions;
+}
+
+}  // namespace carom

@@ -1,0 +1,65 @@
+// Several numbers at once, as the compiler's vector types have them: it makes of them what the
+// processor has, and each lane is the same arithmetic as for one number. To be used within inlined
+// functions only, where no calling convention matters.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace carom {
+
+using TwoLanes = double __attribute__((vector_size(2 * sizeof(double))));
+using FourLanes = double __attribute__((vector_size(4 * sizeof(double))));
+using FourMasks = std::int64_t __attribute__((vector_size(4 * sizeof(std::int64_t))));
+
+template <typename T>
+concept SomeLanes = std::same_as<T, TwoLanes> || std::same_as<T, FourLanes>;
+template <SomeLanes Lanes>
+inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
+
+[[gnu::always_inline]] inline FourLanes load_lanes(const double* from) {
+    FourLanes to;
+    std::memcpy(&to, from, sizeof to);
+    return to;
+}
+
+template <SomeLanes Lanes>
+[[gnu::always_inline]] inline Lanes fma(const Lanes& a, const Lanes& b, const Lanes& c) {
+    Lanes to;
+    for (std::size_t k = 0; k < lane_count<Lanes>; ++k) to[k] = std::fma(a[k], b[k], c[k]);
+    return to;
+}
+
+template <SomeLanes Lanes>
+[[gnu::always_inline]] inline Lanes sqrt(const Lanes& a) {
+    Lanes to;
+    for (std::size_t k = 0; k < lane_count<Lanes>; ++k) to[k] = std::sqrt(a[k]);
+    return to;
+}
+
+template <SomeLanes Lanes>
+[[gnu::always_inline]] inline Lanes abs(const Lanes& a) {
+    Lanes to;
+    for (std::size_t k = 0; k < lane_count<Lanes>; ++k) to[k] = std::abs(a[k]);
+    return to;
+}
+
+/// Keeps the compiler from working on the lanes one by one where they were just put together.
+[[gnu::always_inline]] inline void keep_together([[maybe_unused]] TwoLanes& a) {
+#ifdef __x86_64__
+    asm("" : "+x"(a));
+#endif
+}
+
+/// Lane by lane a where `mask`, else b.
+template <typename Mask, SomeLanes Lanes>
+[[gnu::always_inline]] inline Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
+    return mask ? a : b;
+}
+
+}  // namespace carom

@@ -1,0 +1,113 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "physics/arena.h"
+#include "physics/contact_search.h"
+#include "physics/pair_collision.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+constexpr double size = 20.0;
+
+// Disks at times of their own; some without mass's inverse, some points, some alike in place and
+// motion, so that times are equal.
+FlyingDisks draw_disks(Random& random, std::size_t count) {
+    FlyingDisks disks(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        FlyingDisk& d = disks[k];
+        if (k > 1 && random.uniform() < 0.2) {
+            d = disks[k - 1];
+            continue;
+        }
+        d.x = {random.uniform(0.0, size), random.uniform(0.0, size)};
+        d.v = {random.normal(), random.normal()};
+        d.time = random.uniform();
+        d.radius = random.uniform() < 0.1 ? 0.0 : random.uniform(0.1, 1.0);
+        d.inverse_mass = random.uniform() < 0.3 ? 0.0 : 1.0;
+        d.collisions = static_cast<std::uint32_t>(random.below(1000));
+    }
+    return disks;
+}
+
+double nearest_image(double x) {
+    return x > 0.5 * size ? x - size : x < -0.5 * size ? x + size : x;
+}
+
+// One after the other, as the header has it.
+Event slow_search(const FlyingDisks& disks, std::int32_t i, double now,
+                  const std::vector<std::int32_t>& near, double shift, bool nearest,
+                  const EventQueue& queue, Event first) {
+    const FlyingDisk& a = disks[std::size_t(i)];
+    for (const std::int32_t other : near) {
+        const FlyingDisk& b = disks[std::size_t(other)];
+        const auto apart = [&](std::size_t axis) {
+            const double here = a.x[axis] + a.v[axis] * (now - a.time);
+            const double there = b.x[axis] + b.v[axis] * (now - b.time);
+            return nearest ? nearest_image(there - here)
+                           : there - (here - (axis == 0 ? shift : 0.0));
+        };
+        const RelativeMotion<double> m{apart(0), apart(1), b.v[0] - a.v[0], b.v[1] - a.v[1]};
+        const double time =
+            now + contact_time(m, a.radius + b.radius,
+                               approach_round_off(m, a.v[0], a.v[1], b.v[0], b.v[1]));
+        if (other == i || !std::isfinite(time) || a.inverse_mass + b.inverse_mass == 0.0 ||
+            a.radius + b.radius == 0.0 || time > queue.event(other).contact_time)
+            continue;
+        if (time < first.contact_time || (time == first.contact_time && other < first.partner)) {
+            first.contact_time = time;
+            first.partner = other;
+            first.partner_collisions = b.collisions & most_collisions;
+        }
+    }
+    return first;
+}
+
+}  // namespace
+
+TEST_CASE("the search among many finds what looking at one after the other finds") {
+    Random random(5, "search");
+    int found = 0, equal = 0;
+    for (int round = 0; round < 20'000; ++round) {
+        const auto count = static_cast<std::size_t>(1 + random.below(most_searched));
+        const FlyingDisks disks = draw_disks(random, count);
+        // Some have a contact before, and are left to look again themselves.
+        std::vector<Event> events(count);
+        for (Event& event : events)
+            if (random.uniform() < 0.5) event = {.time = 0.5, .contact_time = random.uniform(0, 9)};
+        EventQueue queue(static_cast<std::int32_t>(count));
+        queue.reset(events);
+        Event known;
+        if (random.uniform() < 0.3)
+            known = {.time = 1.0, .contact_time = random.uniform(1.0, 9.0), .partner = 3};
+        const auto i = static_cast<std::int32_t>(random.below(count));
+        std::vector<std::int32_t> near(count);
+        for (std::size_t k = 0; k < count; ++k) near[k] = static_cast<std::int32_t>(k);
+        for (std::size_t k = count; k > 1; --k) std::swap(near[k - 1], near[random.below(k)]);
+        near.resize((count + lanes - 1) / lanes * lanes, i);
+        const bool nearest = random.uniform() < 0.5;
+        Box box;
+        box.size = {size, size};
+        box.walls = {Wall::periodic, Wall::periodic};
+        const double shift = nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
+        const Images images = nearest ? Images::nearest(box) : Images::shifted(shift, 0.0);
+
+        const Event slow = slow_search(disks, i, 1.0, near, shift, nearest, queue, known);
+        Event fast = known;
+        search_contact(disks, i, 1.0, near.data(), near.size(), images, queue, fast);
+        REQUIRE(fast.contact_time == slow.contact_time);
+        REQUIRE(fast.partner == slow.partner);
+        REQUIRE(std::uint32_t{fast.partner_collisions} == std::uint32_t{slow.partner_collisions});
+        if (!std::isfinite(slow.contact_time) || slow.contact_time == known.contact_time) continue;
+        ++found;
+        const auto partner = std::size_t(slow.partner);
+        if (partner + 1 < count && disks[partner + 1].x == disks[partner].x) ++equal;
+    }
+    // Otherwise the comparison would say little.
+    CHECK(found > 5'000);
+    CHECK(equal > 500);
+}

@@ -15,13 +15,13 @@ namespace {
 constexpr int laps_between_sorts = 20;
 
 // Fewer lie near the processor anyhow.
-constexpr std::size_t least_fetched_ahead = 8192;
+constexpr std::size_t least_fetched_ahead = 16384;
 
-// How many buckets ahead, each of half an event: farther apart than memory takes to answer.
-constexpr std::int32_t bodies_near_ahead = 4;
-constexpr std::int32_t cells_ahead = 10;
-constexpr std::int32_t body_ahead = 18;
-constexpr std::int32_t event_ahead = 26;
+// How many buckets ahead, each of half an event, particles are asked for; and how many particles
+// later their cells, and the particles in these: each farther apart than memory takes to answer.
+constexpr std::int32_t buckets_ahead = 16;
+constexpr std::uint32_t cells_after = 2;
+constexpr std::uint32_t bodies_near_after = 4;
 
 template <std::size_t Dimension>
 Eigen::Array2d in_plane(const std::array<double, Dimension>& x) {
@@ -166,24 +166,25 @@ void EventLoop<Dimension>::sample(double time, Sample& state) const {
 }
 
 // Of many particles most lie far from the processor. The calendar tells whose events are near, so
-// what these will need is asked for in time: the event, the body, its cells, those in them, each
-// when the one before has come.
+// what these will need is asked for in time: the body, its cells, those in them, each when the one
+// before has come.
 template <int Dimension>
 void EventLoop<Dimension>::fetch_ahead() {
     if constexpr (Dimension == 2) {
         const std::int32_t bucket = queue_.bucket();
-        if (bucket < fetched_) fetched_ = bucket;
-        const auto in_bucket = [&](std::int32_t ahead, auto&& f) {
-            const std::int32_t one = fetched_ + ahead;
-            if (one >= queue_.buckets()) return;
-            for (std::int32_t i = queue_.first_in(one); i >= 0; i = queue_.next_in_bucket(i)) f(i);
-        };
-        for (; fetched_ < bucket; ++fetched_) {
-            in_bucket(bodies_near_ahead,
-                      [&](std::int32_t i) { space_.fetch_bodies_ahead(bodies_, i, queue_); });
-            in_bucket(cells_ahead, [&](std::int32_t i) { space_.fetch_cells_ahead(body(i)); });
-            in_bucket(body_ahead, [&](std::int32_t i) { __builtin_prefetch(&body(i)); });
-            queue_.fetch_ahead(fetched_ + event_ahead);
+        if (ahead_ < bucket || ahead_ > bucket + 2 * buckets_ahead) ahead_ = bucket;  // a new lap
+        const std::int32_t end = std::min(bucket + buckets_ahead, queue_.buckets() - 1);
+        while (ahead_ < end) {
+            ahead_ = queue_.next_occupied(ahead_ + 1);
+            if (ahead_ >= queue_.buckets()) break;
+            const auto before = [this](std::uint32_t steps) -> std::int32_t& {
+                return coming_[(coming_count_ - steps) % coming_.size()];
+            };
+            before(0) = queue_.first_in(ahead_);
+            __builtin_prefetch(&body(before(0)));
+            space_.fetch_cells_ahead(body(before(cells_after)));
+            space_.fetch_bodies_ahead(bodies_, before(bodies_near_after), queue_);
+            ++coming_count_;
         }
     }
 }

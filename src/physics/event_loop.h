@@ -82,8 +82,10 @@ class EventLoop {
     LocalClock clock_;
     double now_ = 0.0;  ///< local
     int laps_since_sorted_ = 0;
-    bool many_ = false;         ///< worth fetching ahead
-    std::int32_t fetched_ = 0;  ///< bucket of the queue up to which fetch_ahead() has looked
+    bool many_ = false;       ///< worth fetching ahead
+    std::int32_t ahead_ = 0;  ///< bucket of the queue up to which fetch_ahead() has looked
+    std::array<std::int32_t, 8> coming_{};  ///< the last particles it found there, in turn
+    std::uint32_t coming_count_ = 0;
     CollisionCounts counts_;
     Transfers transfers_;
     double last_collision_ = -1.0;

@@ -130,11 +130,10 @@ void EventQueue::unlink(std::int32_t particle) {
     node.previous = unlisted;
 }
 
-// The first bucket with events from `list` on, or the list beyond the lap.
-std::int32_t EventQueue::next_occupied(std::int32_t list) const {
-    std::size_t word = index(list) / 64;
-    std::uint64_t bits = occupied_[word] >> (index(list) % 64);
-    if (bits != 0) return list + std::countr_zero(bits);
+std::int32_t EventQueue::next_occupied(std::int32_t bucket) const {
+    std::size_t word = index(bucket) / 64;
+    const std::uint64_t bits = occupied_[word] >> (index(bucket) % 64);
+    if (bits != 0) return bucket + std::countr_zero(bits);
     while (occupied_[++word] == 0) {
     }
     return static_cast<std::int32_t>(64 * word) + std::countr_zero(occupied_[word]);

@@ -48,16 +48,10 @@ class EventQueue {
     std::int32_t bucket() const { return bucket_; }
     std::int32_t buckets() const { return buckets_; }
 
-    /// The particles of a bucket to come, in no order: the first, and the next after one, or -1.
-    /// For those who fetch ahead what these events will need.
-    std::int32_t first_in(std::int32_t bucket) const { return or_none(heads_[index(bucket)]); }
-    std::int32_t next_in_bucket(std::int32_t particle) const {
-        return or_none(nodes_[index(particle)].next);
-    }
-    /// Asks the processor for the first event of a bucket, if there is such a bucket and event.
-    void fetch_ahead(std::int32_t bucket) const {
-        if (bucket < buckets_) __builtin_prefetch(&nodes_[index(heads_[index(bucket)])]);
-    }
+    /// The first bucket from `bucket` on that has events, or buckets() if none in this lap has; and
+    /// one of its particles. For those who fetch ahead what these events will need.
+    std::int32_t next_occupied(std::int32_t bucket) const;
+    std::int32_t first_in(std::int32_t bucket) const { return heads_[index(bucket)]; }
 
     /// How far the next lap begins after the present one: a whole number of laps, so that an event
     /// lies in it; infinity when there is no event at all.
@@ -80,10 +74,8 @@ class EventQueue {
     static constexpr std::int32_t unlisted = std::numeric_limits<std::int32_t>::min();
 
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-    std::int32_t or_none(std::int32_t i) const { return i == nobody() ? -1 : i; }
     std::int32_t nobody() const { return count_; }
     std::int32_t beyond_lap() const { return buckets_; }
-    std::int32_t next_occupied(std::int32_t list) const;
     bool is_current(const Present& entry) const;
     void clear();
     void set_width(double width);

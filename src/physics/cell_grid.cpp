@@ -134,33 +134,34 @@ void CellGrid::move(std::int32_t particle, double radius, Cell from, Cell to) {
 }
 
 void CellGrid::put_in(std::int32_t particle, Slots& slots) {
-    if (slots.rest_ < Slots::most) {
-        slots.particle_[static_cast<std::size_t>(slots.rest_++)] = particle;
+    if (slots.count() < Slots::most) {
+        slots.particle_[static_cast<std::size_t>(slots.count())] = particle;
+        ++slots.rest_;
         return;
     }
-    next_[static_cast<std::size_t>(particle)] = slots.rest_ - (Slots::most + 1);
-    slots.rest_ = particle + Slots::most + 1;
+    next_[static_cast<std::size_t>(particle)] = slots.chain();
+    slots.set_chain(particle);
 }
 
 // The chain's first fills the gap.
 void CellGrid::take_out(std::int32_t particle, Slots& slots) {
-    const std::int32_t count = std::min(slots.rest_, Slots::most);
-    for (std::int32_t k = 0; k < count; ++k) {
-        if (slots.particle_[static_cast<std::size_t>(k)] != particle) continue;
+    for (std::int32_t k = 0; k < slots.count(); ++k) {
         std::int32_t& gap = slots.particle_[static_cast<std::size_t>(k)];
-        if (slots.rest_ <= Slots::most) {
-            gap = slots.particle_[static_cast<std::size_t>(--slots.rest_)];
+        if (gap != particle) continue;
+        if (!slots.has_chain()) {
+            gap = slots.particle_[static_cast<std::size_t>(slots.count() - 1)];
+            --slots.rest_;
             return;
         }
-        gap = slots.rest_ - (Slots::most + 1);
-        slots.rest_ = next_[static_cast<std::size_t>(gap)] + Slots::most + 1;
+        gap = slots.chain();
+        slots.set_chain(next_[static_cast<std::size_t>(gap)]);
         return;
     }
-    std::int32_t before = slots.rest_ - (Slots::most + 1);
-    if (before == particle) {
-        slots.rest_ = next_[static_cast<std::size_t>(particle)] + Slots::most + 1;
+    if (slots.chain() == particle) {
+        slots.set_chain(next_[static_cast<std::size_t>(particle)]);
         return;
     }
+    std::int32_t before = slots.chain();
     while (next_[static_cast<std::size_t>(before)] != particle)
         before = next_[static_cast<std::size_t>(before)];
     next_[static_cast<std::size_t>(before)] = next_[static_cast<std::size_t>(particle)];
@@ -168,9 +169,7 @@ void CellGrid::take_out(std::int32_t particle, Slots& slots) {
 
 void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
                             std::size_t& size) const {
-    size += Slots::most;
-    for (std::int32_t i = slots.rest_ - (Slots::most + 1); i >= 0;
-         i = next_[static_cast<std::size_t>(i)]) {
+    for (std::int32_t i = slots.chain(); i >= 0; i = next_[static_cast<std::size_t>(i)]) {
         if (size + 2 * spare > list.size()) list.resize(2 * list.size() + 2 * spare);
         list[size++] = i;
     }

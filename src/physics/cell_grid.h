@@ -52,7 +52,15 @@ class CellGrid {
         friend class CellGrid;
         static constexpr std::int32_t most = 3;
         std::array<std::int32_t, most> particle_{};
-        std::int32_t rest_ = 0;  ///< how many; if more than `most`: `most` + 1 + the chain's first
+        /// How many in the last two bits; the others are the chain's first + 1, or 0 without one.
+        std::uint32_t rest_ = 0;
+
+        std::int32_t count() const { return static_cast<std::int32_t>(rest_ & 3U); }
+        bool has_chain() const { return rest_ > 3U; }
+        std::int32_t chain() const { return static_cast<std::int32_t>(rest_ >> 2) - 1; }
+        void set_chain(std::int32_t first) {
+            rest_ = static_cast<std::uint32_t>(first + 1) << 2 | (rest_ & 3U);
+        }
     };
 
     /// Calls f(slots, shift_x, shift_y) for every cell with disks that could touch one of `radius`
@@ -149,11 +157,9 @@ class CellGrid {
 inline void CellGrid::append(const Slots& slots, std::vector<std::int32_t>& list,
                              std::size_t& size) const {
     std::memcpy(list.data() + size, &slots, sizeof slots);
-    if (slots.rest_ > Slots::most) [[unlikely]] {
+    size += static_cast<std::size_t>(slots.count());
+    if (slots.has_chain()) [[unlikely]]
         append_chain(slots, list, size);
-        return;
-    }
-    size += static_cast<std::size_t>(slots.rest_);
 }
 
 // What the cells at first[k] + second[l] hold. Crowded cells, with chains, are rare: then all is
@@ -165,17 +171,17 @@ template <std::size_t Firsts, std::size_t Seconds>
                                                           std::size_t& size) const {
     std::int32_t* const out = list.data();
     std::size_t used = size;
-    std::int32_t fullest = 0;
+    std::uint32_t together = 0;
     for (std::size_t k = 0; k < Firsts; ++k) {
         const Slots* const cells = fine_slots_.data() + first[k];
         for (std::size_t l = 0; l < Seconds; ++l) {
             const Slots& slots = cells[second[l]];
             std::memcpy(out + used, &slots, sizeof slots);
-            used += static_cast<std::size_t>(std::min(slots.rest_, Slots::most));
-            fullest |= slots.rest_;
+            used += slots.rest_ & 3U;
+            together |= slots.rest_;
         }
     }
-    if (fullest <= Slots::most) [[likely]] {
+    if (together <= 3U) [[likely]] {
         size = used;
         return;
     }

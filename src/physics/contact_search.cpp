@@ -4,7 +4,6 @@
 
 #include "physics/arena.h"
 #include "physics/pair_collision.h"
-#include "util/without_branch.h"
 
 // Only GCC takes the attribute at the definition; its resolver would run before the address
 // sanitizer is ready.
@@ -77,11 +76,11 @@ struct FourPairs {
     return static_cast<std::uint64_t>(mask[0] | mask[1]);
 }
 
-// What is known of the first contact.
+// What is known of the first contact: its time, whose bits are kept, and the partner, in the lower
+// half, with its collision count. So all is replaced by two masks.
 struct First {
-    double time;
-    std::int32_t partner;
-    std::uint32_t collisions;
+    std::uint64_t time;
+    std::uint64_t who;
 };
 
 // Takes a contact at `time` if it is the one to wait for. Without branches, which the processor
@@ -90,13 +89,16 @@ struct First {
                                             const Viewer& a, const FlyingDisk* disks,
                                             const EventQueue& queue, First& first) {
     const FlyingDisk& b = disks[other];
-    const bool before = (time < first.time) | ((time == first.time) & (other < first.partner));
-    const bool may = (time <= queue.event(other).contact_time) &
-                     (a.inverse_mass + b.inverse_mass > 0.0) & (sigma > 0.0);
-    const bool take = before & may;
-    first.time = pick(take, time, first.time);
-    first.partner = pick(take, other, first.partner);
-    first.collisions = pick(take, b.collisions, first.collisions);
+    const double known = std::bit_cast<double>(first.time);
+    const bool lower = other < static_cast<std::int32_t>(first.who);
+    const bool take = ((time < known) | ((time <= known) & lower)) &
+                      (time <= queue.event(other).contact_time) &
+                      (a.inverse_mass + b.inverse_mass > 0.0) & (sigma > 0.0);
+    const std::uint64_t mask = -static_cast<std::uint64_t>(take);
+    const auto who =
+        static_cast<std::uint64_t>(b.collisions) << 32 | static_cast<std::uint32_t>(other);
+    first.time ^= (first.time ^ std::bit_cast<std::uint64_t>(time)) & mask;
+    first.who ^= (first.who ^ who) & mask;
 }
 
 // The exact times of two contacts, those of numbers k and l in `near`; the same twice does no harm.
@@ -150,7 +152,9 @@ void search_contact(const FlyingDisks& all, std::int32_t i, double now, const st
                  (FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(k));
     std::uint64_t bits = bits_of(found);
     if (bits == 0) return;
-    First best{first.contact_time, first.partner, first.partner_collisions};
+    First best{
+        std::bit_cast<std::uint64_t>(first.contact_time),
+        std::uint64_t{first.partner_collisions} << 32 | static_cast<std::uint32_t>(first.partner)};
     do {
         const auto k = static_cast<std::size_t>(std::countr_zero(bits));
         bits &= bits - 1;
@@ -158,9 +162,9 @@ void search_contact(const FlyingDisks& all, std::int32_t i, double now, const st
         bits &= bits - 1;
         solve(a, disks, near, pairs, k, l, queue, best);
     } while (bits != 0);
-    first.contact_time = best.time;
-    first.partner = best.partner;
-    first.partner_collisions = best.collisions & most_collisions;
+    first.contact_time = std::bit_cast<double>(best.time);
+    first.partner = static_cast<std::int32_t>(best.who);
+    first.partner_collisions = (best.who >> 32) & most_collisions;
 }
 
 }  // namespace carom

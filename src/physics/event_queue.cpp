@@ -6,8 +6,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "util/without_branch.h"
-
 namespace carom {
 namespace {
 
@@ -56,7 +54,6 @@ void EventQueue::clear() {
     heap_.clear();
     crowded_ = false;
     bucket_ = 0;
-    first_beyond_ = Event::never;
     events_in_lap_ = 0;
 }
 
@@ -85,16 +82,9 @@ void EventQueue::schedule(std::int32_t particle, const Event& event) {
 
 void EventQueue::insert(std::int32_t particle) {
     const double time = nodes_[index(particle)].event.time;
-    if (!std::isfinite(time)) [[unlikely]]
-        return;
     // The list beyond the lap is one more bucket.
-    const double beyond = beyond_lap();
-    const double scaled = time * per_width_;
-    const bool is_beyond = scaled >= beyond;
-    const double due = pick(is_beyond, beyond, scaled);
+    const double due = std::min(time * per_width_, static_cast<double>(beyond_lap()));
     const auto bucket = std::max(bucket_, static_cast<std::int32_t>(due));
-    const bool is_first = is_beyond & (time < first_beyond_);
-    first_beyond_ = pick(is_first, time, first_beyond_);
     if (bucket > bucket_ || !crowded_) [[likely]] {
         link(particle, bucket);
         return;
@@ -199,10 +189,12 @@ std::int32_t EventQueue::earliest() {
     }
 }
 
+// When the lap is over all events lie beyond it.
 double EventQueue::next_lap() const {
-    if (heads_[index(beyond_lap())] == nobody()) return Event::never;
-    const double laps = std::floor(first_beyond_ / lap_);
-    return std::isfinite(laps * lap_) ? std::min(first_beyond_, laps * lap_) : first_beyond_;
+    double first = Event::never;
+    for (std::size_t i = 0; i < index(count_); ++i) first = std::min(first, nodes_[i].event.time);
+    const double laps = std::floor(first / lap_);
+    return std::isfinite(laps * lap_) ? std::min(first, laps * lap_) : first;
 }
 
 // The lap is over: whoever has an event has it beyond.
@@ -212,7 +204,6 @@ void EventQueue::begin_lap(double shift) {
     if (width > 2.0 * width_ || width < 0.5 * width_) set_width(width);
     heads_[index(beyond_lap())] = nobody();
     bucket_ = 0;
-    first_beyond_ = Event::never;
     events_in_lap_ = 0;
     for (std::int32_t i = 0; i < count_; ++i) {
         Node& node = nodes_[index(i)];

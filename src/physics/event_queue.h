@@ -53,8 +53,8 @@ class EventQueue {
     std::int32_t next_occupied(std::int32_t bucket) const;
     std::int32_t first_in(std::int32_t bucket) const { return heads_[index(bucket)]; }
 
-    /// How far the next lap begins after the present one: a whole number of laps, so that an event
-    /// lies in it; infinity when there is no event at all.
+    /// When the lap is over, how far the next begins after it: a whole number of laps, so that an
+    /// event lies in it; infinity when there is no event at all.
     double next_lap() const;
 
     /// Counts all times from `shift` later on (from next_lap()), and adapts the width of the
@@ -102,7 +102,6 @@ class EventQueue {
     double width_ = 1.0;       ///< a power of two, so that laps add up exactly
     double per_width_ = 1.0;
     double lap_ = 1.0;
-    double first_beyond_ = std::numeric_limits<double>::infinity();  ///< none beyond is earlier
     std::int64_t events_in_lap_ = 0;
 };
 

@@ -167,7 +167,7 @@ inline void Plane::foresee_border(const Body& d, double now, Event& first) const
 inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
                           const EventQueue& queue, Event& first) {
     for (std::size_t k = 0; k + 1 < lanes; ++k) near_[near_count_ + k] = i;
-    const std::size_t count = (near_count_ + lanes - 1) / lanes * lanes;
+    std::size_t count = (near_count_ + lanes - 1) / lanes * lanes;
     near_count_ = 0;
     for (std::size_t k = 0; k < count; k += most_searched)
         search_contact(bodies, i, now, &near_[k], std::min(count - k, most_searched), images, queue,

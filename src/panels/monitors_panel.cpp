@@ -46,7 +46,8 @@ std::string fixed_digits(double value, double largest) {
     if (largest <= 0.0) return "0";
     const int before = static_cast<int>(std::floor(std::log10(largest))) + 1;
     if (before < -2 || before > 5) return three_digits(value);
-    const std::string digits = fmt::format("{:.{}f}", std::abs(value), std::max(0, 3 - before));
+    const std::string digits =
+        fmt::format("{:.{}f}", std::abs(off_the_tie(value)), std::max(0, 3 - before));
     return value < 0.0 ? "\u2212" + digits : digits;
 }
 

@@ -89,10 +89,12 @@ std::optional<std::string> nearest_spelling(std::string_view word,
     return best;
 }
 
+double off_the_tie(double value) { return value * (1.0 + 1e-9); }
+
 std::string three_digits(double value) {
     if (!std::isfinite(value)) return "–";
     std::string text;
-    const double size = std::abs(value);
+    const double size = std::abs(off_the_tie(value));
     if (size == 0.0) {
         text = "0";
     } else if (size < 1e-3 || size >= 99999.5) {
@@ -100,7 +102,8 @@ std::string three_digits(double value) {
         const std::size_t e = text.find('e');
         text = fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
     } else {
-        const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+        int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+        if (size >= 0.9995 * std::pow(10.0, before)) ++before;  // rounds to one digit more
         text = fmt::format("{:.{}f}", size, std::max(0, 3 - before));
     }
     return value < 0 ? "\u2212" + text : text;

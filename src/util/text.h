@@ -28,6 +28,10 @@ bool is_control(std::string_view code_point);
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates);
 
+/// A number a little farther from 0, by less than any reader sees: what lies half-way between two
+/// digits but for round-off is then rounded one way, wherever it is shown.
+double off_the_tie(double value);
+
 /// Three significant digits, as on an axis: 0.0123, 1.23, 1230, 1.23e7, with U+2212 for minus.
 std::string three_digits(double value);
 

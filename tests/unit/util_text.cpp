@@ -16,6 +16,18 @@ TEST_CASE("three significant digits read as on an axis") {
     CHECK(three_digits(1.234e-7) == "1.23e-7");
     CHECK(three_digits(6.02e23) == "6.02e23");
     CHECK(three_digits(1.0 / 0.0) == "–");
+    CHECK(three_digits(9.996) == "10.0");
+    CHECK(three_digits(0.9996) == "1.00");
+}
+
+TEST_CASE("what is half-way between two digits is rounded away from 0, round-off or not") {
+    // The same number on two ways: 0.7525 is not a double, and the sums end on both sides of it.
+    const double below = 0.75249999999999994671, above = 0.75250000000000005773;
+    CHECK(three_digits(below) == "0.753");
+    CHECK(three_digits(above) == "0.753");
+    CHECK(three_digits(-below) == "\u22120.753");
+    CHECK(three_digits(0.752499) == "0.752");
+    CHECK(off_the_tie(0.0) == 0.0);
 }
 
 TEST_CASE("UTF-8 is told from other bytes") {

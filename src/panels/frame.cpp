@@ -86,7 +86,8 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
     const Page key = page(scene_.film.layout.color_bar);
     const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
-    observers_.gas().draw_key(ground_, {beside, unit_, theme_, disks_});
+    observers_.gas().draw_key(ground_, {beside, unit_, theme_, disks_},
+                              page(scene_.film.layout.gas));
     for (const Observers::Placed& placed : observers_.panels()) {
         const Rect area = grid_.place(placed.slot);
         changing_.push_back(

@@ -19,12 +19,13 @@ struct GasState : PanelState {
         std::vector<float> ages;    // seconds of film
     };
     std::vector<float> x, y;           // scene units
+    std::vector<float> vx, vy;         // scene units; empty: not shown
     std::vector<std::uint8_t> shades;  // index into the film's colours
     std::vector<Trail> trails;         // one for each chosen particle
     float label_alpha = 0.0F;
 
     std::size_t bytes() const override {
-        std::size_t sum = x.size() * (2 * sizeof(float) + 1);
+        std::size_t sum = x.size() * (2 * sizeof(float) + 1) + vx.size() * 2 * sizeof(float);
         for (const Trail& trail : trails) sum += trail.places.size() * 20;
         return sum;
     }
@@ -87,9 +88,22 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
 
 }  // namespace
 
-GasPanel::GasPanel(const Cast& cast) : cast_(cast), colors_(cast) {
+GasPanel::GasPanel(const Cast& cast) : cast_(cast), colors_(cast), arrows_(cast) {
     choose_particles();
     trails_.resize(chosen_.size());
+}
+
+void GasPanel::survey(const Observation& observation) {
+    colors_.survey(observation);
+    arrows_.survey(observation);
+}
+
+// A fast disk's arrow is twice as long as a disk is wide, unless that is hardly seen or fills the
+// box.
+void GasPanel::settle() {
+    colors_.settle();
+    const double side = cast_.scene.gas.box.size.minCoeff();
+    arrows_.settle(std::clamp(4.0 * cast_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
 
 // A species that asks for a trail, and a single particle among many, which is what the film is
@@ -140,6 +154,9 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
         state->x.push_back(static_cast<float>(observation.sample.position(i, 0)));
         state->y.push_back(static_cast<float>(observation.sample.position(i, 1)));
         state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
+        if (!arrows_.shown()) continue;
+        state->vx.push_back(static_cast<float>(observation.sample.velocity(i, 0)));
+        state->vy.push_back(static_cast<float>(observation.sample.velocity(i, 1)));
     }
     extend_trails(observation);
     for (const std::deque<TrailPoint>& trail : trails_) {
@@ -183,6 +200,7 @@ void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) c
     if (cast_.scene.film.labels != Labels::none) draw_labels(canvas, page, state);
     draw_chosen(canvas, page, state);
     canvas.release_clip();
+    draw_arrows(canvas, page, state);
 }
 
 void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const {
@@ -213,6 +231,30 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
     for (std::size_t i = 0; i < gas.x.size(); ++i) add(i);
     for (const Chosen& chosen : chosen_) add(static_cast<std::size_t>(chosen.particle));
     page.disks.draw(canvas, disks, to_pixels.box);
+}
+
+void GasPanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    if (gas.vx.empty()) return;
+    const Box& box = cast_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, page, box);
+    const ArrowField field{to_pixels.box,
+                           to_pixels.scale,
+                           {box.walls[0] == Wall::periodic, box.walls[1] == Wall::periodic}};
+    canvas.clip_to(VelocityArrows::bounds(page, field));
+    for (std::size_t i = 0; i < gas.vx.size(); ++i) {
+        const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
+        arrows_.draw(canvas, page, field, to_pixels(double(gas.x[i]), double(gas.y[i])),
+                     radius * to_pixels.scale, {double(gas.vx[i]), -double(gas.vy[i])},
+                     page.theme.ground);
+    }
+    canvas.release_clip();
+}
+
+void GasPanel::draw_key(Canvas& canvas, const Page& page, const Page& own) const {
+    const double scale = mapping(*this, own, cast_.scene.gas.box).scale;
+    const Rect left = arrows_.draw_key(canvas, page, scale);
+    colors_.draw_key(canvas, {left, page.unit, page.theme, page.disks});
 }
 
 bool GasPanel::is_filled(std::size_t particle) const {

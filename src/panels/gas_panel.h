@@ -1,5 +1,5 @@
-// The box and the disks in it, their trails and names: the picture a film of two dimensions is
-// about.
+// The box and the disks in it, their trails, velocities and names: the picture a film of two
+// dimensions is about.
 #pragma once
 
 #include <deque>
@@ -7,6 +7,7 @@
 
 #include "panels/gas_colors.h"
 #include "panels/panel.h"
+#include "panels/velocity_arrows.h"
 
 namespace carom {
 
@@ -14,15 +15,13 @@ class GasPanel : public Panel {
   public:
     explicit GasPanel(const Cast& cast);
 
-    void survey(const Observation& observation) override { colors_.survey(observation); }
-    void settle() override { colors_.settle(); }
+    void survey(const Observation& observation) override;
+    void settle() override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
 
-    void draw_key(Canvas& canvas, const Page& page) const override {
-        colors_.draw_key(canvas, page);
-    }
+    void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
 
     /// A trail needs the collisions on the way.
     bool wants_collisions() const override { return !chosen_.empty(); }
@@ -46,12 +45,14 @@ class GasPanel : public Panel {
     bool stands_alone() const;
     bool is_filled(std::size_t particle) const;
     void draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const;
 
     Cast cast_;
     GasColors colors_;
+    VelocityArrows arrows_;
     std::vector<Chosen> chosen_;
     std::vector<std::deque<TrailPoint>>
         trails_;                   ///< one for each chosen particle, as of the last state

@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "draw/axis.h"
 #include "draw/canvas.h"
@@ -75,8 +77,8 @@ class Panel {
     /// What the panel fills of its area.
     virtual Rect frame_in(const Rect& area) const { return area; }
 
-    /// Draws what its colours mean into an area beside it.
-    virtual void draw_key(Canvas&, const Page&) const {}
+    /// Draws what its colours and arrows mean into an area beside it; `own` is the panel's.
+    virtual void draw_key(Canvas&, const Page&, const Page& own) const { (void)own; }
 };
 
 /// Text of the panels: labels at the smallest size, titles a little larger.

@@ -18,18 +18,22 @@ constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds 
 constexpr double rod_from = 2.0;            // units of radius: longer beads are drawn as rods
 constexpr double rod_half_height = 1.3;
 constexpr double ring_line = 0.13;
+constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
+constexpr double arrows_apart = 0.9;   // units, from those to the right to those to the left
+constexpr double arrows_height = 2.0;  // units, that they take from the world lines
 constexpr double label_seconds = 3.0;  // of film, for the name of a chosen bead
 
 struct WireState : PanelState {
     double time = 0.0;
     std::vector<float> places;                         // of all beads, as drawn
+    std::vector<float> velocities;                     // empty: not shown
     std::vector<std::uint8_t> shades;                  // index into the film's colours
     std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last
     std::vector<double> reversals;                     // simulated times in memory
     double label_alpha = 0.0;
 
     std::size_t bytes() const override {
-        std::size_t sum = places.size() * (sizeof(float) + 1);
+        std::size_t sum = places.size() * (sizeof(float) + 1) + velocities.size() * sizeof(float);
         for (const auto& line : lines) sum += line.size() * sizeof(WorldLines::Bend);
         return sum;
     }
@@ -75,8 +79,9 @@ WirePanel::View WirePanel::view(const Page& page) const {
     View view;
     view.unit = u;
     view.wire_y = page.area.y + 3.4 * u;
-    view.plot = {page.area.x + 3.4 * u, page.area.y + 7.6 * u, page.area.width - 4.0 * u,
-                 page.area.height - 8.0 * u};
+    const double arrows = arrows_.shown() ? arrows_height * u : 0.0;
+    view.plot = {page.area.x + 3.4 * u, page.area.y + 7.6 * u + arrows, page.area.width - 4.0 * u,
+                 page.area.height - 8.0 * u - arrows};
     view.scale = view.plot.width / map_->length();
     view.time = {0.0, memory_, view.plot.y, view.plot.bottom()};
     return view;
@@ -85,6 +90,7 @@ WirePanel::View WirePanel::view(const Page& page) const {
 void WirePanel::survey(const Observation& observation) {
     if (!map_) map_.emplace(cast_, observation.sample);
     colors_.survey(observation);
+    arrows_.survey(observation);
     const CollisionCounts& counts = observation.passage.counts;
     bends_.push_back(
         {observation.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
@@ -107,6 +113,9 @@ double WirePanel::usual_rate() const {
 // fast nor too slow to be followed.
 void WirePanel::settle() {
     colors_.settle();
+    const double length = map_->length();
+    const double spacing = length / static_cast<double>(cast_.particles.count());
+    arrows_.settle(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
     const double until = cast_.scene.run.until;
     const double pace = until / film_seconds_of(cast_.scene);
     const double rate = usual_rate();
@@ -129,6 +138,8 @@ std::shared_ptr<const PanelState> WirePanel::state(const Observation& observatio
     for (Eigen::Index i = 0; i < places.size(); ++i) {
         state->places.push_back(static_cast<float>(places[i]));
         state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
+        if (arrows_.shown())
+            state->velocities.push_back(static_cast<float>(observation.sample.velocity(i, 0)));
     }
     for (std::size_t line = 0; line < lines_->count(); ++line) {
         const Eigen::Index i = lines_->particle(line);
@@ -198,6 +209,7 @@ void WirePanel::draw(Canvas& canvas, const Page& page, const PanelState& state) 
     canvas.clip_to({v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
     draw_beads(canvas, page, state);
     canvas.release_clip();
+    draw_arrows(canvas, page, state);
     draw_words(canvas, page, state);
 }
 
@@ -324,6 +336,36 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
         }
     }
     page.disks.draw(canvas, disks, {v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
+}
+
+// Under the beads, those to the right above those to the left: on the wire, or in one row, those of
+// neighbours would lie upon one another.
+void WirePanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const WireState&>(state);
+    if (now.velocities.empty()) return;
+    const View v = view(page);
+    double half = 0.0;
+    for (Eigen::Index i = 0; i < cast_.particles.count(); ++i) {
+        const double radius = shown_radius(i, v);
+        half = std::max(half, radius > rod_from * v.unit ? rod_half_height * v.unit : radius);
+    }
+    const double y = v.wire_y + half + arrows_below * v.unit;
+    const ArrowField field{
+        {v.plot.x, y - v.unit, v.plot.width, 2.0 * v.unit}, v.scale, {is_ring(), false}};
+    canvas.clip_to(VelocityArrows::bounds(page, field));
+    for (std::size_t i = 0; i < now.places.size(); ++i) {
+        double x = static_cast<double>(now.places[i]) * v.scale;
+        if (is_ring()) x -= v.plot.width * std::floor(x / v.plot.width);
+        const double row = (now.velocities[i] > 0.0F ? -0.5 : 0.5) * arrows_apart * v.unit;
+        arrows_.draw(canvas, page, field, {v.plot.x + x, y + row}, 0.0,
+                     {double(now.velocities[i]), 0.0}, page.theme.page);
+    }
+    canvas.release_clip();
+}
+
+void WirePanel::draw_key(Canvas& canvas, const Page& page, const Page& own) const {
+    const Rect left = arrows_.draw_key(canvas, page, view(own).scale);
+    colors_.draw_key(canvas, {left, page.unit, page.theme, page.disks});
 }
 
 void WirePanel::draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,

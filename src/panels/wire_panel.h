@@ -7,6 +7,7 @@
 
 #include "panels/gas_colors.h"
 #include "panels/panel.h"
+#include "panels/velocity_arrows.h"
 #include "panels/wire_map.h"
 #include "panels/world_lines.h"
 
@@ -14,16 +15,14 @@ namespace carom {
 
 class WirePanel : public Panel {
   public:
-    explicit WirePanel(const Cast& cast) : cast_(cast), colors_(cast) {}
+    explicit WirePanel(const Cast& cast) : cast_(cast), colors_(cast), arrows_(cast) {}
 
     void survey(const Observation& observation) override;
     void settle() override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
-    void draw_key(Canvas& canvas, const Page& page) const override {
-        colors_.draw_key(canvas, page);
-    }
+    void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
     bool wants_collisions() const override { return true; }
 
     /// For tests: the simulated time that the world lines show.
@@ -50,12 +49,14 @@ class WirePanel : public Panel {
     void draw_captions(Canvas& canvas, const Page& page) const;
     void draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
                    double alpha) const;
     void draw_words(Canvas& canvas, const Page& page, const PanelState& state) const;
 
     Cast cast_;
     GasColors colors_;
+    VelocityArrows arrows_;
     std::optional<WireMap> map_;  ///< from the first frame on
     std::vector<Bends> bends_;    ///< at each frame of the first pass
     double memory_ = 1.0;

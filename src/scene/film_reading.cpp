@@ -8,6 +8,7 @@
 
 #include "scene/limits.h"
 #include "scene/panel_reading.h"
+#include "scene/scalar.h"
 #include "scene/timeline.h"
 
 namespace carom {
@@ -79,6 +80,13 @@ ColorBy read_color_by(const std::string& word) {
 Labels read_labels(const std::optional<std::string>& word) {
     if (!word) return Labels::none;
     return word == "mass" ? Labels::mass : Labels::index;
+}
+
+void read_velocities(const Fields& fields, Film& film) {
+    const Node& node = *fields.value("velocities");
+    const auto flag = flag_in(node);
+    film.velocities = flag.value_or(true);
+    if (!flag) film.velocity_scale = fields.number("velocities");
 }
 
 // A template laid over a scene by the command line shows the first of the scene's panels.
@@ -198,6 +206,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.color_by = read_color_by(fields.text("color_by").value());
     film.palette = fields.text("palette");
     film.labels = read_labels(fields.text("labels"));
+    read_velocities(fields, film);
     film.monitors = read_monitors(fields.given("monitors"));
     film.seconds = read_seconds(fields, run);
     if (film.seconds > 0.0 && check_frames(film, fields, scene, errors))

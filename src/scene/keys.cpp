@@ -315,6 +315,11 @@ vector<Key> film_keys() {
                          "What is written on the disks or beads where there is room: their mass, "
                          "or their number.",
                          {one_of({"mass", "index"})}}),
+        otherwise("false",
+                  {"velocities",
+                   "Arrows of velocity on disks and beads: whether there are any, or how much "
+                   "simulated time they look ahead, so that an arrow is velocity * time long.",
+                   {flag(), number(positive)}}),
         left_to("all but all-collisions", {"monitors",
                                            "Which numbers stand in the row of monitors; "
                                            "all-collisions counts those with walls too.",

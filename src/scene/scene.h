@@ -102,6 +102,9 @@ struct Film {
     ColorBy color_by = ColorBy::speed;
     std::optional<std::string> palette;  ///< none: the theme's
     Labels labels = Labels::none;
+    bool velocities = false;  ///< whether arrows show them
+    std::optional<double>
+        velocity_scale;             ///< an arrow's length over its velocity, a time; none: by rule
     std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
 };

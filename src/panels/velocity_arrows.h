@@ -1,0 +1,59 @@
+// Arrows that show the velocities of disks and beads: one scale for the whole film, and its key.
+// Knows no places.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "draw/arrow.h"
+#include "panels/panel.h"
+
+namespace carom {
+
+/// Where arrows may be: the box on the picture, pixels of a length, and the axes along which what
+/// leaves the box on one side comes in on the other.
+struct ArrowField {
+    Rect box;
+    double scale = 1.0;
+    std::array<bool, 2> joined{};
+};
+
+class VelocityArrows {
+  public:
+    explicit VelocityArrows(const Cast& cast) : cast_(cast) {}
+
+    /// Whether the scene asks for them.
+    bool shown() const { return cast_.scene.film.velocities; }
+
+    /// First pass, every frame in order; then settle() fixes the scale: a fast particle's arrow is
+    /// of this length (as the scene measures it), unless the scene has a scale of its own.
+    void survey(const Observation& observation);
+    void settle(double length);
+
+    /// The simulated time in which a particle goes as far as its arrow is long; 0 if all are at
+    /// rest.
+    double reach() const { return reach_; }
+
+    /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or
+    /// at the rim where words stand on the disks. `ground` is the colour behind.
+    void draw(Canvas& canvas, const Page& page, const ArrowField& field, Point center,
+              double radius, Point velocity, Color ground) const;
+
+    /// What may hold arrows: the box, and where it has walls a little more.
+    static Rect bounds(const Page& page, const ArrowField& field);
+
+    /// Draws what the arrows mean at the foot of an area, and returns what is left above; `scale`
+    /// is pixels of a length.
+    Rect draw_key(Canvas& canvas, const Page& page, double scale) const;
+
+  private:
+    ArrowStyle style(const Page& page, double scale, Color ground) const;
+
+    Cast cast_;
+    std::vector<double> pool_;
+    int surveyed_ = 0;
+    double fast_ = 0.0;  ///< a speed
+    double reach_ = 0.0;
+};
+
+}  // namespace carom

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/pipeline.h"
+#include "physics/theory.h"
 #include "scene/load.h"
 #include "support/process.h"
 #include "support/relative.h"
@@ -44,6 +45,31 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
         const fs::path picture = folder.path() / (file.stem().string() + ".png");
         render_still(loaded, 0.3 * loaded.run.until, picture);
         CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
+    }
+}
+
+TEST_CASE("every scene of the library tells editors where its schema is") {
+    const std::string mark = "# yaml-language-server: $schema=";
+    for (const fs::path& file : test::yaml_files(root / "scenes")) {
+        CAPTURE(file.string());
+        const std::string text = carom::test::contents(file);
+        const std::string line = text.substr(0, text.find('\n'));
+        REQUIRE(line.starts_with(mark));
+        // Relative to the scene, and there, so that it is found wherever the folder is.
+        CHECK(fs::equivalent(file.parent_path() / line.substr(mark.size()),
+                             root / "scenes/scene.schema.json"));
+        CHECK(fs::path(line.substr(mark.size())).is_relative());
+    }
+}
+
+TEST_CASE("scenes that say they come to equilibrium show the curve") {
+    for (const std::string name :
+         {"periodic-gas", "maxwell-boltzmann", "mixed-masses", "one-hot-particle", "slow-crowd",
+          "circular-particles", "time-reversal", "bonkers", "bonkers-mixture"}) {
+        CAPTURE(name);
+        const Scene loaded = scene(name);
+        Simulation simulation(loaded.gas, loaded.run);
+        CHECK(equilibrium(loaded.gas.box, simulation.particles(), simulation.sample()).has_value());
     }
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("the first scene of the book") {
     CHECK(scene.film.layout.monitors.has_value());
     CHECK(scene.species_spans.at(1).span.column == 5);
     CHECK(scene.species_spans.at(1).source_line.find("hot") != std::string::npos);
-    CHECK(scene.source.text.starts_with("title: One hot"));
+    CHECK(scene.source.text.starts_with("# yaml-language-server"));
     CHECK(scene.looks.size() == 2);
 }
 

@@ -27,6 +27,13 @@ std::string mass_text(double inverse_mass) {
     return mass < 1000.0 ? fmt::format("{:.3g}", mass) : three_digits(mass);
 }
 
+std::string shorter_number(const std::string& words) {
+    const std::size_t point = words.find('.');
+    const bool plain = words.find_first_not_of("0123456789.") == std::string::npos;
+    if (!plain || point == std::string::npos || point + 2 >= words.size()) return words;
+    return fmt::format("{:.{}f}", std::stod(words), words.size() - point - 2);
+}
+
 std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels) {
     if (labels == Labels::mass) return mass_text(cast.particles.inverse_mass[particle]);
     return labels == Labels::index ? std::to_string(particle) : "";
@@ -39,13 +46,15 @@ void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius
     style.align = Align::center;
     style.weight = 600;
     style.color = letters_on(bead, page.theme);
-    for (const double size : {std::clamp(0.65 * radius, page.unit, 2.0 * page.unit), page.unit}) {
-        style.size = size;
-        const double half_width = 0.5 * measure_text(words, style).width;
-        if (std::hypot(half_width, half_cap_height * size) > rim * radius) continue;
-        draw_text(canvas, {center.x, center.y + half_cap_height * size}, words, style);
-        return;
-    }
+    const double large = std::clamp(0.65 * radius, page.unit, 2.0 * page.unit);
+    for (const std::string& text : {words, shorter_number(words)})
+        for (const double size : {large, page.unit}) {
+            style.size = size;
+            const double half_width = 0.5 * measure_text(text, style).width;
+            if (std::hypot(half_width, half_cap_height * size) > rim * radius) continue;
+            draw_text(canvas, {center.x, center.y + half_cap_height * size}, text, style);
+            return;
+        }
 }
 
 }  // namespace carom

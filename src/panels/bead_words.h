@@ -10,11 +10,15 @@ namespace carom {
 /// The mass of a particle in few digits; "∞" for an infinite one.
 std::string mass_text(double inverse_mass);
 
+/// A number with a decimal point, shorter by a digit; as it is if that is not possible.
+std::string shorter_number(const std::string& words);
+
 /// Its mass or its number, whichever `labels` asks for; empty for none.
 std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels);
 
 /// Writes words on a bead of a colour around `center`, as large as fits into its radius (pixels);
-/// nothing where the smallest text does not fit.
+/// a
+/// number with one digit less where it fits only so, and nothing where the smallest does not fit.
 void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
                    const std::string& words, Color bead);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "draw/palette.h"
 
 namespace carom {
@@ -31,10 +33,14 @@ Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, co
 
 std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme) {
     if (chosen.size() == 1) return escape_markup(name_of(cast, chosen.front()));
-    std::string words;
+    const bool numbers =
+        std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
+    std::string words = numbers ? "particles " : "";
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         if (k > 0) words += k + 1 == chosen.size() ? " and " : ", ";
-        words += colored(name_of(cast, chosen[k]), choice_color(cast, chosen[k], k, theme));
+        const std::string name =
+            numbers ? std::to_string(*chosen[k].particle) : name_of(cast, chosen[k]);
+        words += colored(name, choice_color(cast, chosen[k], k, theme));
     }
     return words;
 }

@@ -35,7 +35,7 @@ struct HistogramPanel::Scales {
 
 HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
     Rect area = plot_area(page);
-    const double rows = row_height * page.unit * rows_above();
+    const double rows = row_height * page.unit * rows_above(page);
     area.y += rows;
     area.height = std::max(page.unit, area.height - rows);
     return {area,
@@ -51,12 +51,29 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) co
     return {color, mix(color, theme.ink, 0.4), mix(color, theme.ink, 0.7)};
 }
 
-// Fits are written over the bars, and so are the means where the bars fill the middle; a fit says
-// the mean too.
-int HistogramPanel::rows_above() const {
+// Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
+// means are far right, or over the bars where neither keeps clear of the marks.
+HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
+    if (fills_the_middle()) return NamesPlace::above;
+    if (window() != 0.0) return NamesPlace::right;  // the mean over a while settles soon
+    const Rect area = plot_area(page);
+    const Scale x{bins_.low, bins_.high, area.x, area.right()};
+    double lowest = area.right(), highest = area.x;
+    for (const Series& one : series_) {
+        lowest = std::min(lowest, x(one.lowest_mean));
+        highest = std::max(highest, x(one.highest_mean));
+    }
+    const double clear = 0.8 * page.unit, width = names_width * page.unit;
+    if (highest < area.right() - width - clear) return NamesPlace::right;
+    return lowest > area.x + page.unit + width + clear ? NamesPlace::left : NamesPlace::above;
+}
+
+// Fits are written over the bars, and so are the means where they find no room beside them; a fit
+// says the mean too.
+int HistogramPanel::rows_above(const Page& page) const {
     const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(series_.size())) : 0;
-    const bool means = fits == 0 && fills_the_middle() && (marks_mean_now() || marks_mean_start());
-    return fits + (means ? 1 : 0);
+    const bool marks = marks_mean_now() || marks_mean_start();
+    return fits + (fits == 0 && marks && names_place(page) == NamesPlace::above ? 1 : 0);
 }
 
 Point HistogramPanel::row_above(const Page& page, int row) const {
@@ -173,34 +190,39 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
         below += one.below;
         above += one.above;
     }
-    std::string beyond = below > 0.0 ? "← " + count_words(below) + "  " : "";
-    if (above > 0.0 && fills_the_middle()) beyond += count_words(above) + " →";
-    if (above > 0.0 && !fills_the_middle())
-        beyond += fmt::format("{} {} →", count_words(above), subject_.beyond);
-    if (beyond.empty()) return;
     const Scales s = scales(page);
-    const bool several = series_.size() > 1 && !fills_the_middle();
-    const double row = fills_the_middle() ? 0.8 : several ? 0.8 + 1.4 * double(now.size()) : 3.6;
-    draw_name(canvas, page, {names_x(page) + 0.6 * page.unit, s.area.y + row * page.unit}, beyond,
+    const double top = s.area.y + 0.8 * page.unit;
+    if (fills_the_middle()) {  // each at its own end
+        const std::string higher = count_words(above) + " →";
+        const double width = measure_text(higher, label_style(page)).width;
+        if (below > 0.0)
+            draw_name(canvas, page, {s.area.x + 0.6 * page.unit, top}, "← " + count_words(below),
+                      page.theme.muted);
+        if (above > 0.0)
+            draw_name(canvas, page, {s.area.right() - width, top}, higher, page.theme.muted);
+        return;
+    }
+    std::string words = below > 0.0 ? "← " + count_words(below) + "  " : "";
+    if (above > 0.0) words += fmt::format("{} {} →", count_words(above), subject_.beyond);
+    if (words.empty()) return;
+    const double row = now.size() > 1 ? 1.4 * static_cast<double>(now.size()) : 2.8;
+    draw_name(canvas, page, {names_x(page) + 0.6 * page.unit, top + row * page.unit}, words,
               page.theme.muted);
 }
 
-// Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
-// bars begin there.
 double HistogramPanel::names_x(const Page& page) const {
-    const Scales s = scales(page);
-    const double right = s.area.right() - names_width * page.unit;
-    if (fills_the_middle() || window() != 0.0) return right;
-    const bool taken = s.x(series_.front().mean_start) > right - 2.5 * page.unit;
-    return taken ? s.area.x + page.unit : right;
+    const Rect area = plot_area(page);
+    if (names_place(page) == NamesPlace::left) return area.x + page.unit;
+    return area.right() - names_width * page.unit;
 }
 
 Point HistogramPanel::name_place(const Page& page, int index) const {
-    const Scales s = scales(page);
-    if (!fills_the_middle()) return {names_x(page), s.area.y + (0.8 + 1.4 * index) * page.unit};
-    const Point row = row_above(page, rows_above() - 1);
+    const Rect area = scales(page).area;
+    if (names_place(page) != NamesPlace::above)
+        return {names_x(page), area.y + (0.8 + 1.4 * index) * page.unit};
+    const Point row = row_above(page, std::max(0, rows_above(page) - 1));
     const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
-    return {row.x + 0.2 * page.unit + index * s.area.width / shown, row.y};
+    return {row.x + 0.2 * page.unit + index * area.width / shown, row.y};
 }
 
 // On a plate of the page's colour, so that bars behind it do not cut it up.
@@ -274,7 +296,7 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page,
     const double u = page.unit;
     const auto name = [&](int index, const std::string& words, double mean, bool solid,
                           Color color) {
-        if (fills_the_middle() && spec_.fit) return;
+        if (names_place(page) == NamesPlace::above && spec_.fit) return;
         const Point at = name_place(page, index);
         draw_name(canvas, page, {at.x + 0.6 * u, at.y}, words + " " + three_digits(mean), color);
         const Point low{at.x, at.y + 0.1 * u}, high{at.x, at.y - 0.85 * u};

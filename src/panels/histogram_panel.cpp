@@ -90,7 +90,10 @@ void HistogramPanel::survey(const Observation& observation) {
     const bool probe = surveyed_ % std::max(1, cast_.frames / probes) == 0;
     for (Series& one : series_) {
         const Eigen::ArrayXd values = values_of(one, all);
-        if (surveyed_ == 0) one.mean_start = finite_mean(values);
+        const double mean = finite_mean(values);
+        if (surveyed_ == 0) one.mean_start = one.lowest_mean = one.highest_mean = mean;
+        one.lowest_mean = std::min(one.lowest_mean, mean);
+        one.highest_mean = std::max(one.highest_mean, mean);
         for (Eigen::Index i = surveyed_ % stride; i < values.size(); i += stride)
             if (std::isfinite(values[i])) pool_.push_back(values[i]);  // moving infinite masses
         if (probe) one.probes.push_back({observation.tick.time, values});

@@ -56,6 +56,7 @@ class HistogramPanel : public Panel {
         std::vector<Eigen::Index> members = {};
         std::optional<EquilibriumGas> equilibrium = {};
         double mean_start = 0.0;
+        double lowest_mean = 0.0, highest_mean = 0.0;  ///< of the whole run, that at the start too
         std::vector<Probe> probes = {};  ///< whole samples at a few frames, for the height of bars
         std::vector<Point> curve = {};   ///< value, expected number in a bin around it
         std::vector<RunningHistogram> running = {};  ///< one, from settle() on
@@ -82,7 +83,9 @@ class HistogramPanel : public Panel {
     Ink ink(std::size_t series, const Page& page) const;
     std::string time_words() const;
     std::string title(const Page& page) const;
-    int rows_above() const;
+    enum class NamesPlace { right, left, above };
+    NamesPlace names_place(const Page& page) const;
+    int rows_above(const Page& page) const;
     Point row_above(const Page& page, int row) const;
     void draw_bars(Canvas& canvas, const Page& page, std::size_t series,
                    const MeanHistogram& now) const;

@@ -41,6 +41,14 @@ void draw_panel_title(Canvas& canvas, const Page& page, const std::string& marku
     draw_text(canvas, {page.area.x, page.area.y + 1.05 * page.unit}, markup, style);
 }
 
+std::string fitting_title(const Page& page, const std::vector<std::string>& titles) {
+    TextStyle style = title_style(page);
+    style.size = page.unit;
+    for (const std::string& title : titles)
+        if (measure_text(title, style).width <= page.area.width) return title;
+    return titles.back();
+}
+
 std::string colored(const std::string& text, Color color) {
     return fmt::format("<span foreground=\"#{:06x}\">{}</span>", to_pixel(color) & 0xFFFFFF,
                        escape_markup(text));

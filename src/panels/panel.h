@@ -92,6 +92,9 @@ Rect plot_area(const Page& page);
 /// The panel's title at its top left (markup), smaller where it is too long.
 void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup);
 
+/// The first of some titles (markup, from the longest on) that is not cut; if all are, the last.
+std::string fitting_title(const Page& page, const std::vector<std::string>& titles);
+
 /// `text` in a colour, as markup.
 std::string colored(const std::string& text, Color color);
 

@@ -13,13 +13,13 @@ std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec) {
     std::vector<std::vector<Eigen::Index>> lists;
     for (const Chosen& one : chosen) lists.push_back(members(cast, one));
     PointsSubject subject{
-        .title =
-            [cast, spec, chosen](const Theme& theme) {
-                if (spec.title) return escape_markup(*spec.title);
-                const std::string words = "Position and velocity";
-                return spec.of.empty() ? words
-                                       : words + " of " + colored_names(cast, chosen, theme);
-            },
+        .titles = [cast, spec, chosen](const Theme& theme) -> std::vector<std::string> {
+            if (spec.title) return {escape_markup(*spec.title)};
+            const std::string words = "Position and velocity";
+            if (spec.of.empty()) return {words};
+            const std::string names = colored_names(cast, chosen, theme);
+            return {words + " of " + names, names};  // the axes say the rest
+        },
         .across = "position" + along,
         .up = "velocity" + along,
         .width = {0.0, box.size[axis]},

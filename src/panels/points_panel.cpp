@@ -74,7 +74,7 @@ PointsPanel::Scales PointsPanel::scales(const Page& page) const {
 }
 
 void PointsPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    draw_panel_title(canvas, page, subject_.title(page.theme));
+    draw_panel_title(canvas, page, fitting_title(page, subject_.titles(page.theme)));
     const Scales s = scales(page);
     draw_x_axis(canvas, s.area, s.x, subject_.across, axis_style(page));
     draw_y_axis(canvas, s.area, s.y, "", axis_style(page));

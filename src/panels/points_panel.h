@@ -13,9 +13,10 @@ namespace carom {
 
 /// What the points show: sets of them, each in a colour.
 struct PointsSubject {
-    std::function<std::string(const Theme&)> title;  ///< markup
-    std::string across, up;                          ///< the axes' titles
-    std::pair<double, double> width;                 ///< of the axis across
+    std::function<std::vector<std::string>(const Theme&)>
+        titles;                       ///< markup, the shorter ones for narrow panels
+    std::string across, up;           ///< the axes' titles
+    std::pair<double, double> width;  ///< of the axis across
     std::optional<std::pair<double, double>>
         height;  ///< of the axis up; none: symmetric about 0, as the run shows
     std::size_t sets = 1;

@@ -12,24 +12,25 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
     const auto first = static_cast<Eigen::Index>(spec.of.at(0).particle.value());
     const auto second = static_cast<Eigen::Index>(spec.of.at(1).particle.value());
     const double length = box.size[axis];
-    PointsSubject subject{.title =
-                              [spec, along](const Theme&) {
-                                  return spec.title ? escape_markup(*spec.title)
-                                                    : "Positions of two particles" + along;
-                              },
-                          .across = name_of(cast, spec.of[0]),
-                          .up = name_of(cast, spec.of[1]),
-                          .width = {0.0, length},
-                          .height = std::pair{0.0, length},
-                          .sets = 1,
-                          .points =
-                              [first, second, axis](const Observation& o, std::size_t) {
-                                  return std::vector<Point>{{o.sample.position(first, axis),
-                                                             o.sample.position(second, axis)}};
-                              },
-                          .color = [](std::size_t, const Theme& theme) { return theme.bar; },
-                          .breaks_across = 0.5 * length,
-                          .breaks_up = 0.5 * length};
+    PointsSubject subject{
+        .titles =
+            [spec, along](const Theme&) {
+                return std::vector<std::string>{spec.title ? escape_markup(*spec.title)
+                                                           : "Positions of two particles" + along};
+            },
+        .across = name_of(cast, spec.of[0]),
+        .up = name_of(cast, spec.of[1]),
+        .width = {0.0, length},
+        .height = std::pair{0.0, length},
+        .sets = 1,
+        .points =
+            [first, second, axis](const Observation& o, std::size_t) {
+                return std::vector<Point>{
+                    {o.sample.position(first, axis), o.sample.position(second, axis)}};
+            },
+        .color = [](std::size_t, const Theme& theme) { return theme.bar; },
+        .breaks_across = 0.5 * length,
+        .breaks_up = 0.5 * length};
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

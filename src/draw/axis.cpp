@@ -41,14 +41,6 @@ Step smallest_step(double low, double high, int most) {
     }
 }
 
-std::string superscript(int value) {
-    constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = value < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(value)))
-        text += digits[static_cast<std::size_t>(digit - '0')];
-    return text;
-}
-
 std::string with_decimals(double value, int decimals) {
     const double unit = std::pow(10.0, decimals);
     const double scaled = std::round(std::abs(value) * unit);

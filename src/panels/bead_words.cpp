@@ -47,7 +47,8 @@ void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius
     style.weight = 600;
     style.color = letters_on(bead, page.theme);
     const double large = std::clamp(0.65 * radius, page.unit, 2.0 * page.unit);
-    for (const std::string& text : {words, shorter_number(words)})
+    const std::string shorter = shorter_number(words);
+    for (const std::string& text : {words, shorter, shorter_number(shorter)})
         for (const double size : {large, page.unit}) {
             style.size = size;
             const double half_width = 0.5 * measure_text(text, style).width;

@@ -18,7 +18,7 @@ std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels);
 
 /// Writes words on a bead of a colour around `center`, as large as fits into its radius (pixels);
 /// a
-/// number with one digit less where it fits only so, and nothing where the smallest does not fit.
+/// number with a digit or two less where it fits only so, and nothing where that does not fit.
 void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
                    const std::string& words, Color bead);
 

@@ -12,9 +12,11 @@
 namespace carom {
 namespace {
 
-constexpr double names_width = 10.6;  // of the means' names and numbers, in units
-constexpr double row_height = 1.5;    // of the rows of words above the bars, in units
-constexpr int most_fit_rows = 3;      // more would leave no room for the bars
+constexpr double usual_names_width = 10.6;  // of the means' names and numbers, in units
+constexpr double row_height = 1.5;          // of the rows of words above the bars, in units
+constexpr double gap_below_rows = 0.4;      // in units, for the counts of bars that are cut
+constexpr double told_beyond = 0.01;        // of a mean number: less beyond the axis is not told
+constexpr int most_fit_rows = 3;            // more would leave no room for the bars
 
 std::string count_words(double count) {
     return count == std::round(count) && count < 1e9 ? grouped(std::llround(count))
@@ -35,7 +37,8 @@ struct HistogramPanel::Scales {
 
 HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
     Rect area = plot_area(page);
-    const double rows = row_height * page.unit * rows_above(page);
+    const int above = rows_above(page);
+    const double rows = (row_height * above + (above > 0 ? gap_below_rows : 0.0)) * page.unit;
     area.y += rows;
     area.height = std::max(page.unit, area.height - rows);
     return {area,
@@ -51,6 +54,13 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) co
     return {color, mix(color, theme.ink, 0.4), mix(color, theme.ink, 0.7)};
 }
 
+double HistogramPanel::names_width(const Page& page) const {
+    const double usual = usual_names_width * page.unit;
+    if (series_.size() > 1) return usual;
+    const std::string longest = "mean at start " + three_digits(series_.front().mean_start);
+    return std::max(usual, measure_text(longest, label_style(page)).width + 0.7 * page.unit);
+}
+
 // Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
 // means are far right, or over the bars where neither keeps clear of the marks.
 HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
@@ -63,7 +73,7 @@ HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
         lowest = std::min(lowest, x(one.lowest_mean));
         highest = std::max(highest, x(one.highest_mean));
     }
-    const double clear = 0.8 * page.unit, width = names_width * page.unit;
+    const double clear = 0.8 * page.unit, width = names_width(page);
     if (highest < area.right() - width - clear) return NamesPlace::right;
     return lowest > area.x + page.unit + width + clear ? NamesPlace::left : NamesPlace::above;
 }
@@ -182,7 +192,7 @@ void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page, const MeanHisto
     }
 }
 
-// How many lie beyond the ends of the axis.
+// How many lie beyond the ends of the axis. A mean over a while may be a small part of one.
 void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
                                  const std::vector<MeanHistogram>& now) const {
     double below = 0.0, above = 0.0;
@@ -190,6 +200,9 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
         below += one.below;
         above += one.above;
     }
+    const double least = window() == 0.0 ? 0.0 : told_beyond * numbers_at_a_time();
+    if (below < least) below = 0.0;
+    if (above < least) above = 0.0;
     const Scales s = scales(page);
     const double top = s.area.y + 0.8 * page.unit;
     if (fills_the_middle()) {  // each at its own end
@@ -213,7 +226,7 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
 double HistogramPanel::names_x(const Page& page) const {
     const Rect area = plot_area(page);
     if (names_place(page) == NamesPlace::left) return area.x + page.unit;
-    return area.right() - names_width * page.unit;
+    return area.right() - names_width(page);
 }
 
 Point HistogramPanel::name_place(const Page& page, int index) const {
@@ -230,7 +243,7 @@ void HistogramPanel::draw_name(Canvas& canvas, const Page& page, Point at, const
                                Color color) const {
     TextStyle style = label_style(page);
     style.color = color;
-    style.max_width = names_width * page.unit;
+    style.max_width = names_width(page);
     const double width = measure_text(words, style).width;
     if (at.y > scales(page).area.y)
         canvas.fill({at.x - 0.9 * page.unit, at.y - 1.05 * page.unit, width + 1.2 * page.unit,

@@ -85,6 +85,7 @@ class HistogramPanel : public Panel {
     std::string title(const Page& page) const;
     enum class NamesPlace { right, left, above };
     NamesPlace names_place(const Page& page) const;
+    double names_width(const Page& page) const;
     int rows_above(const Page& page) const;
     Point row_above(const Page& page, int row) const;
     void draw_bars(Canvas& canvas, const Page& page, std::size_t series,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -89,6 +90,14 @@ std::optional<std::string> nearest_spelling(std::string_view word,
     return best;
 }
 
+std::string superscript(int value) {
+    constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = value < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(value)))
+        text += digits[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
+
 double off_the_tie(double value) { return value * (1.0 + 1e-9); }
 
 std::string three_digits(double value) {
@@ -100,7 +109,7 @@ std::string three_digits(double value) {
     } else if (size < 1e-3 || size >= 99999.5) {
         text = fmt::format("{:.2e}", size);
         const std::size_t e = text.find('e');
-        text = fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
+        text = text.substr(0, e) + "×10" + superscript(std::stoi(text.substr(e + 1)));
     } else {
         int before = static_cast<int>(std::floor(std::log10(size))) + 1;
         if (size >= 0.9995 * std::pow(10.0, before)) ++before;  // rounds to one digit more

@@ -32,7 +32,11 @@ std::optional<std::string> nearest_spelling(std::string_view word,
 /// digits but for round-off is then rounded one way, wherever it is shown.
 double off_the_tie(double value);
 
-/// Three significant digits, as on an axis: 0.0123, 1.23, 1230, 1.23e7, with U+2212 for minus.
+/// An integer in raised figures: ⁻⁷.
+std::string superscript(int value);
+
+/// Three significant digits, as on an axis: 0.0123, 1.23, 1230, 1.23×10⁷, with U+2212 for
+/// minus.
 std::string three_digits(double value);
 
 /// An integer with thin spaces (U+2009) between groups of three digits: 12 345.

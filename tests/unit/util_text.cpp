@@ -13,8 +13,8 @@ TEST_CASE("three significant digits read as on an axis") {
     CHECK(three_digits(449.97) == "450");
     CHECK(three_digits(12345.0) == "12345");
     CHECK(three_digits(-1.5) == "\u22121.50");
-    CHECK(three_digits(1.234e-7) == "1.23e-7");
-    CHECK(three_digits(6.02e23) == "6.02e23");
+    CHECK(three_digits(1.234e-7) == "1.23×10⁻⁷");
+    CHECK(three_digits(6.02e23) == "6.02×10²³");
     CHECK(three_digits(1.0 / 0.0) == "–");
     CHECK(three_digits(9.996) == "10.0");
     CHECK(three_digits(0.9996) == "1.00");

@@ -128,6 +128,9 @@ std::string keys_hint(const Section& section) {
 }
 
 std::string word_hint(const Node& node, const std::vector<Form>& forms) {
+    for (const Form& form : forms)
+        for (const Elsewhere& other : form.elsewhere)
+            if (other.word == node.text) return other.hint;
     std::vector<std::string> words;
     for (const Form& form : forms) words.insert(words.end(), form.words.begin(), form.words.end());
     const auto near = nearest_spelling(node.text, words);

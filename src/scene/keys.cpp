@@ -225,12 +225,19 @@ Form monitors() {
                    1, most_monitors, "a list of numbers to show");
 }
 
+Form panel_kind() {
+    Form kind = one_of({panel_kinds().begin(), panel_kinds().end()});
+    kind.elsewhere = {{"gas", "the box is in every film; the template says where"},
+                      {"wire", "the wire with its beads is in every film; the template says where"},
+                      {"world-lines", "they stand under the wire in every film of one dimension"}};
+    return kind;
+}
+
 Section panel() {
-    const vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
     return complete(
         {.name = "a panel",
          .keys = {
-             required({"kind", "What the panel shows.", {one_of(kinds)}}),
+             required({"kind", "What the panel shows.", {panel_kind()}}),
              left_to("by kind",
                      {"title", "The words above the panel.", {text(1, most_title_letters)}}),
              only_with(histograms(),
@@ -261,7 +268,8 @@ Section panel() {
                  otherwise(
                      "true",
                      {"theory",
-                      "Whether to draw the curve that theory predicts for this finite mixture.",
+                      "Whether to draw the curve that theory predicts for this finite mixture, if "
+                      "it comes to an equilibrium; an error where `true` is written and it cannot.",
                       {flag()}})),
              only_with(histograms(),
                        otherwise("false", {"fit",
@@ -287,7 +295,6 @@ Section panel() {
 }
 
 vector<Key> film_keys() {
-    const vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
     const Form side = integer(smallest_side.value, largest_side);
     return {
         {"seconds",
@@ -324,10 +331,10 @@ vector<Key> film_keys() {
                                            "Which numbers stand in the row of monitors; "
                                            "all-collisions counts those with walls too.",
                                            {monitors()}}),
-        left_to("the template's", {"panels",
-                                   "What the panels show, each a kind or a mapping with options.",
-                                   {list_of({one_of(kinds), mapping(panel())}, 0, most_panels,
-                                            "a list of panels")}})};
+        left_to("the template's",
+                {"panels",
+                 "What the panels show, each a kind or a mapping with options.",
+                 {list_of({panel_kind(), mapping(panel())}, 0, most_panels, "a list of panels")}})};
 }
 
 Section film() {

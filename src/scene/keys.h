@@ -27,11 +27,17 @@ struct Range {
 
 struct Section;
 
+/// A word that is not among those of a form, and what to do instead.
+struct Elsewhere {
+    std::string word, hint;
+};
+
 /// One form that a value may take. Which members count depends on the shape.
 struct Form {
     Shape shape = Shape::text;
     Range range = {};                             ///< number, integer
     std::vector<std::string> words = {};          ///< word
+    std::vector<Elsewhere> elsewhere = {};        ///< word: others that are likely to be tried
     bool lines = false;                           ///< text: may it have line breaks
     std::vector<Form> items = {};                 ///< list: what each item may be
     std::size_t shortest = 1;                     ///< list, text: least length

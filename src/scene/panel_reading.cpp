@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "scene/mixing.h"
 #include "scene/scalar.h"
 #include "util/text.h"
 
@@ -99,6 +100,16 @@ std::pair<double, double> read_range(const Node& range, const std::string& kind,
     return {ends[0], ends[1]};
 }
 
+// A curve that is asked for is missed; where it is only the default, it is left out.
+void check_theory(const Fields& fields, const Gas& gas, Errors& errors) {
+    const Node* asked = fields.given("theory");
+    if (asked == nullptr || fields.flag("theory") != true || gas.species.empty()) return;
+    if (asked->source->origin == Origin::template_file) return;
+    if (const auto reason = why_no_equilibrium(gas))
+        errors.add(*asked, "there is no equilibrium curve for this gas: " + *reason,
+                   "leave out `theory`, and the curve is drawn where there is one");
+}
+
 PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     PanelSpec panel;
     panel.kind = fields.text("kind").value_or("");
@@ -113,6 +124,7 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     if (const Node* range = fields.given("range"))
         panel.range = read_range(*range, panel.kind, errors);
     panel.theory = fields.flag("theory").value_or(true);
+    check_theory(fields, gas, errors);
     panel.fit = fields.flag("fit").value_or(false);
     panel.mean_now = fields.flag("mean_now");
     panel.mean_start = fields.flag("mean_start");

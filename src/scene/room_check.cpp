@@ -132,6 +132,17 @@ std::string called(const Disk& disk) {
                                  : fmt::format("particle {} ({})", disk.particle, *disk.species);
 }
 
+std::string room_for_center(const Box& box, double radius) {
+    Eigen::Array2d low{0.0, 0.0}, high = box.size;
+    for (int axis = 0; axis < 2; ++axis)
+        if (box.walls[static_cast<std::size_t>(axis)] == Wall::solid) {
+            low[axis] += radius;
+            high[axis] -= radius;
+        }
+    return fmt::format("its centre has room from {} to {} across and from {} to {} up", low[0],
+                       high[0], low[1], high[1]);
+}
+
 void check_inside(const Box& box, const std::vector<Disk>& disks, Errors& errors) {
     for (const Disk& disk : disks) {
         bool inside = true;
@@ -144,7 +155,8 @@ void check_inside(const Box& box, const std::vector<Disk>& disks, Errors& errors
         if (!inside)
             errors.add(*disk.node,
                        fmt::format("{} of radius {} is not inside the box of {} by {}",
-                                   called(disk), disk.radius, box.size[0], box.size[1]));
+                                   called(disk), disk.radius, box.size[0], box.size[1]),
+                       room_for_center(box, disk.radius));
     }
 }
 
@@ -163,8 +175,10 @@ bool overlap(const Box& box, const Disk& a, const Disk& b, Errors& errors) {
     if (apart >= needed * (1.0 - rounding) && apart > 0.0) return false;
     const Disk& first = a.particle < b.particle ? a : b;
     const Disk& second = a.particle < b.particle ? b : a;
-    errors.add(*second.node, fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
-                                         called(second), called(first), apart, needed));
+    errors.add(*second.node,
+               fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed", called(second),
+                           called(first), apart, needed),
+               "move one of them, or make them smaller");
     return true;
 }
 

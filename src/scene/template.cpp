@@ -90,8 +90,10 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
     if (is_there(beside) && !same_file(beside, scene)) {
         if (stays_inside(beside, folder_of(scene)))
             return TemplateFile{name, scene.parent_path() / (name + ".yaml")};
-        errors.add(place, fmt::format("the template {} is a link out of the scene's folder",
-                                      in_quotes(name)));
+        errors.add(
+            place,
+            fmt::format("the template {} is a link out of the scene's folder", in_quotes(name)),
+            "copy the file it leads to into the folder");
         return std::nullopt;
     }
     const fs::path own = templates / "films" / (name + ".yaml");

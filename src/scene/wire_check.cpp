@@ -136,7 +136,9 @@ bool is_inside(const Box& box, const Bead& bead, Errors& errors) {
     errors.add(*bead.node,
                fmt::format("{}{} is not inside the wire from 0 to {}", called(bead),
                            bead.radius > 0.0 ? fmt::format(" of radius {}", bead.radius) : "",
-                           box.size[0]));
+                           box.size[0]),
+               fmt::format("its middle has room from {} to {}", solid ? bead.radius : 0.0,
+                           box.size[0] - (solid ? bead.radius : 0.0)));
     return false;
 }
 
@@ -152,8 +154,10 @@ bool overlap(const Box& box, const Bead& left, const Bead& right, double turn, E
                    fmt::format("{} is at the place of {}", called(second), called(first)),
                    "beads have an order on the wire: move one of them");
     else
-        errors.add(*second.node, fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
-                                             called(second), called(first), apart, needed));
+        errors.add(*second.node,
+                   fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
+                               called(second), called(first), apart, needed),
+                   "move one of them, or make them shorter");
     return true;
 }
 

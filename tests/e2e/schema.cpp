@@ -57,6 +57,13 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"packing", several_places},
     {"radius_too_large", several_places},
     {"sample_every", several_places},
+    {"template_link", other_file},
+    {"theory_alone", several_places},  // `theory` against what is in the gas
+    {"theory_at_rest", several_places},
+    {"theory_drifts", several_places},
+    {"theory_equal_masses", several_places},
+    {"theory_one_axis", several_places},
+    {"theory_piston", several_places},
     {"total_too_large", several_places},
     {"wire_filling", several_places},
     {"wire_outside", several_places},

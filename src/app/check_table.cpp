@@ -17,7 +17,9 @@ std::string row(const char* name, const std::string& words) {
 
 // Two digits: it is an estimate.
 std::string about(double value) {
-    if (value >= 1e15) return fmt::format("{:.1e}", value);
+    if (value >= 1e15) return three_digits(value);
+    if (value < 0.01) return value > 0.0 ? "less than 0.01" : "0";
+    if (value < 10.0) return fmt::format("{:.2g}", value);
     const double digits = std::floor(std::log10(std::max(1.0, value))) - 1.0;
     const double unit = std::pow(10.0, std::max(0.0, digits));
     return grouped(static_cast<long long>(unit * std::round(value / unit)));
@@ -61,9 +63,9 @@ std::string packing(const Scene& scene, const SceneFacts& facts) {
 std::string collisions(const SceneFacts& facts) {
     if (!facts.collisions) return "no estimate: the gas has no equilibrium that theory knows";
     const double of_each = 2.0 * *facts.collisions / static_cast<double>(facts.particles);
-    return fmt::format(
-        "about {} between particles, {:.2g} for each (kinetic theory, in equilibrium)",
-        about(*facts.collisions), of_each);
+    return fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",
+                       (*facts.collisions < 0.01 ? "" : "about ") + about(*facts.collisions),
+                       about(of_each));
 }
 
 std::string run(const Run& run) {
@@ -83,9 +85,9 @@ std::string film(const Film& film, const SceneFacts& facts) {
 }
 
 std::string cost(const FilmCost& cost) {
-    return fmt::format("{} on {} {}, {:.2g} MB in quality standard (may be off by half)",
+    return fmt::format("{} on {} {}, {} MB in quality standard (may be off by half)",
                        cost.seconds < 1.0 ? "a second" : clock_text(cost.seconds), cost.cores,
-                       cost.cores == 1 ? "core" : "cores", 1e-6 * cost.bytes);
+                       cost.cores == 1 ? "core" : "cores", about(1e-6 * cost.bytes));
 }
 
 std::string table(const CheckedScene& checked) {

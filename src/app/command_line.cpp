@@ -58,8 +58,8 @@ int run_command_line(int argc, const char* const* argv) {
         return complain(2, error.what());
     } catch (const UsageError& error) {
         return complain(2, fmt::format("carom: {}", error.what()));
-    } catch (const Interrupted&) {
-        return complain(130, "carom: interrupted; nothing was written");
+    } catch (const Interrupted& stop) {
+        return complain(130, fmt::format("carom: {}", stop.what()));
     } catch (const std::bad_alloc&) {
         return complain(1,
                         "carom: not enough memory; a smaller picture or fewer particles need less");

@@ -12,6 +12,7 @@
 #include "app/run_table.h"
 #include "app/samples_csv.h"
 #include "util/diagnostics.h"
+#include "util/interrupt.h"
 
 namespace carom {
 namespace {
@@ -60,6 +61,18 @@ void tell(const RunArguments& arguments, const std::string& text) {
     Output("-").write(text);
 }
 
+// A table that goes to a stream is there as far as it went.
+template <typename Work>
+auto telling_what_is_left(const std::optional<Output>& stream, const Work& work) {
+    try {
+        return work();
+    } catch (const Interrupted&) {
+        const std::string left = stream ? stream->left_behind() : "";
+        if (left.empty()) throw;
+        throw Interrupted(left);
+    }
+}
+
 // The outputs before the work: it may not be allowed to write them.
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
@@ -76,8 +89,11 @@ void run_scene(const RunArguments& arguments) {
         };
     Progress progress(Progress::fitting_form(arguments.quiet),
                       fs::path(arguments.scene).stem().string());
-    const RunReport report = run_physics(scene, take, progress);
-    if (table) table->finish();
+    const RunReport report = telling_what_is_left(csv, [&] {
+        const RunReport whole = run_physics(scene, take, progress);
+        if (table) table->finish();
+        return whole;
+    });
     if (json) json->write(run_json(scene, report));
     if (csv) csv->commit();
     if (json) json->commit();

@@ -48,6 +48,7 @@ Output::~Output() {
 
 void Output::write(std::string_view text) {
     if (file_) return file_->write(text);
+    streamed_ = streamed_ || !text.empty();
     while (!text.empty()) {
         const ssize_t written = ::write(descriptor_, text.data(), text.size());
         if (written < 0 && errno == EINTR) {  // a reader that does not read must not hold Ctrl-C
@@ -57,6 +58,11 @@ void Output::write(std::string_view text) {
         if (written <= 0) fail(path_);
         text.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+std::string Output::left_behind() const {
+    if (!streamed_) return "";
+    return (is_standard_output(path_) ? "standard output" : path_) + " holds only a part";
 }
 
 void Output::commit() {

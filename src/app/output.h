@@ -22,6 +22,10 @@ class Output {
     void write(std::string_view text);  ///< all of it, or SystemError
     void commit();                      ///< a file gets its name; SystemError if it cannot
 
+    /// What stands in a stream although the work was stopped; empty: nothing, or a file that will
+    /// not appear.
+    std::string left_behind() const;
+
     static bool is_standard_output(std::string_view path) { return path == "-"; }
 
   private:
@@ -29,6 +33,7 @@ class Output {
     std::optional<AtomicFile> file_;
     int descriptor_ = -1;  ///< of a stream, when there is no file
     bool owned_ = false;
+    bool streamed_ = false;  ///< something went to a stream
 };
 
 }  // namespace carom

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace carom {
 
-/// Thrown where work stops because the user asked for it (exit code 130).
+/// Thrown where work stops because the user asked for it (exit code 130). Says what is left of it.
 class Interrupted : public std::runtime_error {
   public:
-    Interrupted() : std::runtime_error("interrupted") {}
+    explicit Interrupted(const std::string& left = "nothing was written")
+        : std::runtime_error("interrupted; " + left) {}
 };
 
 /// Sets the flag on SIGINT and SIGTERM, and ignores SIGXFSZ and SIGPIPE, so that a full disk or a

@@ -84,6 +84,25 @@ TEST_CASE("a wire has a line fraction") {
 }
 
 // 20,000 collisions scatter by less than 1 %, theory is off by as much.
+TEST_CASE("estimates are plain numbers of two digits") {
+    const auto collisions = [](const std::string& until) {
+        const Outcome outcome =
+            run({program, "check", (root / "scenes/bonkers-mixture.yaml").string(), "--set",
+                 "run.until=" + until, "--set", "film.seconds=1", "--set",
+                 "run.sample_every=" + until});
+        CHECK(outcome.exit_code == 0);
+        const std::size_t begin = outcome.out.find("collisions");
+        return outcome.out.substr(begin, outcome.out.find('\n', begin) - begin);
+    };
+    // 1,500 in a time of 300, 2/9 of them for each of nine beads
+    CHECK(collisions("300").find("about 1\u2009500 between particles, 330 for each") !=
+          std::string::npos);
+    CHECK(collisions("30000").find(", 33\u2009000 for each") != std::string::npos);
+    CHECK(collisions("3").find("about 15 between particles, 3.3 for each") != std::string::npos);
+    CHECK(collisions("0.003").find("0.015 between particles, less than 0.01 for each") !=
+          std::string::npos);
+}
+
 TEST_CASE("a gas in equilibrium collides as often as carom check expects") {
     const std::string scene =
         "box: {size: [60, 45], walls: periodic}\n"

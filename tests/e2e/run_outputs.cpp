@@ -143,6 +143,30 @@ TEST_CASE("Ctrl-C ends a run with exit code 130; earlier files stay and no part 
     }
 }
 
+TEST_CASE("an interrupted table on a stream is said to be a part") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", "title: T\n" + small_gas);
+    const std::string carom = "'" + program +
+                              "' run scene.yaml --quiet --set run.until=1e9 --set "
+                              "run.sample_every=1000 ";
+    const auto stopped = [&](const std::string& options) {
+        return shell(carom + options + " & sleep 0.5; kill -INT $!; wait $!", folder.path());
+    };
+    const Outcome table = stopped("--csv -");
+    CHECK(table.exit_code == 130);
+    CHECK(table.out.starts_with("time,particle,"));
+    CHECK(table.err == "carom: interrupted; standard output holds only a part\n");
+    const Outcome device = stopped("--csv /dev/null");
+    CHECK(device.exit_code == 130);
+    CHECK(device.err == "carom: interrupted; /dev/null holds only a part\n");
+    for (const std::string& options : std::vector<std::string>{"--json -", "--csv a.csv", ""}) {
+        CAPTURE(options);
+        const Outcome nothing = stopped(options);
+        CHECK(nothing.out.empty());
+        CHECK(nothing.err == "carom: interrupted; nothing was written\n");
+    }
+}
+
 TEST_CASE("on a terminal a bar tells how far a long run has come") {
     if (!is_installed("script")) {
         MESSAGE("no `script` here to play the terminal: the bar is not tested");

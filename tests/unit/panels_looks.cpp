@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "draw/palette.h"
+#include "panels/bead_words.h"
 #include "panels/frame.h"
 #include "scene/load.h"
 #include "support/pixels.h"
@@ -15,11 +16,13 @@ namespace {
 
 Scene scene_of(const std::string& gas, const std::string& film,
                const std::string& box = "size: [40, 40]") {
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas +
-                               "]\nrun: {until: 4}\nfilm: {seconds: 1, theme: dark, template: "
-                               "wide-gas, size: [640, 720], " +
-                               film + "}\n",
-                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+    return load_scene_text(
+        "title: T\nbox: {" + box + "}\ngas: [" + gas +
+            "]\nrun: {until: 4}\nfilm: {seconds: 1, theme: dark, size: "
+            "[640, 720], " +
+            (film.find("template") == std::string::npos ? "template: wide-gas, " : "") + film +
+            "}\n",
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
 }
 
 // The first frame of a scene.
@@ -122,4 +125,74 @@ TEST_CASE("the colours of speed classes in NetLogo's models stand out from every
         for (const double share : {0.0, 0.5, 1.0})
             CHECK(contrast(netlogo_map(colors.dark).at(share), colors.ground) >= 3.0);
     }
+}
+
+TEST_CASE("a number on a bead may be shorter by a digit") {
+    CHECK(shorter_number("8.18") == "8.2");
+    CHECK(shorter_number("0.909") == "0.91");
+    CHECK(shorter_number("0.91") == "0.9");
+    CHECK(shorter_number("0.9") == "0.9");
+    CHECK(shorter_number("12") == "12");
+    CHECK(shorter_number("∞") == "∞");
+    CHECK(shorter_number("1.23×10⁷") == "1.23×10⁷");
+}
+
+TEST_CASE("a title that would be cut gives way to a shorter one") {
+    DiskPainter disks;
+    const Theme& colors = theme(ThemeKind::dark);
+    const std::vector<std::string> titles{"Position and velocity of particles 2, 3 and 5",
+                                          "particles 2, 3 and 5", "particles"};
+    const auto in = [&](double width) {
+        return fitting_title({{0, 0, width, 200}, 16.0, colors, disks}, titles);
+    };
+    CHECK(in(500) == titles[0]);
+    CHECK(in(200) == titles[1]);
+    CHECK(in(100) == titles[2]);
+    CHECK(in(10) == titles[2]);  // the last is cut
+}
+
+// Wherever the mean is in the range.
+TEST_CASE("the means' names keep clear of their marks") {
+    const std::uint32_t ink = to_pixel(theme(ThemeKind::dark).ink) & 0xFFFFFF;
+    const std::uint32_t page = to_pixel(theme(ThemeKind::dark).page) & 0xFFFFFF;
+    int seen = 0;
+    for (int step = 0; step < 120; ++step) {
+        const bool narrow = step % 2 == 1;  // with no room for names beside a mark in the middle
+        const double top = 1.05 * std::pow(1.02, step);
+        CAPTURE(top);
+        CAPTURE(narrow);
+        // One bar of 400, far beyond the axis; the mark of its mean stands beside it.
+        Scene scene = scene_of("{count: 400, radius: 0.1, speed: 1}",
+                               std::string("template: ") + (narrow ? "square" : "lecture") +
+                                   ", panels: [{kind: speed-histogram, theory: false, range: [0, " +
+                                   std::to_string(top) + "], bins: 1000}]");
+        scene.film.size = {narrow ? 900 : 1600, 900};
+        const Picture picture(std::move(scene));
+        const Observers::Placed& placed = picture.observers.panels().back();
+        DiskPainter disks;
+        const Grid grid(picture.scene.film.layout, picture.scene.film.size);
+        const Rect area =
+            plot_area({grid.place(placed.slot), grid.unit(), theme(ThemeKind::dark), disks});
+        const int x = static_cast<int>(std::lround(area.x + area.width / top));
+        const auto at = [&](int column, int row) {
+            return picture.view.data[row * picture.view.stride + column] & 0xFFFFFF;
+        };
+        // From the middle up along the mark, as far as it goes.
+        int row = static_cast<int>(area.y + 0.5 * area.height);
+        const int middle = row;
+        const auto is_mark = [&](int y) {
+            for (int near = x - 2; near <= x + 2; ++near)
+                if (at(near, y) == ink) return true;
+            return false;
+        };
+        while (row > 0 && is_mark(row)) --row;
+        REQUIRE(row < middle);
+        for (int y = row + 1; y < middle; ++y)
+            for (const int column : {x - 8, x - 7, x - 6, x - 5, x + 5, x + 6, x + 7, x + 8}) {
+                if (column >= static_cast<int>(area.right())) continue;
+                REQUIRE(at(column, y) == page);
+                ++seen;
+            }
+    }
+    CHECK(seen > 1000);
 }

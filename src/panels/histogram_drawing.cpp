@@ -61,6 +61,17 @@ double HistogramPanel::names_width(const Page& page) const {
     return std::max(usual, measure_text(longest, label_style(page)).width + 0.7 * page.unit);
 }
 
+// Whether the equilibrium curve, and so the bars in the long run, leave room under the names.
+bool HistogramPanel::is_low_right_of(const Rect& area, double x, const Page& page) const {
+    constexpr double height_of_names = 2.8;  // units
+    const double room = height_of_names * page.unit / area.height * tallest_;
+    const double from = bins_.low + (bins_.high - bins_.low) * (x - area.x) / area.width;
+    for (const Series& one : series_)
+        for (const Point& point : one.curve)
+            if (point.x >= from && point.y > tallest_ - room) return false;
+    return true;
+}
+
 // Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
 // means are far right, or over the bars where neither keeps clear of the marks.
 HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
@@ -74,7 +85,8 @@ HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
         highest = std::max(highest, x(one.highest_mean));
     }
     const double clear = 0.8 * page.unit, width = names_width(page);
-    if (highest < area.right() - width - clear) return NamesPlace::right;
+    if (highest < area.right() - width - clear && is_low_right_of(area, area.right() - width, page))
+        return NamesPlace::right;
     return lowest > area.x + page.unit + width + clear ? NamesPlace::left : NamesPlace::above;
 }
 
@@ -205,7 +217,7 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
     if (above < least) above = 0.0;
     const Scales s = scales(page);
     const double top = s.area.y + 0.8 * page.unit;
-    if (fills_the_middle()) {  // each at its own end
+    if (names_place(page) == NamesPlace::above) {  // each at its own end
         const std::string higher = count_words(above) + " →";
         const double width = measure_text(higher, label_style(page)).width;
         if (below > 0.0)
@@ -234,6 +246,12 @@ Point HistogramPanel::name_place(const Page& page, int index) const {
     if (names_place(page) != NamesPlace::above)
         return {names_x(page), area.y + (0.8 + 1.4 * index) * page.unit};
     const Point row = row_above(page, std::max(0, rows_above(page) - 1));
+    if (series_.size() == 1) {  // that of the present at the left, that of the start at the right
+        constexpr double width_of_first = 8.8;  // units
+        const double second = area.right() - names_width(page);
+        const double first = std::min(row.x, second - width_of_first * page.unit);
+        return {index == 0 ? std::max(page.area.x, first) + 0.2 * page.unit : second, row.y};
+    }
     const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
     return {row.x + 0.2 * page.unit + index * area.width / shown, row.y};
 }
@@ -286,9 +304,11 @@ void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t seri
     const std::string whose = series_.size() == 1
                                   ? "normal curve"
                                   : escape_markup(name_of(cast_, series_[series].chosen));
-    draw_text(canvas, row_above(page, static_cast<int>(series)),
-              fmt::format("{}: mean {}, deviation {}", whose, three_digits(now.mean),
-                          three_digits(now.deviation)),
+    const std::string numbers_of_it =
+        fmt::format("mean {}, deviation {}", three_digits(now.mean), three_digits(now.deviation));
+    const std::string whole = whose + ": " + numbers_of_it;  // without the name the colour tells
+    const bool fits = measure_text(whole + "00", label_style(page)).width <= style.max_width;
+    draw_text(canvas, row_above(page, static_cast<int>(series)), fits ? whole : numbers_of_it,
               style);
 }
 

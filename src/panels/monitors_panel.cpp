@@ -79,7 +79,7 @@ void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color co
 // Where each number stands, and how large: as large as the area allows, in one row or several.
 struct MonitorsPanel::Row {
     Rect area;
-    std::size_t columns;
+    std::size_t shown, columns;
     double spacing, size, height;  // of text and rows as multiples of the smallest
     double unit;
     double label_size() const { return std::min(size, 1.6); }
@@ -87,29 +87,38 @@ struct MonitorsPanel::Row {
     double baseline() const { return label_baseline() + 1.9 * size * unit; }
 };
 
-MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
-    Rect area = page.area;
-    if (title_) {
-        area.y += 2.0 * page.unit;
-        area.height -= 2.0 * page.unit;
-    }
-    const std::size_t count = numbers_.size();
-    Row best{area, count, 0.0, 0.0, 0.0, page.unit};
+// Of the first `count` numbers.
+MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) const {
+    Row best{area, count, count, 0.0, 0.0, 0.0, unit};
     for (std::size_t rows = 1; rows <= count; ++rows) {
         const std::size_t columns = (count + rows - 1) / rows;
         double width = widest_column * static_cast<double>(columns);
         if (count == 1) width = widest_number;
         if (rows == 1 && count > 1) {
             width = 0.0;
-            for (const Monitor number : numbers_) width += column(number).width;
+            for (std::size_t i = 0; i < count; ++i) width += column(numbers_[i]).width;
         }
-        const double across = area.width / page.unit / width;
-        const double height = area.height / page.unit / static_cast<double>(rows);
+        const double across = area.width / unit / width;
+        const double height = area.height / unit / static_cast<double>(rows);
         const double size = std::min(across, (height - 1.6) / 2.3);
         if (rows == 1 || (size > best.size && best.size < 1.0))
-            best = {area, columns, across, size, height, page.unit};
+            best = {area, count, columns, across, size, height, unit};
     }
+    return best;
+}
+
+// As many of the numbers as there is room for, from the first on.
+MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
+    Rect area = page.area;
+    if (title_) {
+        area.y += 2.0 * page.unit;
+        area.height -= 2.0 * page.unit;
+    }
+    constexpr double tightest = 0.85;  // the widths of columns have some air
     constexpr double loosest = 1.35;
+    std::size_t count = numbers_.size();
+    while (count > 1 && row_of(area, page.unit, count).spacing < tightest) --count;
+    Row best = row_of(area, page.unit, count);
     best.size = std::max(1.0, best.size);
     best.spacing = std::min(best.spacing, loosest * best.size);
     return best;
@@ -119,8 +128,8 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
     const std::size_t first = index - index % row.columns;
     double x = row.area.x;
     for (std::size_t i = first; i < index; ++i)
-        x += (row.columns < numbers_.size() ? widest_column : column(numbers_[i]).width) *
-             row.spacing * row.unit;
+        x += (row.columns < row.shown ? widest_column : column(numbers_[i]).width) * row.spacing *
+             row.unit;
     return {x, row.area.y + row.height * row.unit * static_cast<double>(index / row.columns)};
 }
 
@@ -157,7 +166,7 @@ void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
     const Row rows = row(page);
     TextStyle style = label_style(page);
     style.size = 1.035 * rows.label_size() * page.unit;
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
         draw_text(canvas, {at.x, at.y + rows.label_baseline()}, column(numbers_[i]).label, style);
     }
@@ -190,7 +199,7 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
     const Row rows = row(page);
     TextStyle style = title_style(page);
     style.size = 1.53 * rows.size * page.unit;
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();
         draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);

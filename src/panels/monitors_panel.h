@@ -24,6 +24,7 @@ class MonitorsPanel : public Panel {
   private:
     struct Row;
     Row row(const Page& page) const;
+    Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  ///< its top left corner
     std::string text(const PanelState& state, Monitor number) const;
 

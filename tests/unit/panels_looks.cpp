@@ -196,3 +196,17 @@ TEST_CASE("the means' names keep clear of their marks") {
     }
     CHECK(seen > 1000);
 }
+
+TEST_CASE("as many numbers stand in a row as it has room for") {
+    const auto drawn = [](double width, const std::vector<Monitor>& numbers) {
+        Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+        scene.film.layout.monitors = Slot{1, 1, width, 3.8};
+        scene.film.monitors = numbers;
+        return Picture(std::move(scene)).pixels();
+    };
+    const std::vector<Monitor> two{Monitor::time, Monitor::mean_speed};
+    CHECK(drawn(7.4, {}) == drawn(7.4, {Monitor::time}));
+    CHECK(drawn(7.4, two) == drawn(7.4, {Monitor::time}));
+    CHECK(drawn(20, two) != drawn(20, {Monitor::time}));
+    CHECK(drawn(1, two) == drawn(1, {Monitor::time}));  // one is always there
+}

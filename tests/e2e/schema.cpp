@@ -55,9 +55,12 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"overlap", several_places},
     {"overlap_around", several_places},
     {"packing", several_places},
+    {"panels_range", several_places},
     {"radius_too_large", several_places},
     {"sample_every", several_places},
+    {"template_hidden", other_file},
     {"template_link", other_file},
+    {"template_slots", other_file},
     {"theory_alone", several_places},  // `theory` against what is in the gas
     {"theory_at_rest", several_places},
     {"theory_drifts", several_places},

@@ -49,6 +49,11 @@ TEST_CASE("places that are no regular grid are taken as they are") {
     const std::vector<Slot> two = shared_slots(slots, 2);
     REQUIRE(two.size() == 2);
     check_slot(two[1], slots[1]);
+    std::vector<Slot> four = grid_of_four;
+    four[3].width = 5;  // as many as a grid has, and none
+    const std::vector<Slot> three = shared_slots(four, 3);
+    REQUIRE(three.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) check_slot(three[i], four[i]);
 }
 
 TEST_CASE("words are broken at spaces, no line is too long but the last, and none is lost") {

@@ -91,6 +91,8 @@ TEST_CASE("small pictures of the scenes are as they were") {
     compare("mixed-masses", "30", "dark");
     compare("time-reversal", "3", "dark");
     compare("time-reversal", "24", "print");
+    compare("two-to-one", "6", "light");
+    compare("tonks-gas", "40", "dark");
     compare("wire", "9", "dark");
     compare("ring", "14", "light");
 }

@@ -9,6 +9,7 @@
 #include "panels/frame.h"
 #include "panels/velocity_arrows.h"
 #include "scene/load.h"
+#include "support/shot.h"
 
 using namespace carom;
 
@@ -135,6 +136,7 @@ TEST_CASE("arrows end a little beyond a wall, and come in again through a joined
     const double beyond = 0.7 * solid.unit() / solid.scale();
     CHECK(std::abs(cut.right - 40.0 - beyond) < 3.0 / solid.scale());
     CHECK(cut.left > 35.0);
+    CHECK(cut.highest - cut.lowest > 0.5 * solid.unit() / solid.scale());  // the head is there
     const Shot joined(disk("[36, 20]", "[2, 0]"), "velocities: 5, theme: dark",
                       "size: [40, 40], walls: periodic");
     const Extent around = joined.ink();
@@ -175,4 +177,26 @@ TEST_CASE("beads have their arrows in a row below the wire, and a ring joins its
                   3.0 * pixel);
         }
     }
+}
+
+TEST_CASE("a bead that has gone round a ring has its arrow still") {
+    // From 36 on a ring of 40 three times round in the film.
+    const test::Shot film(load_scene_text(
+        "title: T\nbox: {length: 40, walls: periodic}\ngas: [{count: 1, radius: 1, color: teal, "
+        "position: 36, velocity: 30}]\nrun: {until: 4}\nfilm: {seconds: 4, template: wide-gas, "
+        "size: [1600, 1800], theme: dark, color_by: species, velocities: 0.1}\n",
+        "test", std::string(CAROM_TEST_ROOT) + "/templates"));
+    FramePainter painter(film.scene, *film.observers);
+    const auto ink = [&](const FrameData& frame) {
+        const PixelView view = painter.paint(frame).pixels();
+        const std::uint32_t color = to_pixel(theme(ThemeKind::dark).ink) & 0xFFFFFF;
+        int count = 0;
+        for (int y = 0; y < view.height; ++y)
+            for (int x = 0; x < view.width; ++x)
+                count += (view.data[y * view.stride + x] & 0xFFFFFF) == color;
+        return count;
+    };
+    const int start = ink(film.frames.front()), end = ink(film.frames.back());
+    CHECK(start > 500);
+    CHECK(std::abs(end - start) < 50);
 }

@@ -339,6 +339,25 @@ TEST_CASE("a template that links out of the scene's folder is refused") {
     }
 }
 
+TEST_CASE("a scene's pace wins over its template's seconds") {
+    const TemporaryFolder folder;
+    folder.write("slow.yaml", "seconds: 20\n" + small_layout);
+    folder.write("scene.yaml",
+                 scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: slow, pace: 2}\n"));
+    folder.write("other.yaml",
+                 scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: slow}\n"));
+    CHECK(load_scene(folder.path() / "scene.yaml", root / "templates").film.seconds == 5.0);
+    CHECK(load_scene(folder.path() / "other.yaml", root / "templates").film.seconds == 20.0);
+}
+
+TEST_CASE("a template may ask for curves that not every gas has") {
+    const TemporaryFolder folder;
+    folder.write("curves.yaml", "panels: [{kind: speed-histogram, theory: true}]\n" + small_layout);
+    folder.write("scene.yaml",
+                 scene_with("{count: 1}", "run: {until: 10}\nfilm: {template: curves}\n"));
+    CHECK(load_scene(folder.path() / "scene.yaml", root / "templates").film.panels.size() == 1);
+}
+
 TEST_CASE("a template laid over a scene shows as many of its panels as it has places") {
     const auto loaded = [](const std::string& text, const Overrides& overrides) {
         return load_scene_text(text, "test", root / "templates", overrides);

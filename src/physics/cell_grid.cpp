@@ -91,6 +91,7 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
                Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
     fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
                        static_cast<std::size_t>(rows_ + 1));
+    // Of two in neighbouring cells, less than two cells apart, the nearest image is the one meant.
     plain_ = !has_large_ && (!periodic_x || columns_ >= 5) && (!periodic_y || rows_ >= 5);
     const auto around = [](const Axis& axis, std::int32_t stride) {
         std::vector<std::int32_t> cells;
@@ -176,12 +177,11 @@ void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
 }
 
 void CellGrid::fetch_ahead(Cell cell) const {
-    const std::int32_t first_row = std::max(0, cell[1] - 1);
-    const std::int32_t last_row = std::min(rows_ - 1, cell[1] + 1);
-    for (std::int32_t row = first_row; row <= last_row; ++row)
-        __builtin_prefetch(
-            &fine_slots_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
-                         cell[0]]);
+    const std::int32_t* const columns = &column_around_[cell[0]];
+    const std::int32_t* const rows = &row_around_[cell[1]];
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const std::int32_t column : {columns[0], columns[2]})
+            __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);
 }
 
 }  // namespace carom

@@ -1,8 +1,11 @@
 // carom render: the films of scenes.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
+#include <system_error>
 
 #include "app/command.h"
 #include "app/pipeline.h"
@@ -26,13 +29,47 @@ Quality quality_of(const std::string& name) {
     return name == "final" ? Quality::final_ : Quality::standard;
 }
 
+constexpr std::array video_extensions = {".mp4"};
+
+bool is_video(const std::string& output) {
+    return std::ranges::find(video_extensions, fs::path(output).extension()) !=
+           video_extensions.end();
+}
+
+// Frames never go among other files: whose they are could not be told afterwards.
+void refuse_used_folder(const std::string& output, const std::string& scene) {
+    std::error_code error;  // a name that cannot be looked at will be told when it is written
+    if (!fs::is_directory(output, error)) return;
+    if (!fs::is_empty(output, error) && !error)
+        throw UsageError(
+            fmt::format("-o {}: numbered frames go into a new or empty folder, and this one holds "
+                        "files; for a film in it write -o {}{}.mp4",
+                        output, output, fs::path(scene).stem().string()));
+    if (is_same_file(output, "."))
+        throw UsageError(fmt::format(
+            "-o {}: this is the working folder; name a new one for the frames", output));
+}
+
 fs::path film_path(const RenderArguments& arguments, const std::string& scene) {
-    return output_path(arguments.output, arguments.scenes.size() > 1, scene, ".mp4");
+    const std::string& output = arguments.output;
+    const bool several = arguments.scenes.size() > 1;
+    std::error_code error;
+    if (several || output.empty() || (!output.ends_with('/') && fs::is_directory(output, error)))
+        return output_path(output, several, scene, ".mp4");
+    if (output.ends_with('/')) {
+        refuse_used_folder(output, scene);
+        return output;
+    }
+    if (!is_video(output) && !is_same_file(output, scene))
+        throw UsageError(
+            fmt::format("-o {}: a film ends in {}; a folder of PNG frames ends in a slash", output,
+                        fmt::join(video_extensions, ", ")));
+    return output_path(output, false, scene, fs::path(output).extension().string());
 }
 
 void refuse_same_outputs(const RenderArguments& arguments) {
     const bool several = arguments.scenes.size() > 1;
-    if (several && fs::path(arguments.output).extension() == ".mp4")
+    if (several && is_video(arguments.output))
         throw UsageError(fmt::format("-o {}: several scenes are written into a folder; name one",
                                      arguments.output));
     std::set<fs::path> outputs;
@@ -107,7 +144,8 @@ void add_render(CLI::App& app) {
     const auto arguments = std::make_shared<RenderArguments>();
     command.add_option("scenes", arguments->scenes, "scene files")->required();
     command.add_option("-o,--output", arguments->output,
-                       "the film (.mp4), or a folder; out/SCENE.mp4 if not given");
+                       "the film (.mp4), an existing folder for it, or a new folder with a slash "
+                       "for its frames as PNG (frames/); out/SCENE.mp4 if not given");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);
     add_shortcut(command, *arguments, "--fps", "film.fps", "frames a second");

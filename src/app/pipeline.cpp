@@ -58,9 +58,9 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     const double begun = seconds_of(CLOCK_MONOTONIC);
     const double cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     Simulation simulation = simulate(scene);
-    const VideoSettings settings = video_settings(scene, options.quality);
-    VideoWriter writer(options.output,
-                       settings);  // before the work: it may not be allowed to write
+    // Before the work: it may not be allowed to write.
+    const std::unique_ptr<FilmWriter> writer = film_writer(
+        options.output, video_settings(scene, options.quality), frame_count(scene.film));
 
     const std::vector<Tick> ticks = timeline(scene);
     Observers observers(scene, simulation.particles(), simulation.sample());
@@ -71,9 +71,9 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     RenderReport report;
     report.path = options.output;
     report.frames = static_cast<int>(ticks.size());
-    SegmentWorkers workers(scene, observers, settings,
+    SegmentWorkers workers(scene, observers,
                            segment_starts(report.frames, simulation.particles().count()),
-                           options.threads, writer, progress);
+                           options.threads, *writer, progress);
     for (const Tick& tick : ticks) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);
@@ -83,10 +83,10 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     report.simulate_seconds = seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_begun;
     const WorkerSeconds seconds = workers.finish();
     throw_if_interrupted();
-    writer.commit();
+    writer->commit();
     progress.finish();
 
-    report.bytes = writer.bytes();
+    report.bytes = writer->bytes();
     report.draw_seconds = seconds.draw;
     report.encode_seconds = seconds.encode;
     report.wall_seconds = seconds_of(CLOCK_MONOTONIC) - begun;

@@ -12,7 +12,7 @@
 namespace carom {
 
 struct RenderOptions {
-    std::filesystem::path output;  ///< .mp4
+    std::filesystem::path output;  ///< as film_writer() reads it
     Quality quality = Quality::standard;
     int threads = 1;
 };

@@ -26,11 +26,10 @@ std::size_t weight(const FrameData& data) { return data.bytes + frame_overhead_b
 }  // namespace
 
 SegmentWorkers::SegmentWorkers(const Scene& scene, const Observers& observers,
-                               const VideoSettings& settings, std::vector<int> starts, int threads,
-                               VideoWriter& writer, Progress& progress)
+                               std::vector<int> starts, int threads, FilmWriter& writer,
+                               Progress& progress)
     : scene_(scene),
       observers_(observers),
-      settings_(settings),
       writer_(writer),
       progress_(progress),
       starts_(std::move(starts)) {
@@ -110,7 +109,7 @@ void SegmentWorkers::work() {
 
 void SegmentWorkers::draw_segment(std::size_t index, FramePainter& painter,
                                   WorkerSeconds& seconds) {
-    SegmentEncoder encoder(settings_);
+    std::unique_ptr<FilmSegment> segment = writer_.segment(starts_[index]);
     FrameData data;
     for (int i = 0; i < segments_[index].frames; ++i) {
         throw_if_interrupted();
@@ -118,15 +117,15 @@ void SegmentWorkers::draw_segment(std::size_t index, FramePainter& painter,
         const double begun = thread_seconds();
         const Canvas& canvas = painter.paint(data);
         const double drawn = thread_seconds();
-        encoder.add(canvas.pixels());
+        segment->add(canvas);
         seconds.draw += drawn - begun;
         seconds.encode += thread_seconds() - drawn;
         progress_.advance();
     }
     const double begun = thread_seconds();
-    EncodedSegment encoded = encoder.finish();
+    segment->finish();
     seconds.encode += thread_seconds() - begun;
-    join(index, std::move(encoded));
+    join(index, std::move(segment));
 }
 
 bool SegmentWorkers::take(std::size_t index, FrameData& data) {
@@ -141,10 +140,9 @@ bool SegmentWorkers::take(std::size_t index, FrameData& data) {
     return true;
 }
 
-void SegmentWorkers::join(std::size_t index, EncodedSegment encoded) {
+void SegmentWorkers::join(std::size_t index, std::unique_ptr<FilmSegment> segment) {
     const std::scoped_lock lock(mutex_);
-    encoded_.add(index, std::move(encoded),
-                 [this](EncodedSegment segment) { writer_.append(std::move(segment)); });
+    encoded_.add(index, std::move(segment), [](std::unique_ptr<FilmSegment> due) { due->join(); });
     changed_.notify_all();
 }
 

@@ -25,19 +25,43 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+std::string pattern_beside(const fs::path& path) {
+    return (folder_of(path) / ("." + path.filename().string() + ".XXXXXX")).string();
+}
+
+void create_folder_of(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(folder_of(path), error);
+    if (error) fail("create the folder", folder_of(path), error.value());
+}
+
 int create_beside(const fs::path& path, fs::path& temporary) {
-    std::string name = (folder_of(path) / ("." + path.filename().string() + ".XXXXXX")).string();
+    std::string name = pattern_beside(path);
     const int descriptor = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0) fail("write", path);
     temporary = name;
     return descriptor;
 }
 
-// mkstemp makes a private file; the finished one has the rights any new file would have.
-void give_usual_rights(int descriptor) {
+// mkstemp and mkdtemp make what is private; the finished one has the rights any new one would have.
+mode_t usual_rights(mode_t all) {
     const mode_t mask = umask(0);
     umask(mask);
-    fchmod(descriptor, 0666 & ~mask);
+    return all & ~mask;
+}
+
+void write_all(int descriptor, std::span<const std::uint8_t> bytes, const fs::path& path) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) fail("write", path, written == 0 ? ENOSPC : errno);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+// Some file systems cannot sync, which loses nothing but safety; an error of writing is one.
+void sync_file(int descriptor, const fs::path& path) {
+    if (fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) fail("write", path);
 }
 
 void sync_folder(const fs::path& folder) {
@@ -53,11 +77,9 @@ void sync_folder(const fs::path& folder) {
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
     std::error_code error;
     if (fs::is_directory(path_, error)) fail("write", path_, EISDIR);
-    error.clear();
-    fs::create_directories(folder_of(path_), error);
-    if (error) fail("create the folder", folder_of(path_), error.value());
+    create_folder_of(path_);
     descriptor_ = create_beside(path_, temporary_);
-    give_usual_rights(descriptor_);
+    fchmod(descriptor_, usual_rights(0666));
 }
 
 AtomicFile::~AtomicFile() {
@@ -66,12 +88,7 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) fail("write", path_, written == 0 ? ENOSPC : errno);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
+    write_all(descriptor_, bytes, path_);
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -98,10 +115,57 @@ std::int64_t AtomicFile::size() const {
 }
 
 void AtomicFile::commit() {
-    if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail("write", path_);
+    sync_file(descriptor_, path_);
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (close(descriptor) != 0) fail("write", path_);
+    if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("write", path_);
+    temporary_.clear();
+    sync_folder(folder_of(path_));
+}
+
+AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {
+    if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at its end
+    std::error_code error;
+    const fs::file_status found = fs::status(path_, error);
+    if (fs::is_directory(found)) {
+        const bool empty = fs::is_empty(path_, error);
+        if (!error && !empty) fail("write", path_, ENOTEMPTY);
+        if (!error) path_ = fs::canonical(path_, error);  // a link to it stays one
+        if (error) fail("write", path_, error.value());
+    } else if (fs::exists(found)) {
+        fail("write", path_, ENOTDIR);
+    }
+    create_folder_of(path_);
+    std::string name = pattern_beside(path_);
+    if (mkdtemp(name.data()) == nullptr) fail("write", path_);
+    temporary_ = name;
+}
+
+AtomicFolder::~AtomicFolder() {
+    std::error_code error;
+    if (!temporary_.empty()) fs::remove_all(temporary_, error);
+}
+
+void AtomicFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
+    const fs::path shown = path_ / name;
+    const int descriptor =
+        open((temporary_ / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail("write", shown);
+    try {
+        write_all(descriptor, bytes, shown);
+        sync_file(descriptor, shown);
+    } catch (...) {
+        close(descriptor);
+        throw;
+    }
+    if (close(descriptor) != 0) fail("write", shown);
+}
+
+// The system renames a folder onto an empty one in a single step, and onto no other.
+void AtomicFolder::commit() {
+    if (chmod(temporary_.c_str(), usual_rights(0777)) != 0) fail("write", path_);
+    sync_folder(temporary_);
     if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("write", path_);
     temporary_.clear();
     sync_folder(folder_of(path_));

@@ -1,9 +1,11 @@
-// A file that appears whole or not at all: written beside its final name, synced, then renamed.
+// A file, or a folder of files, that appears whole or not at all: written beside its final name,
+// synced, then renamed.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace carom {
@@ -34,6 +36,26 @@ class AtomicFile {
     std::filesystem::path path_;
     std::filesystem::path temporary_;
     int descriptor_ = -1;
+};
+
+/// Fills a temporary folder beside `path`; `commit()` gives it its name. It never replaces
+/// anything: only an empty folder may be there already. Destroyed uncommitted, it leaves nothing.
+class AtomicFolder {
+  public:
+    /// Creates the folders above `path` when they are missing. Throws SystemError naming the path
+    /// and the cause.
+    explicit AtomicFolder(std::filesystem::path path);
+    ~AtomicFolder();
+    AtomicFolder(const AtomicFolder&) = delete;
+    AtomicFolder& operator=(const AtomicFolder&) = delete;
+
+    /// A new file in it, synced; or SystemError. From any thread, if every name is given once.
+    void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
+    void commit();  ///< SystemError leaves what is there as it was
+
+  private:
+    std::filesystem::path path_;
+    std::filesystem::path temporary_;
 };
 
 /// Reads a whole file of at most `most` bytes. Throws SystemError (cannot be read; or larger, with

@@ -62,12 +62,12 @@ TEST_CASE("an interruption stops workers that have all their frames") {
     const VideoSettings settings{
         .width = 128, .height = 72, .fps = 30, .quality = Quality::draft, .metadata = {}};
     {
-        VideoWriter writer(folder.path() / "film.mp4", settings);
+        const auto writer =
+            film_writer(folder.path() / "film.mp4", settings, frame_count(scene.film));
         Progress silent(Progress::Form::silent, "");
         const int frames = frame_count(scene.film);
         set_interrupted(true);
-        SegmentWorkers workers(scene, observers, settings, segment_starts(frames, 5), 2, writer,
-                               silent);
+        SegmentWorkers workers(scene, observers, segment_starts(frames, 5), 2, *writer, silent);
         const auto whole_film = [&] {
             for (int i = 0; i < frames; ++i)
                 workers.frame(observers.frame_data(ticks.front(), simulation.sample(), passage));
@@ -91,11 +91,9 @@ TEST_CASE("a worker's error reaches the caller") {
     // The encoder is told another size than the frames have.
     const VideoSettings wrong{
         .width = 0, .height = 0, .fps = 30, .quality = Quality::draft, .metadata = {}};
-    const VideoSettings right{
-        .width = 128, .height = 72, .fps = 30, .quality = Quality::draft, .metadata = {}};
-    VideoWriter writer(folder.path() / "film.mp4", right);
+    const auto writer = film_writer(folder.path() / "film.mp4", wrong, 1);
     Progress silent(Progress::Form::silent, "");
-    SegmentWorkers workers(scene, observers, wrong, {0, 1}, 1, writer, silent);
+    SegmentWorkers workers(scene, observers, {0, 1}, 1, *writer, silent);
     CHECK_THROWS_AS(workers.finish(), std::exception);
 }
 
@@ -136,11 +134,11 @@ TEST_CASE("a film that cannot be written to its end stops all workers, wherever 
     small.rlim_cur = 10'000;
     setrlimit(RLIMIT_FSIZE, &small);
     for (int round = 0; round < 10; ++round) {
-        VideoWriter writer(folder.path() / "film.mp4", settings);
+        const auto writer =
+            film_writer(folder.path() / "film.mp4", settings, frame_count(scene.film));
         Progress silent(Progress::Form::silent, "");
         const int frames = frame_count(scene.film);
-        SegmentWorkers workers(scene, observers, settings, segment_starts(frames, 1), 8, writer,
-                               silent);
+        SegmentWorkers workers(scene, observers, segment_starts(frames, 1), 8, *writer, silent);
         const auto whole_film = [&] {
             for (int i = 0; i < frames; ++i)
                 workers.frame(observers.frame_data(ticks.front(), simulation.sample(), passage));

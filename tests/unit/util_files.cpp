@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "support/files.h"
 #include "util/atomic_file.h"
@@ -34,6 +35,47 @@ TEST_CASE("an atomic file appears whole, or not at all and the earlier one stays
 TEST_CASE("a folder in the place of the file is a clear error") {
     const TemporaryFolder folder;
     CHECK_THROWS_WITH_AS(AtomicFile(folder.path()), doctest::Contains("Is a directory"),
+                         SystemError);
+}
+
+TEST_CASE("an atomic folder appears whole, or not at all") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "above" / "frames";
+    const std::vector<std::uint8_t> bytes{1, 2, 3};
+    {
+        AtomicFolder frames(path / "");
+        frames.write("a", bytes);
+        CHECK_FALSE(fs::exists(path));
+    }
+    CHECK(fs::is_empty(path.parent_path()));
+    {
+        AtomicFolder frames(path / "");
+        frames.write("a", bytes);
+        frames.write("b", bytes);
+        frames.commit();
+    }
+    CHECK(contents(path / "a") == "\1\2\3");
+    CHECK(std::distance(fs::directory_iterator(path), {}) == 2);
+    CHECK(std::distance(fs::directory_iterator(path.parent_path()), {}) == 1);
+    fs::create_directory(folder.path() / "usual");
+    CHECK(fs::status(path).permissions() == fs::status(folder.path() / "usual").permissions());
+}
+
+TEST_CASE("an atomic folder replaces nothing, also what came while it was filled") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "frames";
+    fs::create_directory(path);
+    {
+        AtomicFolder frames(path);
+        frames.write("a", {});
+        std::ofstream(path / "mine") << "mine";
+        CHECK_THROWS_WITH_AS(frames.commit(), doctest::Contains("Directory not empty"),
+                             SystemError);
+    }
+    CHECK_THROWS_WITH_AS(AtomicFolder{path}, doctest::Contains("Directory not empty"), SystemError);
+    CHECK(contents(path / "mine") == "mine");
+    CHECK(folder.names() == std::vector<std::string>{"frames"});
+    CHECK_THROWS_WITH_AS(AtomicFolder{path / "mine"}, doctest::Contains("Not a directory"),
                          SystemError);
 }
 

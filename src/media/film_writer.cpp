@@ -1,0 +1,85 @@
+#include "media/film_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "util/atomic_file.h"
+
+namespace carom {
+namespace {
+
+class VideoFilm : public FilmWriter {
+  public:
+    VideoFilm(const std::filesystem::path& path, const VideoSettings& settings)
+        : settings_(settings), writer_(path, settings) {}
+
+    std::unique_ptr<FilmSegment> segment(int) override {
+        return std::make_unique<Segment>(settings_, writer_);
+    }
+    void commit() override { writer_.commit(); }
+    std::int64_t bytes() const override { return writer_.bytes(); }
+
+  private:
+    class Segment : public FilmSegment {
+      public:
+        Segment(const VideoSettings& settings, VideoWriter& writer)
+            : encoder_(settings), writer_(writer) {}
+        void add(const Canvas& frame) override { encoder_.add(frame.pixels()); }
+        void finish() override { encoded_ = encoder_.finish(); }
+        void join() override { writer_.append(std::move(encoded_)); }
+
+      private:
+        SegmentEncoder encoder_;
+        VideoWriter& writer_;
+        EncodedSegment encoded_;
+    };
+
+    VideoSettings settings_;
+    VideoWriter writer_;
+};
+
+class FrameFolder : public FilmWriter {
+  public:
+    FrameFolder(const std::filesystem::path& path, int frames)
+        : folder_(path), digits_(std::max<std::size_t>(5, fmt::formatted_size("{}", frames))) {}
+
+    std::unique_ptr<FilmSegment> segment(int first) override {
+        return std::make_unique<Segment>(*this, first);
+    }
+    void commit() override { folder_.commit(); }
+    std::int64_t bytes() const override { return bytes_; }
+
+  private:
+    class Segment : public FilmSegment {
+      public:
+        Segment(FrameFolder& film, int first) : film_(film), next_(first) {}
+        void add(const Canvas& frame) override {
+            const std::vector<std::uint8_t> png = frame.png();
+            film_.folder_.write(fmt::format("frame-{:0{}}.png", ++next_, film_.digits_), png);
+            film_.bytes_ += static_cast<std::int64_t>(png.size());
+        }
+        void finish() override {}
+        void join() override {}
+
+      private:
+        FrameFolder& film_;
+        int next_;  ///< from 0; files count from 1
+    };
+
+    AtomicFolder folder_;
+    std::size_t digits_;
+    std::atomic<std::int64_t> bytes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
+                                        const VideoSettings& settings, int frames) {
+    if (!path.has_filename()) return std::make_unique<FrameFolder>(path, frames);
+    return std::make_unique<VideoFilm>(path, settings);
+}
+
+}  // namespace carom

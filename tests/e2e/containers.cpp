@@ -1,0 +1,146 @@
+// What a film can be besides an MP4: a folder of numbered frames.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "e2e/program.h"
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scene = library_scene("one-hot-particle");
+
+// 180 frames in two segments, or fewer frames.
+Outcome render_small(const fs::path& folder, const std::string& output,
+                     std::vector<std::string> more = {}) {
+    std::vector<std::string> command{program,  "render",  scene,       "-o",    output,
+                                     "--size", "320x180", "--quality", "draft", "--quiet"};
+    if (std::ranges::find(more, "--seconds") == more.end())
+        more.insert(more.end(), {"--seconds", "6"});
+    command.insert(command.end(), more.begin(), more.end());
+    return run(command, folder);
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string all_of(const fs::path& folder) {
+    std::string bytes;
+    for (const std::string& name : names_in(folder)) bytes += name + contents(folder / name);
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("a name with a slash is a folder of all frames, each as `still` draws it") {
+    const TemporaryFolder folder;
+    const Outcome outcome = render_small(folder.path(), "new/frames/");
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(folder.names() == std::vector<std::string>{"new"});
+    CHECK(names_in(folder.path() / "new") == std::vector<std::string>{"frames"});
+
+    const fs::path frames = folder.path() / "new/frames";
+    const std::vector<std::string> names = names_in(frames);
+    REQUIRE(names.size() == 180);
+    CHECK(names.front() == "frame-00001.png");
+    CHECK(names[99] == "frame-00100.png");
+    CHECK(names.back() == "frame-00180.png");
+    const fs::perms usual = fs::status(folder.write("file", "")).permissions();
+    CHECK(fs::status(frames / names.front()).permissions() == usual);
+
+    // The scene runs from 0 to 12.
+    for (const auto& [at, name] : {std::pair{"0", names.front()}, std::pair{"12", names.back()}}) {
+        REQUIRE(run({program, "still", scene, "--at", at, "-o", "still.png", "--size", "320x180",
+                     "--set", "film.seconds=6"},
+                    folder.path())
+                    .exit_code == 0);
+        CHECK(contents(folder.path() / "still.png") == contents(frames / name));
+    }
+
+    // An independent reader sees a numbered row of pictures.
+    const Outcome probed = run({"ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of",
+                                "json", (frames / "frame-%05d.png").string()});
+    REQUIRE(probed.exit_code == 0);
+    const nlohmann::json stream = nlohmann::json::parse(probed.out)["streams"][0];
+    CHECK(stream["codec_name"] == "png");
+    CHECK(stream["nb_read_frames"] == "180");
+    CHECK(stream["width"] == 320);
+    CHECK(stream["height"] == 180);
+}
+
+TEST_CASE("frames are the same on any number of threads") {
+    const TemporaryFolder folder;
+    REQUIRE(render_small(folder.path(), "one/", {"--threads", "1"}).exit_code == 0);
+    REQUIRE(render_small(folder.path(), "three/", {"--threads", "3"}).exit_code == 0);
+    CHECK(all_of(folder.path() / "one").size() > 180 * 1000);
+    CHECK(all_of(folder.path() / "one") == all_of(folder.path() / "three"));
+}
+
+TEST_CASE("a folder that holds anything is refused before any work, and stays as it is") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "mine");
+    std::ofstream(folder.path() / "mine/frame-00001.png") << "mine";
+    const Outcome outcome = render_small(folder.path(), "mine/");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err ==
+          "carom: -o mine/: numbered frames go into a new or empty folder, and this one holds "
+          "files; for a film in it write -o mine/one-hot-particle.mp4\n");
+    CHECK(names_in(folder.path() / "mine") == std::vector<std::string>{"frame-00001.png"});
+    CHECK(contents(folder.path() / "mine/frame-00001.png") == "mine");
+
+    fs::create_directory(folder.path() / "here");
+    CHECK(render_small(folder.path() / "here", "./").exit_code == 2);
+    folder.write("file", "mine");
+    CHECK(render_small(folder.path(), "file/").exit_code == 1);
+    CHECK(contents(folder.path() / "file") == "mine");
+    CHECK(folder.names() == std::vector<std::string>{"file", "here", "mine"});
+}
+
+TEST_CASE("an empty folder, or a link to one, is filled; without a slash a folder gets a film") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "empty");
+    fs::create_directory_symlink("empty", folder.path() / "link");
+    REQUIRE(render_small(folder.path(), "link/", {"--seconds", "1"}).exit_code == 0);
+    CHECK(fs::is_symlink(folder.path() / "link"));
+    CHECK(names_in(folder.path() / "empty").size() == 30);
+    CHECK(folder.names() == std::vector<std::string>{"empty", "link"});
+
+    fs::create_directory(folder.path() / "films");
+    REQUIRE(render_small(folder.path(), "films", {"--seconds", "1"}).exit_code == 0);
+    CHECK(names_in(folder.path() / "films") == std::vector<std::string>{"one-hot-particle.mp4"});
+}
+
+TEST_CASE("frames that cannot all be written, or are interrupted, leave nothing") {
+    const TemporaryFolder folder;
+    // Larger than any file may be: fails as a full disk does.
+    const std::string command = "'" + program + "' render '" + scene + "' -o frames/ --quiet ";
+    const Outcome limited = shell("ulimit -f 4; " + command + "--seconds 1", folder.path());
+    CHECK(limited.exit_code == 1);
+    CHECK(limited.err == "carom: cannot write frames/frame-00001.png: File too large\n");
+    CHECK(folder.names().empty());
+
+    const Outcome stopped = shell(command + "& sleep 1; kill -INT $!; wait $!", folder.path());
+    CHECK(stopped.exit_code == 130);
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("an ending that is none of a film is refused with those that are") {
+    const TemporaryFolder folder;
+    const Outcome outcome = render_small(folder.path(), "film.avi");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err ==
+          "carom: -o film.avi: a film ends in .mp4; a folder of PNG frames ends in a slash\n");
+    CHECK(folder.names().empty());
+}

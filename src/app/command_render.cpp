@@ -29,7 +29,7 @@ Quality quality_of(const std::string& name) {
     return name == "final" ? Quality::final_ : Quality::standard;
 }
 
-constexpr std::array video_extensions = {".mp4"};
+constexpr std::array video_extensions = {".mp4", ".webm"};
 
 bool is_video(const std::string& output) {
     return std::ranges::find(video_extensions, fs::path(output).extension()) !=
@@ -63,7 +63,7 @@ fs::path film_path(const RenderArguments& arguments, const std::string& scene) {
     if (!is_video(output) && !is_same_file(output, scene))
         throw UsageError(
             fmt::format("-o {}: a film ends in {}; a folder of PNG frames ends in a slash", output,
-                        fmt::join(video_extensions, ", ")));
+                        fmt::join(video_extensions, " or ")));
     return output_path(output, false, scene, fs::path(output).extension().string());
 }
 
@@ -143,9 +143,10 @@ void add_render(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("render", "render the films of scenes");
     const auto arguments = std::make_shared<RenderArguments>();
     command.add_option("scenes", arguments->scenes, "scene files")->required();
-    command.add_option("-o,--output", arguments->output,
-                       "the film (.mp4), an existing folder for it, or a new folder with a slash "
-                       "for its frames as PNG (frames/); out/SCENE.mp4 if not given");
+    command.add_option(
+        "-o,--output", arguments->output,
+        "the film (.mp4 or .webm), an existing folder for it, or a new folder with a slash "
+        "for its frames as PNG (frames/); out/SCENE.mp4 if not given");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);
     add_shortcut(command, *arguments, "--fps", "film.fps", "frames a second");

@@ -79,7 +79,9 @@ class FrameFolder : public FilmWriter {
 std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
                                         const VideoSettings& settings, int frames) {
     if (!path.has_filename()) return std::make_unique<FrameFolder>(path, frames);
-    return std::make_unique<VideoFilm>(path, settings);
+    VideoSettings chosen = settings;
+    chosen.format = path.extension() == ".webm" ? VideoFormat::webm : VideoFormat::mp4;
+    return std::make_unique<VideoFilm>(path, chosen);
 }
 
 }  // namespace carom

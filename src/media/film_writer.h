@@ -39,7 +39,8 @@ class FilmWriter {
 };
 
 /// A folder of frame-00001.png and so on when `path` ends in a slash (it must be empty if it is
-/// there already), otherwise a video. `frames` are those of the whole film: so many digits.
+/// there already), otherwise a video: WebM when it ends in .webm, MP4 under any other name.
+/// `frames` are those of the whole film: so many digits.
 std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
                                         const VideoSettings& settings, int frames);
 

@@ -15,10 +15,14 @@ extern "C" {
 #include <cstdarg>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <new>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "media/h264_settings.h"
+#include "media/vp9_settings.h"
 #include "media/yuv.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
@@ -26,7 +30,6 @@ extern "C" {
 namespace carom {
 namespace {
 
-constexpr const char* codec_name = "libx264";
 constexpr int io_buffer_bytes = 1 << 18;
 
 struct Free {
@@ -73,10 +76,14 @@ std::string cause_of(int error) {
                                   : fmt::format("{} ({})", text.data(), last_complaint);
 }
 
-int check_encoder(int result) {
+const char* encoder_name(VideoFormat format) {
+    return format == VideoFormat::webm ? "libvpx-vp9" : "libx264";
+}
+
+void check_encoder(VideoFormat format, int result) {
     if (result < 0)
-        throw SystemError(fmt::format("cannot encode with {}: {}", codec_name, cause_of(result)));
-    return result;
+        throw SystemError(
+            fmt::format("cannot encode with {}: {}", encoder_name(format), cause_of(result)));
 }
 
 void tag_as_bt709(AVCodecContext& context) {
@@ -88,14 +95,35 @@ void tag_as_bt709(AVCodecContext& context) {
     context.sample_aspect_ratio = {1, 1};
 }
 
-void set_option(AVCodecContext& context, const char* name, const std::string& value) {
-    check_encoder(av_opt_set(context.priv_data, name, value.c_str(), 0));
+using Options = std::vector<std::pair<const char*, std::string>>;
+
+// A segment is one group of pictures, however long.
+Options h264_options(Quality quality) {
+    const H264Settings chosen = h264_settings(quality);
+    return {{"preset", chosen.preset},
+            {"profile", "high"},
+            {"x264-params",
+             fmt::format("{}:keyint=infinite:{}", chosen.parameters, shared_h264_parameters)}};
+}
+
+// Without look-ahead and hidden reference frames every packet is a frame that is shown.
+Options vp9_options(Quality quality) {
+    const Vp9Settings chosen = vp9_settings(quality);
+    return {{"deadline", chosen.deadline},
+            {"cpu-used", chosen.cpu_used},
+            {"crf", chosen.crf},
+            {"lag-in-frames", "0"},
+            {"auto-alt-ref", "0"},
+            {"row-mt", "0"},
+            {"aq-mode", "0"}};
 }
 
 Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
-    const AVCodec* const codec = avcodec_find_encoder_by_name(codec_name);
+    const VideoFormat format = settings.format;
+    const AVCodec* const codec = avcodec_find_encoder_by_name(encoder_name(format));
     if (codec == nullptr)
-        throw SystemError(fmt::format("cannot encode: this libavcodec has no {}", codec_name));
+        throw SystemError(
+            fmt::format("cannot encode: this libavcodec has no {}", encoder_name(format)));
     Owned<AVCodecContext> context = owned(avcodec_alloc_context3(codec));
     context->width = even_size(settings.width);
     context->height = even_size(settings.height);
@@ -105,18 +133,20 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
     context->thread_count = 1;
     context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
     tag_as_bt709(*context);
+    if (format == VideoFormat::webm) {
+        context->bit_rate = 0;  // crf alone decides
+        context->gop_size = std::numeric_limits<int>::max();
+    }
 
-    const H264Settings chosen = h264_settings(settings.quality);
-    set_option(*context, "preset", chosen.preset);
-    set_option(*context, "profile", "high");
-    // A segment is one group of pictures, however long.
-    set_option(*context, "x264-params",
-               fmt::format("{}:keyint=infinite:{}", chosen.parameters, shared_h264_parameters));
-    check_encoder(avcodec_open2(context.get(), codec, nullptr));
+    const Options options = format == VideoFormat::webm ? vp9_options(settings.quality)
+                                                        : h264_options(settings.quality);
+    for (const auto& [name, value] : options)
+        check_encoder(format, av_opt_set(context->priv_data, name, value.c_str(), 0));
+    check_encoder(format, avcodec_open2(context.get(), codec, nullptr));
     return context;
 }
 
-Owned<AVFrame> frame_for(const AVCodecContext& context) {
+Owned<AVFrame> frame_for(const AVCodecContext& context, VideoFormat format) {
     Owned<AVFrame> frame = owned(av_frame_alloc());
     frame->format = context.pix_fmt;
     frame->width = context.width;
@@ -126,7 +156,7 @@ Owned<AVFrame> frame_for(const AVCodecContext& context) {
     frame->color_trc = context.color_trc;
     frame->colorspace = context.colorspace;
     frame->chroma_location = context.chroma_sample_location;
-    check_encoder(av_frame_get_buffer(frame.get(), 0));
+    check_encoder(format, av_frame_get_buffer(frame.get(), 0));
     return frame;
 }
 
@@ -144,7 +174,8 @@ constexpr std::array<std::string_view, 14> keys_of_mp4 = {
 void set_metadata(AVFormatContext& context, const VideoSettings& settings) {
     std::string others;
     for (const auto& [key, value] : settings.metadata) {
-        if (std::find(keys_of_mp4.begin(), keys_of_mp4.end(), key) != keys_of_mp4.end())
+        if (settings.format == VideoFormat::webm ||  // which keeps every name
+            std::find(keys_of_mp4.begin(), keys_of_mp4.end(), key) != keys_of_mp4.end())
             av_dict_set(&context.metadata, key.c_str(), value.c_str(), 0);
         else
             others += fmt::format("{}{}={}", others.empty() ? "" : ", ", key, value);
@@ -245,7 +276,7 @@ void SegmentEncoder::Implementation::take_packets(EncodedSegment::Implementation
         Owned<AVPacket> packet = owned(av_packet_alloc());
         const int result = avcodec_receive_packet(context.get(), packet.get());
         if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
-        check_encoder(result);
+        check_encoder(settings.format, result);
         into.bytes += packet->size;
         into.packets.push_back(std::move(packet));
     }
@@ -256,7 +287,7 @@ SegmentEncoder::SegmentEncoder(const VideoSettings& settings)
     listen_to_libav();
     implementation_->settings = settings;
     implementation_->context = open_encoder(settings);
-    implementation_->frame = frame_for(*implementation_->context);
+    implementation_->frame = frame_for(*implementation_->context, settings.format);
     implementation_->frame->pts = 0;
 }
 
@@ -267,10 +298,10 @@ void SegmentEncoder::add(const PixelView& frame) {
     Implementation& own = *implementation_;
     assert(frame.width == own.settings.width && frame.height == own.settings.height);
     AVFrame& planes = *own.frame;
-    check_encoder(av_frame_make_writable(&planes));
+    check_encoder(own.settings.format, av_frame_make_writable(&planes));
     to_yuv420(frame, {planes.data[0], planes.data[1], planes.data[2], planes.linesize[0],
                       planes.linesize[1]});
-    check_encoder(avcodec_send_frame(own.context.get(), &planes));
+    check_encoder(own.settings.format, avcodec_send_frame(own.context.get(), &planes));
     ++planes.pts;
     own.take_packets(*own.segment.implementation_);
 }
@@ -278,11 +309,12 @@ void SegmentEncoder::add(const PixelView& frame) {
 EncodedSegment SegmentEncoder::finish() {
     Implementation& own = *implementation_;
     EncodedSegment::Implementation& segment = *own.segment.implementation_;
-    check_encoder(avcodec_send_frame(own.context.get(), nullptr));
+    check_encoder(own.settings.format, avcodec_send_frame(own.context.get(), nullptr));
     own.take_packets(segment);
     assert(std::int64_t{own.segment.frames()} == own.frame->pts);
     segment.parameters = owned(avcodec_parameters_alloc());
-    check_encoder(avcodec_parameters_from_context(segment.parameters.get(), own.context.get()));
+    check_encoder(own.settings.format,
+                  avcodec_parameters_from_context(segment.parameters.get(), own.context.get()));
     segment.time_base = own.context->time_base;
     segment.reordering = own.context->has_b_frames;
     own.context.reset();
@@ -322,7 +354,7 @@ void VideoWriter::Implementation::check(int result) {
                                   cause_of(result < 0 ? result : late)));
 }
 
-// "faststart" reads back what was written, to move it behind the index.
+// What was written is read back, to move it behind the index.
 int VideoWriter::Implementation::open_to_read(AVFormatContext* context, AVIOContext** opened,
                                               const char*, int flags, AVDictionary**) {
     auto& own = *static_cast<Implementation*>(context->opaque);
@@ -343,7 +375,8 @@ int VideoWriter::Implementation::close_after_reading(AVFormatContext*, AVIOConte
 
 void VideoWriter::Implementation::start(const EncodedSegment::Implementation& segment) {
     AVFormatContext* allocated = nullptr;
-    check(avformat_alloc_output_context2(&allocated, nullptr, "mp4", nullptr));
+    const bool webm = settings.format == VideoFormat::webm;
+    check(avformat_alloc_output_context2(&allocated, nullptr, webm ? "webm" : "mp4", nullptr));
     format = owned(allocated);
     io = open_io(writing, true);
     format->pb = io.get();
@@ -362,7 +395,10 @@ void VideoWriter::Implementation::start(const EncodedSegment::Implementation& se
     stream->time_base = segment.time_base;
     stream->avg_frame_rate = {settings.fps, 1};
     AVDictionary* options = nullptr;
-    av_dict_set(&options, "movflags", "faststart", 0);
+    if (webm)
+        av_dict_set(&options, "cues_to_front", "1", 0);
+    else
+        av_dict_set(&options, "movflags", "faststart", 0);
     const int result = avformat_write_header(format.get(), &options);
     av_dict_free(&options);
     check(result);

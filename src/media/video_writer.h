@@ -1,6 +1,6 @@
-// H.264 in MP4: segments encoded each by its own single-threaded encoder, joined by stream copy.
-// The one door to libav. Owns settings, colour tags, metadata and the file; knows nothing of
-// scenes.
+// H.264 in MP4 or VP9 in WebM: segments encoded each by its own single-threaded encoder, joined by
+// stream copy. The one door to libav. Owns settings, colour tags, metadata and the file; knows
+// nothing of scenes.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,14 @@ namespace carom {
 
 enum class Quality { draft, standard, final_ };
 
+enum class VideoFormat { mp4, webm };  ///< H.264 in MP4, VP9 in WebM
+
 struct VideoSettings {
     int width = 1920, height = 1080;  ///< of the drawn frames; odd sizes are padded to even ones by
                                       ///< repeating the last row and column
     int fps = 30;
     Quality quality = Quality::standard;
+    VideoFormat format = VideoFormat::mp4;
     std::vector<std::pair<std::string, std::string>>
         metadata;  ///< title, description, comment, ... as libav names them
 };
@@ -61,7 +64,7 @@ class SegmentEncoder {
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// Joins segments into one MP4 (moov first, constant rate), whole or not at all.
+/// Joins segments into one file (index first, constant rate), whole or not at all.
 class VideoWriter {
   public:
     VideoWriter(const std::filesystem::path& path,

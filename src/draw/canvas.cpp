@@ -154,11 +154,13 @@ void Canvas::stroke_line(Point from, Point to, double width, Color color) {
     stroke(handle(), width, color);
 }
 
-void Canvas::stroke_path(std::span<const Point> points, double width, Color color) {
-    cairo_set_line_cap(handle(), CAIRO_LINE_CAP_ROUND);
+void Canvas::stroke_path(std::span<const Point> points, double width, Color color, double dash) {
+    cairo_set_line_cap(handle(), dash > 0.0 ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(handle(), CAIRO_LINE_JOIN_ROUND);
+    if (dash > 0.0) cairo_set_dash(handle(), &dash, 1, 0.0);
     trace(handle(), points);
     stroke(handle(), width, color);
+    cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
 
 void Canvas::stroke_dashed(Point from, Point to, double width, double dash, Color color) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -92,12 +93,16 @@ const Samples& samples_of(std::string_view name) {
 constexpr Color black = rgb(0x000000), orange = rgb(0xE69F00), sky_blue = rgb(0x56B4E9),
                 bluish_green = rgb(0x009E73), yellow = rgb(0xF0E442), blue = rgb(0x0072B2),
                 vermilion = rgb(0xD55E00), reddish_purple = rgb(0xCC79A7), white = rgb(0xFFFFFF);
+constexpr Color darker_purple = rgb(0xC776A3);  // a contrast of 3 with the light page
 
 // The colours that stand out least from the ground, or are near the theory curve's, come last.
 constexpr std::array on_dark = {sky_blue, yellow, bluish_green, reddish_purple,
                                 white,    orange, vermilion,    blue};
-constexpr std::array on_light = {blue,      bluish_green, reddish_purple, black,
-                                 vermilion, orange,       sky_blue,       yellow};
+constexpr std::array on_light = {blue,      bluish_green, darker_purple, black,
+                                 vermilion, orange,       sky_blue,      yellow};
+// Lightness of the first four: 0, 70, 46 and 89 of 100, so that a grey copy keeps them apart.
+constexpr std::array in_print = {black,     sky_blue,     blue,          yellow,
+                                 vermilion, bluish_green, darker_purple, orange};
 
 }  // namespace
 
@@ -123,6 +128,19 @@ ColorMap color_map(std::string_view name, double first, double last) {
     return ColorMap(std::move(cut));
 }
 
+ColorMap color_map_on(std::string_view name, const Theme& theme) {
+    const ColorMap whole = color_map(name);
+    const double step = theme.dark ? 1e-3 : -1e-3, last = theme.dark ? 1.0 : 0.0;
+    double first = 1.0 - last;
+    const auto stands_out = [&](Color color) {
+        return contrast(color, theme.page) >= least_contrast_of_marks &&
+               contrast(color, theme.ground) >= least_contrast_of_marks;
+    };
+    while (std::abs(first - last) > 0.5 * std::abs(step) && !stands_out(whole.at(first)))
+        first += step;
+    return color_map(name, first, last);
+}
+
 std::span<const std::string> color_map_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
@@ -132,16 +150,24 @@ std::span<const std::string> color_map_names() {
     return names;
 }
 
-// NetLogo's colours 105, 55 and 15, the first brighter or the second darker where the ground asks
-// for it.
+// NetLogo's colours 105, 55 and 15, brighter or darker where the ground asks for it, and with green
+// lighter than red by so much that viewers who see no difference of hue see that.
 ColorMap netlogo_map(bool dark_ground) {
-    if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x59B03C), rgb(0xE5483F)});
-    return ColorMap({rgb(0x345DA9), rgb(0x43902A), rgb(0xD73229)});
+    if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x74CA50), rgb(0xE5483F)});
+    return ColorMap({rgb(0x345DA9), rgb(0x4C9A30), rgb(0xB5201A)});
 }
 
-Color kind_color(std::size_t index, bool dark_ground) {
-    const auto& colors = dark_ground ? on_dark : on_light;
-    return colors[index % colors.size()];
+Color kind_color(std::size_t index, const Theme& theme) {
+    switch (theme.kind) {
+        case ThemeKind::dark:
+            return on_dark[index % on_dark.size()];
+        case ThemeKind::light:
+            return on_light[index % on_light.size()];
+        case ThemeKind::print:
+            return in_print[index % in_print.size()];
+    }
+    assert(false);
+    return theme.ink;
 }
 
 }  // namespace carom

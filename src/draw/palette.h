@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "draw/color.h"
+#include "draw/style.h"
 
 namespace carom {
 
@@ -32,12 +33,17 @@ ColorMap color_map(std::string_view name, double first = 0.0, double last = 1.0)
 /// Names that color_map knows.
 std::span<const std::string> color_map_names();
 
-/// Blue, green and red, as in NetLogo's models of gases, at a contrast of 3 with the ground. Not
-/// safe for all colour-blind viewers.
+/// The whole of a perceptually uniform map that stands out from page and ground, with the end that
+/// stands out least first: on a dark ground slow is dark, on a light one light.
+ColorMap color_map_on(std::string_view name, const Theme& theme);
+
+/// Blue, green and red, as in NetLogo's models of gases, at a contrast of 3 with the ground. Three
+/// kinds are told apart by all viewers; between them the map is no scale for the colour-blind.
 ColorMap netlogo_map(bool dark_ground);
 
-/// Okabe and Ito's colours for kinds, in a fixed order for a dark or a light ground; repeats after
-/// eight.
-Color kind_color(std::size_t index, bool dark_ground);
+/// Okabe and Ito's colours for kinds, in a fixed order for each theme; repeats after eight. In
+/// print the first four are as far apart without colour. The last ones on light grounds need an
+/// edge (see edge_of).
+Color kind_color(std::size_t index, const Theme& theme);
 
 }  // namespace carom

@@ -1,5 +1,7 @@
 #include "draw/style.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace carom {
@@ -14,6 +16,7 @@ constexpr Theme light_theme = {.page = rgb(0xFBFAF7),
                                .wall = rgb(0x7D8793),
                                .trail = rgb(0x5B6470),
                                .highlight = rgb(0x0B63A5),
+                               .kind = ThemeKind::light,
                                .dark = false};
 
 constexpr Theme dark_theme = {.page = rgb(0x101418),
@@ -25,6 +28,7 @@ constexpr Theme dark_theme = {.page = rgb(0x101418),
                               .wall = rgb(0x6B7785),
                               .trail = rgb(0x9AA5B1),
                               .highlight = rgb(0x7CC7FF),
+                              .kind = ThemeKind::dark,
                               .dark = true};
 
 constexpr Theme print_theme = {.page = rgb(0xFFFFFF),
@@ -36,6 +40,7 @@ constexpr Theme print_theme = {.page = rgb(0xFFFFFF),
                                .wall = rgb(0x4A4A4A),
                                .trail = rgb(0x6E6E6E),
                                .highlight = rgb(0x000000),
+                               .kind = ThemeKind::print,
                                .dark = false};
 
 }  // namespace
@@ -51,6 +56,36 @@ const Theme& theme(ThemeKind kind) {
     }
     assert(false);
     return dark_theme;
+}
+
+Color toward_ink(Color color, const Theme& theme, std::span<const Color> behind, double least) {
+    const auto stands_out = [&](Color shade) {
+        return std::ranges::all_of(behind,
+                                   [&](Color other) { return contrast(shade, other) >= least; });
+    };
+    constexpr int steps = 20;
+    for (int i = 0; i < steps; ++i)
+        if (const Color shade = mix(color, theme.ink, double(i) / steps); stands_out(shade))
+            return shade;
+    return theme.ink;
+}
+
+Color edge_of(Color color, const Theme& theme) {
+    return toward_ink(color, theme, std::array{theme.page, theme.ground}, least_contrast_of_marks);
+}
+
+Color legible(Color color, const Theme& theme) {
+    return toward_ink(color, theme, std::array{theme.page, theme.ground}, least_contrast_of_words);
+}
+
+// Between black and white one always has a contrast of at least √21, which is 4.58.
+Color letters_on(Color fill, const Theme& theme) {
+    const auto better = [&](Color a, Color b) {
+        return contrast(fill, a) > contrast(fill, b) ? a : b;
+    };
+    const Color own = better(theme.page, theme.ink);
+    if (contrast(fill, own) >= least_contrast_of_words) return own;
+    return better(rgb(0x000000), rgb(0xFFFFFF));
 }
 
 }  // namespace carom

@@ -2,6 +2,8 @@
 // the layout's.
 #pragma once
 
+#include <span>
+
 #include "draw/color.h"
 
 namespace carom {
@@ -20,10 +22,29 @@ struct Theme {
     Color wall;       ///< the line around the gas
     Color trail;      ///< trails, before they fade
     Color highlight;  ///< what the viewer should look at: a caption, a reversal
+    ThemeKind kind = ThemeKind::dark;
     bool dark = false;
 };
 
+/// Contrast ratios of WCAG 2.2 with what is behind: of words (1.4.3), of anything else that carries
+/// a meaning (1.4.11).
+constexpr double least_contrast_of_words = 4.5, least_contrast_of_marks = 3.0;
+
 /// The colours of a theme.
 const Theme& theme(ThemeKind kind);
+
+/// The colour itself where it has the least contrast with all that is behind, else the first shade
+/// of it on the way to the ink that has, else the ink.
+Color toward_ink(Color color, const Theme& theme, std::span<const Color> behind, double least);
+
+/// A shade of the colour that stands out from page and ground: the rim of a disk, the edge of a
+/// line.
+Color edge_of(Color color, const Theme& theme);
+
+/// The same for words, which ask for more contrast.
+Color legible(Color color, const Theme& theme);
+
+/// For letters on a fill of any colour.
+Color letters_on(Color fill, const Theme& theme);
 
 }  // namespace carom

@@ -13,11 +13,6 @@ namespace {
 constexpr double half_cap_height = 0.36;  // ems
 constexpr double rim = 0.95;              // of the radius, that letters may reach
 
-// Dark letters on light beads, light ones on dark.
-Color letters_on(Color bead, const Theme& theme) {
-    return contrast(bead, theme.page) > contrast(bead, theme.ink) ? theme.page : theme.ink;
-}
-
 }  // namespace
 
 std::string mass_text(double inverse_mass) {

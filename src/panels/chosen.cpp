@@ -28,7 +28,7 @@ std::string name_of(const Cast& cast, const Chosen& chosen) {
 
 Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme) {
     if (chosen.species) return species_color(cast, *chosen.species, theme);
-    return kind_color(cast.scene.gas.species.size() + place, theme.dark);
+    return kind_color(cast.scene.gas.species.size() + place, theme);
 }
 
 std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme) {
@@ -40,7 +40,7 @@ std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, c
         if (k > 0) words += k + 1 == chosen.size() ? " and " : ", ";
         const std::string name =
             numbers ? std::to_string(*chosen[k].particle) : name_of(cast, chosen[k]);
-        words += colored(name, choice_color(cast, chosen[k], k, theme));
+        words += colored(name, choice_color(cast, chosen[k], k, theme), theme);
     }
     return words;
 }

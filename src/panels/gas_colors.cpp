@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "stats/histogram.h"
 #include "stats/speed_classes.h"
@@ -14,17 +15,15 @@ namespace carom {
 namespace {
 
 constexpr std::size_t pool_size = 200'000;
+constexpr std::uint8_t last_shade = 255;
 
 bool by_kind(ColorBy color_by) {
     return color_by == ColorBy::species || color_by == ColorBy::speed_class;
 }
 
-// On a dark ground the slow end is dark, on a light one light: fast disks stand out. Cut where it
-// would fade into the ground.
-ColorMap scale_colors(const Scene& scene, bool dark) {
+ColorMap scale_colors(const Scene& scene, const Theme& theme) {
     const std::string name = scene.film.palette.value_or("viridis");
-    if (name == "netlogo") return netlogo_map(dark);
-    return dark ? color_map(name, 0.33, 1.0) : color_map(name, 0.58, 0.0);
+    return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
 }
 
 std::string scale_title(ColorBy color_by) {
@@ -40,9 +39,24 @@ std::string scale_title(ColorBy color_by) {
 
 }  // namespace
 
-std::vector<Color> speed_class_colors(const Scene& scene, bool dark_ground) {
-    const ColorMap map = scale_colors(scene, dark_ground);
+std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme) {
+    const ColorMap map = scale_colors(scene, theme);
     return {map.at(0.0), map.at(0.5), map.at(1.0)};
+}
+
+void draw_hatching(Canvas& canvas, const Page& page, Point center, double radius) {
+    const double apart = 0.42 * page.unit, inside = radius - 0.1 * page.unit;
+    if (inside < apart) return;
+    const double most = std::floor(inside / apart - 0.5) + 0.5;
+    for (double line = -most; line <= most; line += 1.0) {
+        const double off = line * apart, half = std::sqrt(inside * inside - off * off);
+        // Rising to the right; `off` is the distance of the line from the centre.
+        const double x = center.x + off * std::numbers::sqrt2 / 2,
+                     y = center.y + off * std::numbers::sqrt2 / 2;
+        const double reach = half * std::numbers::sqrt2 / 2;
+        canvas.stroke_line({x - reach, y + reach}, {x + reach, y - reach}, 0.12 * page.unit,
+                           page.theme.ground);
+    }
 }
 
 double GasColors::value(Eigen::Index i, double speed) const {
@@ -82,8 +96,11 @@ std::uint8_t GasColors::shade(Eigen::Index i, double speed, double mean_speed) c
         case ColorBy::speed_class:
             return static_cast<std::uint8_t>(speed_class(speed, mean_speed));
         default: {
-            const double share = value(i, speed) / scale_top_;
-            return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+            const double its = value(i, speed);
+            if (!std::isfinite(its)) return last_shade;
+            const double share = std::clamp(its / scale_top_, 0.0, 1.0);
+            return static_cast<std::uint8_t>(
+                std::lround(share * (tells_infinite() ? last_shade - 1 : last_shade)));
         }
     }
 }
@@ -95,11 +112,22 @@ std::vector<Color> GasColors::of_shades(const Theme& theme) const {
             colors.push_back(species_color(cast_, k, theme));
         return colors;
     }
-    const ColorMap map = scale_colors(cast_.scene, theme.dark);
     if (cast_.scene.film.color_by == ColorBy::speed_class)
-        return speed_class_colors(cast_.scene, theme.dark);
-    for (int i = 0; i < 256; ++i) colors.push_back(map.at(i / 255.0));
+        return speed_class_colors(cast_.scene, theme);
+    const ColorMap map = scale_colors(cast_.scene, theme);
+    const int last = tells_infinite() ? last_shade - 1 : last_shade;
+    for (int i = 0; i <= last; ++i) colors.push_back(map.at(double(i) / last));
+    if (tells_infinite()) colors.push_back(theme.ink);
     return colors;
+}
+
+bool GasColors::tells_infinite() const {
+    return cast_.scene.film.color_by == ColorBy::mass &&
+           (cast_.particles.inverse_mass == 0.0).any();
+}
+
+bool GasColors::is_told_infinite(Eigen::Index particle) const {
+    return tells_infinite() && cast_.particles.inverse_mass[particle] == 0.0;
 }
 
 void GasColors::draw_key(Canvas& canvas, const Page& page) const {
@@ -111,11 +139,12 @@ void GasColors::draw_key(Canvas& canvas, const Page& page) const {
 
 void GasColors::draw_scale(Canvas& canvas, const Page& page) const {
     const double u = page.unit;
-    const double height = std::max(6.0 * u, page.area.height - 1.8 * u);
+    const double below = tells_infinite() ? 2.4 * u : 0.0;
+    const double height = std::max(6.0 * u, page.area.height - 1.8 * u - below);
     const double middle = page.area.y + page.area.height / 2;
     const Rect bar{page.area.x, std::max(page.area.y + 1.8 * u, middle - height / 2), 0.8 * u,
                    height};
-    const ColorMap map = scale_colors(cast_.scene, page.theme.dark);
+    const ColorMap map = scale_colors(cast_.scene, page.theme);
     constexpr int steps = 256;
     for (int i = 0; i < steps; ++i) {
         const double top = bar.bottom() - bar.height * (i + 1) / steps;
@@ -130,6 +159,11 @@ void GasColors::draw_scale(Canvas& canvas, const Page& page) const {
                   {bar.right() + 0.4 * u,
                    std::clamp(scale(tick.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
                   tick.label, label_style(page));
+    if (!tells_infinite()) return;
+    const Point infinite{bar.x + 0.6 * u, bar.bottom() + 1.6 * u};
+    canvas.fill_circle(infinite, 0.7 * u, page.theme.ink);
+    draw_hatching(canvas, page, infinite, 0.7 * u);
+    draw_text(canvas, {infinite.x + 1.0 * u, infinite.y + 0.36 * u}, "infinite", label_style(page));
 }
 
 void GasColors::draw_legend(Canvas& canvas, const Page& page) const {
@@ -149,7 +183,9 @@ void GasColors::draw_legend(Canvas& canvas, const Page& page) const {
     }
     for (std::size_t k = 0; k < names.size(); ++k) {
         const double y = page.area.y + (0.9 + 1.8 * static_cast<double>(k)) * u;
-        canvas.fill_circle({page.area.x + 0.5 * u, y - 0.35 * u}, 0.45 * u, colors[k]);
+        const Point swatch{page.area.x + 0.5 * u, y - 0.35 * u};
+        canvas.fill_circle(swatch, 0.45 * u, edge_of(colors[k], page.theme));
+        canvas.fill_circle(swatch, 0.38 * u, colors[k]);
         TextStyle style = label_style(page);
         style.max_width = page.area.width - 1.4 * u;
         draw_text(canvas, {page.area.x + 1.4 * u, y}, escape_markup(names[k]), style);

@@ -11,7 +11,11 @@
 namespace carom {
 
 /// The colours of slow, medium and fast.
-std::vector<Color> speed_class_colors(const Scene& scene, bool dark_ground);
+std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme);
+
+/// Hatches a disk of infinite mass, as walls are in drawings of machines; small ones stay as they
+/// are.
+void draw_hatching(Canvas& canvas, const Page& page, Point center, double radius);
 
 class GasColors {
   public:
@@ -25,6 +29,11 @@ class GasColors {
     /// all.
     std::uint8_t shade(Eigen::Index particle, double speed, double mean_speed) const;
     std::vector<Color> of_shades(const Theme& theme) const;
+
+    /// Whether the scale tells infinite masses from all others, by their shade, the last, and
+    /// hatching.
+    bool tells_infinite() const;
+    bool is_told_infinite(Eigen::Index particle) const;
 
     /// Draws the colour bar, or the legend of species, into `page.area`.
     void draw_key(Canvas& canvas, const Page& page) const;

@@ -11,6 +11,7 @@ namespace {
 constexpr double default_trail_seconds = 1.0;
 constexpr double label_seconds = 3.0;  // of film, for the name of a chosen particle
 constexpr double ring_line = 0.13;     // units
+constexpr double rim_line = 0.09;      // of disks that would fade into the ground
 constexpr double least_radius = 1.2;   // pixels: smaller disks are no longer round
 
 struct GasState : PanelState {
@@ -82,7 +83,7 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
     if (foot.y + 0.4 * u > box.bottom())
         foot.y = std::clamp(disk.y + disk.height / 2, box.y + 1.2 * u, box.bottom() - 0.4 * u);
     canvas.fill({foot.x - half, foot.y - 1.2 * u, 2.0 * half, 1.6 * u},
-                with_alpha(page.theme.ground, 0.8 * alpha));
+                with_alpha(page.theme.ground, plate_alpha * alpha));
     draw_text(canvas, foot, markup, style);
 }
 
@@ -197,6 +198,7 @@ void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) c
     canvas.clip_to(frame_in(page.area));
     draw_trails(canvas, page, state);
     draw_disks(canvas, page, state);
+    if (cast_.scene.film.labels == Labels::none) draw_infinite(canvas, page, state);
     if (cast_.scene.film.labels != Labels::none) draw_labels(canvas, page, state);
     draw_chosen(canvas, page, state);
     canvas.release_clip();
@@ -208,29 +210,51 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
     const Box& box = cast_.scene.gas.box;
     const Mapping to_pixels = mapping(*this, page, box);
     const std::vector<Color> colors = colors_.of_shades(page.theme);
-    std::vector<std::uint32_t> pixels;
-    pixels.reserve(colors.size());
-    for (const Color& color : colors) pixels.push_back(to_pixel(color) & 0xFFFFFF);
+    std::vector<std::uint32_t> pixels, edges;
+    for (const Color& color : colors) {
+        pixels.push_back(to_pixel(color) & 0xFFFFFF);
+        edges.push_back(to_pixel(edge_of(color, page.theme)) & 0xFFFFFF);
+    }
 
     std::vector<Disk> disks;
     disks.reserve(gas.x.size() + chosen_.size());
     const std::uint32_t ground = to_pixel(page.theme.ground) & 0xFFFFFF;
     const double line = std::max(1.5, ring_line * page.unit);
+    const double rim = std::max(2.0, rim_line * page.unit);
     const auto add = [&](std::size_t i) {
         const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
         const auto shown = static_cast<float>(std::max(least_radius, radius * to_pixels.scale));
         const std::uint32_t color = pixels[gas.shades[i] % pixels.size()];
-        const double inside = is_filled(i) ? 0.0 : inside_ring(double(shown), line);
+        const std::uint32_t edge = edges[gas.shades[i] % edges.size()];
+        double inside = 0.0;
+        if (!is_filled(i)) inside = inside_ring(double(shown), line);
+        if (is_filled(i) && edge != color) inside = inside_ring(double(shown), rim);
         for_each_image(box, {double(gas.x[i]), double(gas.y[i])}, radius, [&](Point place) {
             const Point at = to_pixels(place.x, place.y);
             const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
-            disks.push_back({x, y, shown, color});
-            if (inside > 0.0) disks.push_back({x, y, static_cast<float>(inside), ground});
+            disks.push_back({x, y, shown, edge});
+            if (inside > 0.0)
+                disks.push_back({x, y, static_cast<float>(inside), is_filled(i) ? color : ground});
         });
     };
     for (std::size_t i = 0; i < gas.x.size(); ++i) add(i);
     for (const Chosen& chosen : chosen_) add(static_cast<std::size_t>(chosen.particle));
     page.disks.draw(canvas, disks, to_pixels.box);
+}
+
+void GasPanel::draw_infinite(Canvas& canvas, const Page& page, const PanelState& state) const {
+    if (!colors_.tells_infinite()) return;
+    const auto& gas = static_cast<const GasState&>(state);
+    const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
+    for (std::size_t i = 0; i < gas.x.size(); ++i) {
+        const auto particle = static_cast<Eigen::Index>(i);
+        if (!colors_.is_told_infinite(particle) || !is_filled(i)) continue;
+        const double radius = cast_.particles.radius[particle];
+        for_each_image(
+            cast_.scene.gas.box, {double(gas.x[i]), double(gas.y[i])}, radius, [&](Point place) {
+                draw_hatching(canvas, page, to_pixels(place.x, place.y), radius * to_pixels.scale);
+            });
+    }
 }
 
 void GasPanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const {

@@ -45,6 +45,7 @@ class GasPanel : public Panel {
     bool stands_alone() const;
     bool is_filled(std::size_t particle) const;
     void draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_infinite(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const;

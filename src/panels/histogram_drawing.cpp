@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,10 +14,13 @@ namespace carom {
 namespace {
 
 constexpr double usual_names_width = 10.6;  // of the means' names and numbers, in units
-constexpr double row_height = 1.5;          // of the rows of words above the bars, in units
-constexpr double gap_below_rows = 0.4;      // in units, for the counts of bars that are cut
-constexpr double told_beyond = 0.01;        // of a mean number: less beyond the axis is not told
-constexpr int most_fit_rows = 3;            // more would leave no room for the bars
+constexpr double casing = 0.07;             // of the page on each side of lines over bars, in units
+constexpr double curve_width = 0.16, mark_width = 0.12;  // in units
+constexpr double tint_alpha = 0.3;                       // of bars that others overlap
+constexpr double row_height = 1.5;      // of the rows of words above the bars, in units
+constexpr double gap_below_rows = 0.4;  // in units, for the counts of bars that are cut
+constexpr double told_beyond = 0.01;    // of a mean number: less beyond the axis is not told
+constexpr int most_fit_rows = 3;        // more would leave no room for the bars
 
 std::string count_words(double count) {
     return count == std::round(count) && count < 1e9 ? grouped(std::llround(count))
@@ -51,7 +55,14 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) co
     const Theme& theme = page.theme;
     if (series_.size() == 1) return {theme.bar, theme.accent, theme.highlight};
     const Color color = choice_color(cast_, series_[series].chosen, series, theme);
-    return {color, mix(color, theme.ink, 0.4), mix(color, theme.ink, 0.7)};
+    std::vector<Color> tints{theme.page};
+    for (std::size_t k = 0; k < series_.size(); ++k)
+        tints.push_back(
+            mix(theme.page, choice_color(cast_, series_[k].chosen, k, theme), tint_alpha));
+    const auto line = [&](double share) {
+        return toward_ink(mix(color, theme.ink, share), theme, tints, least_contrast_of_marks);
+    };
+    return {color, line(0.4), line(0.7)};
 }
 
 double HistogramPanel::names_width(const Page& page) const {
@@ -117,13 +128,13 @@ std::string HistogramPanel::title(const Page& page) const {
                                          : capitalised(subject_.quantity) + " of " + names;
     if (spec_.title) words = escape_markup(*spec_.title);
     const bool several = series_.size() > 1;
-    words += ": " + (several ? time_words() : colored(time_words(), page.theme.bar));
+    words += ": " + (several ? time_words() : colored(time_words(), page.theme.bar, page.theme));
     if (curve_top() == 0.0) return words;
     const std::vector<std::string> endings =
         several ? std::vector<std::string>{", lines: in equilibrium", ", lines: equilibrium",
                                            ", lines: theory"}
-                : std::vector{" and " + colored("in equilibrium", page.theme.accent),
-                              ", " + colored("equilibrium", page.theme.accent)};
+                : std::vector{" and " + colored("in equilibrium", page.theme.accent, page.theme),
+                              ", " + colored("equilibrium", page.theme.accent, page.theme)};
     for (const std::string& ending : endings)
         if (measure_text(words + ending, title_style(page)).width <= page.area.width)
             return words + ending;
@@ -145,8 +156,10 @@ void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& st
         draw_cuts(canvas, page, now[k]);
     }
     draw_beyond(canvas, page, now);
+    if (series_.size() == 1) draw_casings(canvas, page, now.front());
     for (std::size_t k = 0; k < series_.size(); ++k) {
-        draw_curve(canvas, page, series_[k].curve, ink(k, page).curve);
+        canvas.stroke_path(path_of(page, series_[k].curve), curve_width * page.unit,
+                           ink(k, page).curve);
         if (spec_.fit) draw_fit(canvas, page, k, now[k]);
     }
     draw_means(canvas, page, now);
@@ -156,7 +169,7 @@ void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t ser
                                const MeanHistogram& now) const {
     const Scales s = scales(page);
     const Color color = ink(series, page).bar;
-    const double alpha = series_.size() > 1 ? 0.3 : 1.0;
+    const double alpha = series_.size() > 1 ? tint_alpha : 1.0;
     for (int i = 0; i < bins_.count; ++i) {
         const double count = now.counts[static_cast<std::size_t>(i)];
         if (count == 0.0) continue;
@@ -179,7 +192,7 @@ void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t 
         path.push_back({s.x(bins_.edge(i)), y});
         path.push_back({s.x(bins_.edge(i + 1)), y});
     }
-    canvas.stroke_path(path, 0.1 * page.unit, ink(series, page).bar);
+    canvas.stroke_path(path, 0.1 * page.unit, edge_of(ink(series, page).bar, page.theme));
 }
 
 // What the axes cannot hold is said: a bar that is cut, with its count.
@@ -260,46 +273,87 @@ Point HistogramPanel::name_place(const Page& page, int index) const {
 void HistogramPanel::draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
                                Color color) const {
     TextStyle style = label_style(page);
-    style.color = color;
+    style.color = legible(color, page.theme);
     style.max_width = names_width(page);
     const double width = measure_text(words, style).width;
     if (at.y > scales(page).area.y)
         canvas.fill({at.x - 0.9 * page.unit, at.y - 1.05 * page.unit, width + 1.2 * page.unit,
                      1.4 * page.unit},
-                    with_alpha(page.theme.page, 0.8));
+                    with_alpha(page.theme.page, plate_alpha));
     draw_text(canvas, at, words, style);
 }
 
-void HistogramPanel::draw_curve(Canvas& canvas, const Page& page, const std::vector<Point>& curve,
-                                Color color) const {
-    if (curve.empty()) return;
+std::vector<Point> HistogramPanel::path_of(const Page& page,
+                                           const std::vector<Point>& curve) const {
     const Scales s = scales(page);
     std::vector<Point> path;
     for (const Point& point : curve)
         path.push_back({s.x(point.x), s.y(std::min(point.y, tallest_))});
-    canvas.stroke_path(path, 0.16 * page.unit, color);
+    return path;
 }
 
-// The normal curve with the mean and the deviation of what the bars show, which it names.
+std::optional<double> HistogramPanel::mark_place(const Page& page, double value) const {
+    const Scales s = scales(page);
+    const double x = s.x(value);
+    if (!(x >= s.area.x && x <= s.area.right())) return {};
+    return x;
+}
+
+// Solid bars have hardly another lightness than curves and marks: a line of the page on each side
+// keeps those apart. Under all of them, and not over the axes.
+void HistogramPanel::draw_casings(Canvas& canvas, const Page& page,
+                                  const MeanHistogram& now) const {
+    const Scales s = scales(page);
+    const double u = page.unit, axis = axis_style(page).line_width;
+    canvas.clip_to({s.area.x + axis, s.area.y, s.area.width - axis, s.area.height - axis});
+    const Series& one = series_.front();
+    const auto curve = [&](const std::vector<Point>& points) {
+        canvas.stroke_path(path_of(page, points), (curve_width + 2.0 * casing) * u,
+                           page.theme.page);
+    };
+    const auto mark = [&](double value) {
+        if (const std::optional<double> x = mark_place(page, value))
+            canvas.stroke_line({*x, s.area.bottom()}, {*x, s.area.y},
+                               (mark_width + 2.0 * casing) * u, page.theme.page);
+    };
+    curve(one.curve);
+    if (spec_.fit) curve(fit_curve(0, now));
+    if (marks_mean_start()) mark(one.mean_start);
+    if (marks_mean_now()) mark(now.mean);
+    canvas.release_clip();
+}
+
+// The normal curve with the mean and the deviation of what the bars show.
+std::vector<Point> HistogramPanel::fit_curve(std::size_t series, const MeanHistogram& now) const {
+    std::vector<Point> curve;
+    if (!(now.deviation > 0.0)) return curve;
+    constexpr int points = 120;
+    const double numbers = numbers_each_ * static_cast<double>(series_[series].members.size());
+    for (int i = 0; i <= points; ++i) {
+        const double value = bins_.low + (bins_.high - bins_.low) * i / points;
+        const double z = (value - now.mean) / now.deviation;
+        const double density =
+            std::exp(-0.5 * z * z) / (now.deviation * std::sqrt(2.0 * std::numbers::pi));
+        curve.push_back({value, numbers * bins_.width() * density});
+    }
+    return curve;
+}
+
+// Dashed beside the equilibrium curve, which has no other colour in print.
 void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t series,
                               const MeanHistogram& now) const {
     const Color color = ink(series, page).fit;
-    const double numbers = numbers_each_ * static_cast<double>(series_[series].members.size());
-    if (now.deviation > 0.0) {
-        constexpr int points = 120;
-        std::vector<Point> curve;
-        for (int i = 0; i <= points; ++i) {
-            const double value = bins_.low + (bins_.high - bins_.low) * i / points;
-            const double z = (value - now.mean) / now.deviation;
-            const double density =
-                std::exp(-0.5 * z * z) / (now.deviation * std::sqrt(2.0 * std::numbers::pi));
-            curve.push_back({value, numbers * bins_.width() * density});
-        }
-        draw_curve(canvas, page, curve, color);
-    }
+    const bool dashed = !series_[series].curve.empty();
+    const std::vector<Point> curve = path_of(page, fit_curve(series, now));
+    canvas.stroke_path(curve, curve_width * page.unit, color, dashed ? 0.8 * page.unit : 0.0);
     if (series >= most_fit_rows) return;
+    const Point row = row_above(page, static_cast<int>(series));
+    if (dashed)  // a sample of it, left of the words
+        canvas.stroke_path(std::array{Point{row.x - 2.9 * page.unit, row.y - 0.35 * page.unit},
+                                      Point{row.x - 0.5 * page.unit, row.y - 0.35 * page.unit}},
+                           curve_width * page.unit, color, 0.8 * page.unit);
     TextStyle style = label_style(page);
-    style.color = color;
+    style.color = legible(color, page.theme);
     style.max_width = plot_area(page).width;
     const std::string whose = series_.size() == 1
                                   ? "normal curve"
@@ -308,19 +362,19 @@ void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t seri
         fmt::format("mean {}, deviation {}", three_digits(now.mean), three_digits(now.deviation));
     const std::string whole = whose + ": " + numbers_of_it;  // without the name the colour tells
     const bool fits = measure_text(whole + "00", label_style(page)).width <= style.max_width;
-    draw_text(canvas, row_above(page, static_cast<int>(series)), fits ? whole : numbers_of_it,
-              style);
+    draw_text(canvas, row, fits ? whole : numbers_of_it, style);
 }
 
 void HistogramPanel::draw_mark(Canvas& canvas, const Page& page, double value, bool solid,
                                Color color) const {
+    const std::optional<double> x = mark_place(page, value);
+    if (!x) return;
     const Scales s = scales(page);
-    const double x = s.x(value);
-    if (!(x >= s.area.x && x <= s.area.right())) return;
     const double u = page.unit;
-    if (solid) canvas.stroke_line({x, s.area.bottom()}, {x, s.area.y}, 0.12 * u, color);
+    if (solid) canvas.stroke_line({*x, s.area.bottom()}, {*x, s.area.y}, mark_width * u, color);
     if (!solid)
-        canvas.stroke_dashed({x, s.area.bottom()}, {x, s.area.y}, 0.12 * u, 0.25 * u, color);
+        canvas.stroke_dashed({*x, s.area.bottom()}, {*x, s.area.y}, mark_width * u, 0.25 * u,
+                             color);
 }
 
 // The marks move; their names and numbers stand still.

@@ -93,8 +93,10 @@ class HistogramPanel : public Panel {
                    const MeanHistogram& now) const;
     void draw_outline(Canvas& canvas, const Page& page, std::size_t series,
                       const MeanHistogram& now) const;
-    void draw_curve(Canvas& canvas, const Page& page, const std::vector<Point>& curve,
-                    Color color) const;
+    std::vector<Point> path_of(const Page& page, const std::vector<Point>& curve) const;
+    std::vector<Point> fit_curve(std::size_t series, const MeanHistogram& now) const;
+    std::optional<double> mark_place(const Page& page, double value) const;
+    void draw_casings(Canvas& canvas, const Page& page, const MeanHistogram& now) const;
     void draw_fit(Canvas& canvas, const Page& page, std::size_t series,
                   const MeanHistogram& now) const;
     void draw_means(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;

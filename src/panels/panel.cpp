@@ -49,16 +49,16 @@ std::string fitting_title(const Page& page, const std::vector<std::string>& titl
     return titles.back();
 }
 
-std::string colored(const std::string& text, Color color) {
-    return fmt::format("<span foreground=\"#{:06x}\">{}</span>", to_pixel(color) & 0xFFFFFF,
-                       escape_markup(text));
+std::string colored(const std::string& text, Color color, const Theme& theme) {
+    return fmt::format("<span foreground=\"#{:06x}\">{}</span>",
+                       to_pixel(legible(color, theme)) & 0xFFFFFF, escape_markup(text));
 }
 
 Color species_color(const Cast& cast, std::size_t species, const Theme& theme) {
     const std::optional<std::string>& own = cast.scene.looks[species].color;
     if (own)
         if (const std::optional<Color> parsed = parse_color(*own)) return *parsed;
-    return kind_color(species, theme.dark);
+    return kind_color(species, theme);
 }
 
 }  // namespace carom

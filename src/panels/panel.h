@@ -81,6 +81,9 @@ class Panel {
     virtual void draw_key(Canvas&, const Page&, const Page& own) const { (void)own; }
 };
 
+/// How much of what is behind a plate under words is covered.
+constexpr double plate_alpha = 0.9;
+
 /// Text of the panels: labels at the smallest size, titles a little larger.
 TextStyle label_style(const Page& page);
 TextStyle title_style(const Page& page);
@@ -95,8 +98,8 @@ void draw_panel_title(Canvas& canvas, const Page& page, const std::string& marku
 /// The first of some titles (markup, from the longest on) that is not cut; if all are, the last.
 std::string fitting_title(const Page& page, const std::vector<std::string>& titles);
 
-/// `text` in a colour, as markup.
-std::string colored(const std::string& text, Color color);
+/// `text` in a colour, or the nearest to it that can be read, as markup.
+std::string colored(const std::string& text, Color color, const Theme& theme);
 
 /// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
 Color species_color(const Cast& cast, std::size_t species, const Theme& theme);

@@ -90,7 +90,7 @@ void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
     const Scales s = scales(page);
     const std::vector<Point>& all = paths_[set];
     const std::size_t end = std::min(shown, all.size());
-    const Color color = with_alpha(subject_.color(set, page.theme), 0.6);
+    const Color color = edge_of(subject_.color(set, page.theme), page.theme);
     std::vector<Point> path;
     for (std::size_t i = end > longest_path ? end - longest_path : 0; i < end; ++i) {
         const bool breaks =
@@ -114,7 +114,8 @@ void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state
         draw_path(canvas, page, k, now.shown);
         const double radius = (now.sets[k].size() == 1 ? 0.35 : 0.16) * page.unit;
         for (const Point& point : now.sets[k])
-            canvas.fill_circle(s(point), radius, subject_.color(k, page.theme));
+            canvas.fill_circle(s(point), radius,
+                               edge_of(subject_.color(k, page.theme), page.theme));
     }
 }
 

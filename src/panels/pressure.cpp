@@ -95,10 +95,10 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
         .title =
             [spec, walls](const Theme& theme) {
                 if (spec.title) return escape_markup(*spec.title);
-                const std::string virial = colored("from collisions", line_color(1, theme));
+                const std::string virial = colored("from collisions", line_color(1, theme), theme);
                 if (!walls) return "Pressure " + virial;
-                return "Pressure " + colored("on the walls", line_color(0, theme)) + " and " +
-                       virial;
+                return "Pressure " + colored("on the walls", line_color(0, theme), theme) +
+                       " and " + virial;
             },
         .note = time_words(over)};
     return std::make_unique<SeriesPanel>(cast, std::move(subject));

@@ -128,6 +128,8 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
     const Scales s = scales(page);
     const std::vector<double>& line = history_.lines[index];
     const Color color = subject_.color(index, page.theme);
+    const Color edge = edge_of(color, page.theme);
+    const bool has_edge = to_pixel(edge) != to_pixel(color);
     std::vector<Point> path;
     for (std::size_t i = 0; i < shown; ++i) {
         if (!std::isfinite(line[i])) continue;
@@ -137,11 +139,14 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
             path.push_back(last);
         if (!leg_ends) continue;
         const bool way_back = history_.leg[i] % 2 == 1;
+        if (has_edge) canvas.stroke_path(path, 0.26 * page.unit, edge);
         canvas.stroke_path(path, 0.16 * page.unit,
                            way_back ? mix(color, page.theme.ink, 0.5) : color);
         path = {last};
     }
-    if (!path.empty()) canvas.fill_circle(path.back(), 0.3 * page.unit, color);
+    if (path.empty()) return;
+    canvas.fill_circle(path.back(), 0.3 * page.unit, edge);
+    canvas.fill_circle(path.back(), (has_edge ? 0.2 : 0.3) * page.unit, color);
 }
 
 void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {

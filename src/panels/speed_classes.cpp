@@ -11,18 +11,11 @@
 namespace carom {
 namespace {
 
-// A word in the colour of a class, lighter or darker where it would be hard to read.
-std::string legible(const std::string& word, Color color, const Theme& theme) {
-    double share = 0.0;
-    while (share < 1.0 && contrast(mix(color, theme.ink, share), theme.page) < 4.5) share += 0.05;
-    return colored(word, mix(color, theme.ink, share));
-}
-
 std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
     if (spec.title) return escape_markup(*spec.title);
-    const std::vector<Color> colors = speed_class_colors(cast.scene, theme.dark);
-    return fmt::format("{}, {} and {}, in per cent", legible("Slow", colors[0], theme),
-                       legible("medium", colors[1], theme), legible("fast", colors[2], theme));
+    const std::vector<Color> colors = speed_class_colors(cast.scene, theme);
+    return fmt::format("{}, {} and {}, in per cent", colored("Slow", colors[0], theme),
+                       colored("medium", colors[1], theme), colored("fast", colors[2], theme));
 }
 
 }  // namespace
@@ -30,9 +23,8 @@ std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
 std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spec) {
     SeriesSubject subject{
         .measure = {},
-        .color = [cast](
-                     std::size_t k,
-                     const Theme& theme) { return speed_class_colors(cast.scene, theme.dark)[k]; },
+        .color = [cast](std::size_t k,
+                        const Theme& theme) { return speed_class_colors(cast.scene, theme)[k]; },
         .title = [cast, spec](const Theme& theme) { return title(cast, spec, theme); },
         .note = spec.reference_initial ? "slow below ½, fast above 1½ of the mean at the start"
                                        : "slow below ½, fast above 1½ of the mean speed now",

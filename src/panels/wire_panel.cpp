@@ -44,11 +44,12 @@ void draw_rod(Canvas& canvas, const Page& page, Point center, double radius, Col
     const double u = page.unit;
     const Rect rod{center.x - radius + 0.04 * u, center.y - rod_half_height * u,
                    2.0 * radius - 0.08 * u, 2.0 * rod_half_height * u};
-    canvas.fill(rod, color);
+    const Color edge = edge_of(color, page.theme);
+    canvas.fill(rod, edge);
     const double line = std::max(1.5, ring_line * u);
-    if (!filled)
+    if (!filled || to_pixel(edge) != to_pixel(color))
         canvas.fill({rod.x + line, rod.y + line, rod.width - 2.0 * line, rod.height - 2.0 * line},
-                    page.theme.page);
+                    filled ? color : page.theme.page);
 }
 
 double film_seconds_of(const Scene& scene) {
@@ -265,6 +266,9 @@ void WirePanel::draw_line(Canvas& canvas, const Page& page, const PanelState& st
     const std::vector<WorldLines::Bend>& bends = now.lines[line];
     const View v = view(page);
     const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const auto own = [&](std::uint8_t shade) {
+        return edge_of(colors[shade % colors.size()], page.theme);
+    };
     const auto [least, most] = std::minmax_element(
         bends.begin(), bends.end(),
         [](const WorldLines::Bend& a, const WorldLines::Bend& b) { return a.place < b.place; });
@@ -278,12 +282,12 @@ void WirePanel::draw_line(Canvas& canvas, const Page& page, const PanelState& st
                            v.time(now.time - bends[k].time)};
             const bool other = !color && k > 1 && bends[k].shade != bends[k - 1].shade;
             if (other) {
-                canvas.stroke_path(path, width, colors[bends[k - 1].shade % colors.size()]);
+                canvas.stroke_path(path, width, own(bends[k - 1].shade));
                 path = {path.back()};
             }
             path.push_back(at);
         }
-        canvas.stroke_path(path, width, color.value_or(colors[bends.back().shade % colors.size()]));
+        canvas.stroke_path(path, width, color ? *color : own(bends.back().shade));
     }
 }
 
@@ -297,7 +301,7 @@ void WirePanel::draw_reversals(Canvas& canvas, const Page& page, const PanelStat
         style.align = Align::right;
         const double width = measure_text("reversed", style).width + page.unit;
         canvas.fill({v.plot.right() - width, y - 1.35 * page.unit, width, 1.3 * page.unit},
-                    with_alpha(page.theme.ground, 0.85));
+                    with_alpha(page.theme.ground, plate_alpha));
         draw_text(canvas, {v.plot.right() - 0.5 * page.unit, y - 0.4 * page.unit}, "reversed",
                   style);
     }
@@ -315,6 +319,7 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
         const auto particle = static_cast<Eigen::Index>(i);
         const double radius = shown_radius(particle, v);
         const Color color = colors[now.shades[i] % colors.size()];
+        const Color edge = edge_of(color, page.theme);
         const double whole = v.plot.width;
         double x = static_cast<double>(now.places[i]) * v.scale;
         if (ring) x -= whole * std::floor(x / whole);
@@ -327,12 +332,12 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
                 draw_rod(canvas, page, at, radius, color, is_filled(particle));
             else
                 disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
-                                 static_cast<float>(radius), to_pixel(color) & 0xFFFFFF});
+                                 static_cast<float>(radius), to_pixel(edge) & 0xFFFFFF});
             const double line = std::max(1.5, ring_line * u);
-            if (radius <= rod_from * u && radius > 2.0 * line && !is_filled(particle))
+            const Color inside = is_filled(particle) ? color : page.theme.page;
+            if (radius <= rod_from * u && radius > 2.0 * line && to_pixel(inside) != to_pixel(edge))
                 disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
-                                 static_cast<float>(radius - line),
-                                 to_pixel(page.theme.page) & 0xFFFFFF});
+                                 static_cast<float>(radius - line), to_pixel(inside) & 0xFFFFFF});
         }
     }
     page.disks.draw(canvas, disks, {v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});

@@ -98,9 +98,12 @@ TEST_CASE("a colour map can be cut, turned and asked outside of its range") {
 TEST_CASE("the first colours of kinds stand out from their ground") {
     for (std::size_t i = 0; i < 4; ++i) {
         CAPTURE(i);
-        CHECK(contrast(kind_color(i, true), theme(ThemeKind::dark).ground) >= 3.0);
-        CHECK(contrast(kind_color(i, false), theme(ThemeKind::light).ground) >= 3.0);
-        CHECK(to_pixel(kind_color(i + 8, true)) == to_pixel(kind_color(i, true)));
+        CHECK(contrast(kind_color(i, theme(ThemeKind::dark)), theme(ThemeKind::dark).ground) >=
+              3.0);
+        CHECK(contrast(kind_color(i, theme(ThemeKind::light)), theme(ThemeKind::light).page) >=
+              3.0);
+        for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::print})
+            CHECK(to_pixel(kind_color(i + 8, theme(kind))) == to_pixel(kind_color(i, theme(kind))));
     }
 }
 

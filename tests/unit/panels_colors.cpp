@@ -1,0 +1,227 @@
+// What colours of disks, bars and words tell can be told by every viewer, and read on what is
+// behind.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/palette.h"
+#include "panels/frame.h"
+#include "panels/gas_colors.h"
+#include "scene/load.h"
+#include "support/vision.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr ThemeKind all_themes[] = {ThemeKind::light, ThemeKind::dark, ThemeKind::print};
+
+Scene scene_of(const std::string& gas, const std::string& film,
+               const std::string& box = "size: [40, 40]") {
+    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas +
+                               "]\nrun: {until: 4}\nfilm: {seconds: 1, size: [1920, 1080], " +
+                               film + "}\n",
+                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+}
+
+// The first frame of a scene.
+struct Picture {
+    Scene scene;
+    Simulation simulation;
+    Observers observers;
+    std::unique_ptr<FramePainter> painter;
+    PixelView view;
+
+    explicit Picture(Scene loaded)
+        : scene(std::move(loaded)),
+          simulation(scene.gas, scene.run),
+          observers(scene, simulation.particles(), simulation.sample()) {
+        const Passage passage = simulation.advance_to(0.0);
+        const Tick tick{};
+        observers.survey(tick, simulation.sample(), passage);
+        observers.settle();
+        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        painter = std::make_unique<FramePainter>(scene, observers);
+        view = painter->paint(frame).pixels();
+    }
+
+    Color at(double x, double y) const {
+        return rgb(view.data[std::lround(y) * view.stride + std::lround(x)] & 0xFFFFFF);
+    }
+
+    Rect box() const {
+        return observers.gas().frame_in(
+            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas));
+    }
+
+    // The pixels along a line from the centre of the box to the right.
+    std::vector<Color> row() const {
+        const Rect rect = box();
+        std::vector<Color> colors;
+        for (double x = rect.x + rect.width / 2; x < rect.right() - 2; x += 1.0)
+            colors.push_back(at(x, rect.y + rect.height / 2));
+        return colors;
+    }
+};
+
+bool same(Color a, Color b) { return to_pixel(a) == to_pixel(b); }
+
+// Cairo rounds a colour otherwise than the painter of disks.
+bool nearly_same(Color a, Color b) {
+    return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green),
+                     std::abs(a.blue - b.blue)}) < 1.5 / 255.0;
+}
+
+const char* name_of_theme(ThemeKind kind) {
+    return kind == ThemeKind::light ? "light" : kind == ThemeKind::dark ? "dark" : "print";
+}
+
+}  // namespace
+
+TEST_CASE("slow, medium and fast differ for every viewer, in every theme") {
+    Scene scene = scene_of("{count: 3, radius: 1}", "color_by: speed-class");
+    for (const std::string palette :
+         {"", "viridis", "cividis", "plasma", "inferno", "magma", "netlogo"})
+        for (const ThemeKind kind : all_themes) {
+            if (!palette.empty()) scene.film.palette = palette;
+            const std::vector<Color> colors = speed_class_colors(scene, theme(kind));
+            for (const Vision& vision : visions)
+                for (std::size_t i = 0; i < 3; ++i)
+                    for (std::size_t k = 0; k < i; ++k) {
+                        CAPTURE(palette);
+                        CAPTURE(static_cast<int>(kind));
+                        CAPTURE(vision.name);
+                        CHECK(distance(vision, colors[i], colors[k]) >= least_distance);
+                    }
+        }
+}
+
+// The disk's colour may be any; some ring of it stands out from the ground.
+TEST_CASE("disks of any colour have a rim that stands out from the ground") {
+    for (const ThemeKind kind : all_themes)
+        for (const std::string color : {"#f0e442", "#56b4e9", "#e69f00", "#ffffff", "#14181d"})
+            for (const std::string fill : {"true", "false"}) {
+                CAPTURE(static_cast<int>(kind));
+                CAPTURE(color);
+                CAPTURE(fill);
+                const Picture picture(
+                    scene_of("{count: 1, radius: 8, position: [20, 20], color: \"" + color +
+                                 "\", fill: " + fill + "}",
+                             std::string("color_by: species, theme: ") + name_of_theme(kind)));
+                const Theme& colors = theme(kind);
+                const Color own = *parse_color(color);
+                const std::vector<Color> row = picture.row();
+                CHECK(same(row.front(), fill == "true" ? own : colors.ground));
+                int rim = 0;
+                for (const Color& pixel : row) rim += same(pixel, edge_of(own, colors));
+                CHECK(rim >= 1);
+            }
+}
+
+// Beside the gas nothing else has the edge's colour: words in the same colour are darker still.
+TEST_CASE("points of panels, beads and rods in a pale colour have an edge too") {
+    const Theme& colors = theme(ThemeKind::light);
+    const Color pale = rgb(0xF0E442), edge = edge_of(pale, colors);
+    const auto edges = [&](const std::string& film, const std::string& box, double radius,
+                           bool of_panels) {
+        const std::string gas =
+            "{count: 1, position: " + std::string(box == "length: 40" ? "20" : "[20, 20]") +
+            ", color: \"#f0e442\", radius: " + std::to_string(radius) + "}";
+        const Picture picture(scene_of(gas, "color_by: species, theme: light, " + film, box));
+        int count = 0;
+        for (int y = 0; y < picture.view.height; ++y)
+            for (int x = 0; x < picture.view.width; ++x)
+                count += (x > 1200) == of_panels && nearly_same(picture.at(x, y), edge);
+        return count;
+    };
+    CHECK(edges("panels: [energy-by-species]", "size: [40, 40]", 1.0, true) > 10);
+    // A bead, with its swatch; a rod.
+    const int swatch = edges("panels: []", "size: [40, 40]", 0.001, false);
+    CHECK(edges("panels: [energy-by-species]", "length: 40", 0.5, false) > swatch + 20);
+    CHECK(edges("panels: [energy-by-species]", "length: 40", 8.0, false) > swatch + 200);
+}
+
+TEST_CASE("infinite masses have a colour of their own, and hatching, and a word") {
+    const std::string finite =
+        "{name: a, count: 5, mass: 3, radius: 1}, {name: b, count: 1, radius: 8, ";
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        const auto film = std::string("color_by: mass, theme: ") + name_of_theme(kind);
+        const Picture infinite(
+            scene_of(finite + "position: [20, 20], mass: infinite, speed: 0}", film));
+        const Picture heavy(scene_of(finite + "position: [20, 20], mass: 12, speed: 0}", film));
+        int ink = 0, hatching = 0;
+        const double radius = 8.0 * infinite.box().width / 40.0;
+        for (std::size_t i = 0; double(i) < radius - 3.0; ++i) {
+            ink += same(infinite.row()[i], colors.ink);
+            hatching += same(infinite.row()[i], colors.ground);
+            CHECK_FALSE(same(heavy.row()[i], colors.ink));
+        }
+        CHECK(ink > radius / 2);
+        CHECK(hatching > radius / 12);
+
+        // The scale's own colours are never near.
+        const ColorMap map = color_map_on("viridis", colors);
+        for (const Vision& vision : visions)
+            for (int i = 0; i <= 32; ++i)
+                CHECK(distance(vision, colors.ink, map.at(i / 32.0)) >= least_distance);
+
+        // Beside the box, under the scale, ink is found only where there is such a mass.
+        const auto ink_in_key = [&](const Picture& picture) {
+            const Rect box = picture.box();
+            int count = 0;
+            for (double y = box.y; y < box.bottom(); ++y)
+                for (double x = box.right() + 12; x < box.right() + 50; ++x)
+                    count += same(picture.at(x, y), colors.ink);
+            return count;
+        };
+        CHECK(ink_in_key(infinite) > 80);
+        CHECK(ink_in_key(heavy) == 0);
+    }
+}
+
+// Both the bars and what lies over them stand out from the page, but hardly from one another.
+TEST_CASE("a casing of the page parts curves and marks from the bars behind them") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        const Picture picture(
+            scene_of("{count: 60, radius: 0.5, speed: {uniform: [0.5, 2]}}",
+                     std::string("panels: [{kind: speed-histogram, theory: false, mean_start: "
+                                 "false}], theme: ") +
+                         name_of_theme(kind)));
+        // Along rows: bar, casing, mark.
+        int cased = 0, bare = 0;
+        for (int y = 0; y < picture.view.height; ++y)
+            for (int x = picture.view.width / 2; x < picture.view.width - 12; ++x) {
+                if (!same(picture.at(x, y), colors.bar) || !same(picture.at(x - 1, y), colors.bar))
+                    continue;
+                if (same(picture.at(x + 1, y), colors.bar)) continue;
+                int page = 0, ink = 0;
+                for (int i = 1; i <= 5; ++i) {
+                    page += contrast(picture.at(x + i, y), colors.bar) > 1.5 && ink == 0 &&
+                            contrast(picture.at(x + i, y), colors.page) < 1.5;
+                    ink += same(picture.at(x + i, y), colors.ink);
+                }
+                if (ink > 0) ++(page > 0 ? cased : bare);
+            }
+        CHECK(cased > 40);
+        CHECK(bare <= 3);  // beside the axis
+    }
+}
+
+TEST_CASE("words on plates, and on captions, can be read over anything that moves behind") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        for (const Color& behind : {colors.bar, colors.accent, colors.ink, colors.muted})
+            for (const Color& paper : {colors.page, colors.ground})
+                for (const Color& words : {colors.ink, colors.muted})
+                    CHECK(contrast(words, mix(behind, paper, plate_alpha)) >= 4.5);
+        CHECK(contrast(colors.bar, colors.page) >= 4.5);  // words about bars have their colour
+        CHECK(contrast(colors.accent, colors.page) >= 4.5);
+    }
+}

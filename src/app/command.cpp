@@ -25,6 +25,14 @@ bool names_folder(const std::string& output, bool several) {
     return several || output.ends_with('/') || fs::is_directory(output, error);
 }
 
+// `.png, .svg or .pdf`
+std::string listed(const std::vector<std::string>& words) {
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i)
+        text += (i + 1 == words.size() ? " or " : ", ") + words[i];
+    return text;
+}
+
 }  // namespace
 
 void add_shortcut(CLI::App& command, SceneOptions& options, const std::string& flag,
@@ -80,17 +88,15 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }
 
 fs::path output_path(const std::string& output, bool several, const std::string& scene,
-                     const std::string& extension) {
-    const fs::path name = fs::path(scene).stem().string() + extension;
+                     const std::vector<std::string>& extensions) {
+    const fs::path name = fs::path(scene).stem().string() + extensions.front();
     if (output.empty()) return "out" / name;
     if (names_folder(output, several)) return output / name;
     fs::path path = output;
     if (is_same_file(path, scene))
         throw UsageError(fmt::format("-o {}: this is the scene itself", output));
-    if (path.extension() != extension)
-        throw UsageError(
-            fmt::format("-o {}: this version writes {} only; give a name that ends in {}", output,
-                        extension, extension));
+    if (std::ranges::find(extensions, path.extension().string()) == extensions.end())
+        throw UsageError(fmt::format("-o {}: the name must end in {}", output, listed(extensions)));
     return path;
 }
 

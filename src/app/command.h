@@ -41,10 +41,11 @@ Overrides overrides_of(const SceneOptions& options);
 /// The number of threads to use, at least 1.
 int threads_of(const SceneOptions& options);
 
-/// Where the output of `scene` goes: out/SCENE.EXTENSION, or as `output` (-o, may be empty) says: a
-/// folder if it is one, ends in a slash, or is for `several` scenes. Throws UsageError.
+/// Where the output of `scene` goes: out/SCENE with the first of the extensions, or as `output`
+/// (-o, may be empty) says: a file with any of them; or a folder if it is one, ends in a slash, or
+/// is for `several` scenes. Throws UsageError.
 std::filesystem::path output_path(const std::string& output, bool several, const std::string& scene,
-                                  const std::string& extension);
+                                  const std::vector<std::string>& extensions);
 
 /// Whether both names lead to one file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);

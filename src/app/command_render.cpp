@@ -55,7 +55,7 @@ fs::path film_path(const RenderArguments& arguments, const std::string& scene) {
     const bool several = arguments.scenes.size() > 1;
     std::error_code error;
     if (several || output.empty() || (!output.ends_with('/') && fs::is_directory(output, error)))
-        return output_path(output, several, scene, ".mp4");
+        return output_path(output, several, scene, {".mp4"});
     if (output.ends_with('/')) {
         refuse_used_folder(output, scene);
         return output;
@@ -64,7 +64,7 @@ fs::path film_path(const RenderArguments& arguments, const std::string& scene) {
         throw UsageError(
             fmt::format("-o {}: a film ends in {}; a folder of PNG frames ends in a slash", output,
                         fmt::join(video_extensions, " or ")));
-    return output_path(output, false, scene, fs::path(output).extension().string());
+    return output_path(output, false, scene, {fs::path(output).extension().string()});
 }
 
 void refuse_same_outputs(const RenderArguments& arguments) {

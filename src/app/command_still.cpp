@@ -25,7 +25,7 @@ void draw_still(const StillArguments& arguments) {
         throw UsageError(
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));
     const std::filesystem::path output =
-        output_path(arguments.output, false, arguments.scene, ".png");
+        output_path(arguments.output, false, arguments.scene, {".png", ".svg", ".pdf"});
     render_still(scene, arguments.at, output);
     if (!arguments.quiet) fmt::print("{}\n", output.string());
 }
@@ -33,12 +33,13 @@ void draw_still(const StillArguments& arguments) {
 }  // namespace
 
 void add_still(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("still", "draw one frame of a film as a PNG");
+    CLI::App& command =
+        *app.add_subcommand("still", "draw one frame of a film as a PNG, SVG or PDF");
     const auto arguments = std::make_shared<StillArguments>();
     command.add_option("scene", arguments->scene, "a scene file")->required();
     command.add_option("--at", arguments->at, "simulated time; the nearest frame is drawn");
     command.add_option("-o,--output", arguments->output,
-                       "the picture (.png), or a folder; out/SCENE.png if not given");
+                       "the picture (.png, .svg, .pdf), or a folder; out/SCENE.png if not given");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);
     command.callback([arguments] { draw_still(*arguments); });

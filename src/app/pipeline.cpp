@@ -52,6 +52,14 @@ void survey(const std::vector<Tick>& ticks, Simulation simulation, Observers& ob
     observers.settle();
 }
 
+Canvas picture(const Scene& scene, double time, const std::filesystem::path& extension) {
+    const PixelSize size{scene.film.size.width, scene.film.size.height};
+    if (extension == ".png") return Canvas(size);
+    return Canvas(
+        size, extension == ".svg" ? VectorFormat::svg : VectorFormat::pdf,
+        {scene.title, fmt::format("The frame at time {:.4g}. {}", time, scene.description)});
+}
+
 }  // namespace
 
 RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress) {
@@ -111,7 +119,9 @@ void render_still(const Scene& scene, double at, const std::filesystem::path& ou
         frame = observers.frame_data(ticks[i], simulation.sample(), passage);
     }
     FramePainter painter(scene, observers);
-    write_png(painter.paint(frame), output);
+    Canvas canvas = picture(scene, frame.tick.time, output.extension());
+    painter.paint_on(canvas, frame);
+    write_image(canvas, output);
 }
 
 }  // namespace carom

@@ -33,7 +33,8 @@ struct RenderReport {
 /// SystemError, Interrupted.
 RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress);
 
-/// Writes the frame nearest to the simulated time `at` as a PNG. Throws as render() does.
+/// Writes the frame nearest to the simulated time `at` as a PNG, an SVG or a PDF, by the
+/// extension of `output`. Throws as render() does.
 void render_still(const Scene& scene, double at, const std::filesystem::path& output);
 
 }  // namespace carom

@@ -1,5 +1,7 @@
 #include "draw/canvas.h"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
@@ -8,8 +10,11 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "draw/svg.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -32,15 +37,59 @@ struct ContextDeleter {
 };
 using Context = std::unique_ptr<cairo_t, ContextDeleter>;
 
-Surface create_raster(PixelSize size) {
+void check(PixelSize size) {
     if (size.width < 1 || size.height < 1 || size.width > largest_side ||
         size.height > largest_side)
         throw SystemError(
             fmt::format("cannot draw a picture of {} × {} pixels: each side must be "
                         "between 1 and {}",
                         size.width, size.height, largest_side));
+}
+
+Surface create_raster(PixelSize size) {
+    check(size);
     Surface surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)};
     check(cairo_surface_status(surface.get()), "create a picture");
+    return surface;
+}
+
+// Cairo calls this from C, so that no exception may leave it.
+cairo_status_t append(void* closure, const unsigned char* data, unsigned length) noexcept {
+    auto& bytes = *static_cast<std::vector<std::uint8_t>*>(closure);
+    try {
+        bytes.insert(bytes.end(), data, data + length);
+    } catch (const std::bad_alloc&) {
+        return CAIRO_STATUS_NO_MEMORY;
+    }
+    return CAIRO_STATUS_SUCCESS;
+}
+
+constexpr double points_of_a_pixel = 0.75;
+
+// Without a date of its own the same picture would be another file every second.
+void set_metadata(cairo_surface_t* pdf, const PictureWords& words) {
+    constexpr const char* date = "2000-01-01T00:00:00Z";
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_TITLE, words.title.c_str());
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_SUBJECT, words.description.c_str());
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, date);
+    cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_MOD_DATE, date);
+}
+
+// What Cairo writes goes to memory, where a full disk cannot be overlooked.
+Surface create_document(PixelSize size, VectorFormat format, const PictureWords& words,
+                        std::vector<std::uint8_t>& bytes) {
+    check(size);
+    Surface surface;
+    if (format == VectorFormat::svg) {
+        surface.reset(cairo_svg_surface_create_for_stream(append, &bytes, size.width, size.height));
+        check(cairo_surface_status(surface.get()), "create an SVG");
+        cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+    } else {
+        surface.reset(cairo_pdf_surface_create_for_stream(
+            append, &bytes, points_of_a_pixel * size.width, points_of_a_pixel * size.height));
+        check(cairo_surface_status(surface.get()), "create a PDF");
+        set_metadata(surface.get(), words);
+    }
     return surface;
 }
 
@@ -78,24 +127,24 @@ void trace_circle(cairo_t* context, Point center, double radius) {
     cairo_close_path(context);
 }
 
-// Cairo calls this from C, so that no exception may leave it.
-cairo_status_t append(void* closure, const unsigned char* data, unsigned length) noexcept {
-    auto& bytes = *static_cast<std::vector<std::uint8_t>*>(closure);
-    try {
-        bytes.insert(bytes.end(), data, data + length);
-    } catch (const std::bad_alloc&) {
-        return CAIRO_STATUS_NO_MEMORY;
-    }
-    return CAIRO_STATUS_SUCCESS;
-}
-
 }  // namespace
 
 struct Canvas::Implementation {
     explicit Implementation(PixelSize wanted)
         : size(wanted), surface(create_raster(wanted)), context(create_context(surface.get())) {}
 
+    Implementation(PixelSize wanted, VectorFormat wanted_format, PictureWords its_words)
+        : size(wanted),
+          format(wanted_format),
+          words(std::move(its_words)),
+          surface(create_document(size, wanted_format, words, bytes)),
+          context(create_context(surface.get())) {
+        if (format == VectorFormat::pdf)
+            cairo_scale(context.get(), points_of_a_pixel, points_of_a_pixel);
+    }
+
     PixelView pixels() const {
+        assert(!format);
         cairo_surface_flush(surface.get());
         // Cairo aligns its pixels for the widest access it makes itself.
         auto* data = static_cast<void*>(cairo_image_surface_get_data(surface.get()));
@@ -104,16 +153,23 @@ struct Canvas::Implementation {
     }
 
     PixelSize size;
+    std::optional<VectorFormat> format;  ///< none: a raster
+    PictureWords words;
+    std::vector<std::uint8_t> bytes;  ///< of the document; outlives the surface that writes them
     Surface surface;
     Context context;
 };
 
 Canvas::Canvas(PixelSize size) : implementation_(std::make_unique<Implementation>(size)) {}
+Canvas::Canvas(PixelSize size, VectorFormat format, PictureWords words)
+    : implementation_(std::make_unique<Implementation>(size, format, std::move(words))) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 PixelSize Canvas::size() const { return implementation_->size; }
+
+bool Canvas::is_raster() const { return !implementation_->format; }
 
 cairo_t* Canvas::handle() const { return implementation_->context.get(); }
 
@@ -131,6 +187,13 @@ void Canvas::fill(Rect rect, Color color) {
 void Canvas::fill_circle(Point center, double radius, Color color) {
     trace_circle(handle(), center, radius);
     fill_path(handle(), color);
+}
+
+void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
+    cairo_save(handle());
+    clip_to(clip);
+    for (const Circle& circle : circles) fill_circle(circle.center, circle.radius, circle.color);
+    cairo_restore(handle());
 }
 
 void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
@@ -213,10 +276,20 @@ PixelView Canvas::pixels() const { return implementation_->pixels(); }
 void Canvas::pixels_changed() { cairo_surface_mark_dirty(implementation_->surface.get()); }
 
 std::vector<std::uint8_t> Canvas::png() const {
+    assert(is_raster());
     std::vector<std::uint8_t> bytes;
     check(cairo_surface_write_to_png_stream(implementation_->surface.get(), append, &bytes),
           "encode a PNG");
     return bytes;
+}
+
+std::vector<std::uint8_t> Canvas::file() {
+    if (is_raster()) return png();
+    cairo_surface_finish(implementation_->surface.get());
+    check(cairo_surface_status(implementation_->surface.get()), "write the picture");
+    if (implementation_->format == VectorFormat::svg)
+        return finished_svg(implementation_->bytes, implementation_->words);
+    return std::move(implementation_->bytes);
 }
 
 }  // namespace carom

@@ -1,10 +1,12 @@
 // A surface to draw on: pixels, or (by the same calls) SVG and PDF. The one door to Cairo.
-// Lengths are pixels (raster) or points (vector), y down. Knows nothing of gases.
+// Lengths are pixels, y down: in SVG one user unit each, in PDF three quarters of a point (96 to
+// the inch). Knows nothing of gases.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "draw/color.h"
@@ -22,20 +24,43 @@ struct PixelView {
     int stride = 0;  ///< pixels from one row to the next
 };
 
+enum class VectorFormat { svg, pdf };
+
+/// What a picture is, for those who cannot see it and for catalogues.
+struct PictureWords {
+    std::string title;
+    std::string description;
+};
+
+struct Circle {
+    Point center;
+    double radius = 0;
+    Color color;
+};
+
 class Canvas {
   public:
     /// An opaque black raster, 1 to 16384 pixels each way. Throws SystemError when there is no
     /// memory or the size is out of these bounds; so does every drawing call that Cairo refuses.
     explicit Canvas(PixelSize size);
+
+    /// An empty page of a vector document, within the same bounds.
+    Canvas(PixelSize size, VectorFormat format, PictureWords words);
+
     ~Canvas();
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
 
     PixelSize size() const;
+    bool is_raster() const;
 
     void fill_all(Color color);
     void fill(Rect rect, Color color);
     void fill_circle(Point center, double radius, Color color);
+
+    /// In order, later ones over earlier ones; cut at `clip`, and at what clip_to() has asked for.
+    void fill_circles(std::span<const Circle> circles, Rect clip);
+
     void stroke_circle(Point center, double radius, double width, Color color);
     void stroke_rect(Rect rect, double width,
                      Color color);  ///< the line lies on the edge, half of it on each side
@@ -57,8 +82,13 @@ class Canvas {
     PixelView pixels() const;  ///< to read
     void pixels_changed();
 
-    /// The picture as a PNG file in memory. Throws SystemError.
+    /// The pixels as a PNG file in memory. Raster only. Throws SystemError.
     std::vector<std::uint8_t> png() const;
+
+    /// The picture as a file in memory: a PNG of a raster, otherwise the document, the same bytes
+    /// for the same drawing. A document is ended by it and takes no more drawing. Throws
+    /// SystemError.
+    std::vector<std::uint8_t> file();
 
     /// Cairo's own handle, for text.cpp only.
     _cairo* handle() const;

@@ -17,12 +17,12 @@ struct PixelBounds {
     int left = 0, top = 0, right = 0, bottom = 0;
 };
 
-PixelBounds bounds_of(const PixelView& pixels, const Rect& clip) {
+PixelBounds bounds_of(PixelSize size, const Rect& clip) {
     const auto within = [](double position, int most) {
         return static_cast<int>(std::clamp(std::round(position), 0.0, static_cast<double>(most)));
     };
-    return {within(clip.x, pixels.width), within(clip.y, pixels.height),
-            within(clip.right(), pixels.width), within(clip.bottom(), pixels.height)};
+    return {within(clip.x, size.width), within(clip.y, size.height),
+            within(clip.right(), size.width), within(clip.bottom(), size.height)};
 }
 
 using Bytes = std::uint8_t __attribute__((vector_size(16)));
@@ -164,6 +164,17 @@ PlacedDisk place(const Disk& disk) {
     return {x / phases - shift, y / phases - shift, {x % phases, y % phases, std::max(1, radius)}};
 }
 
+void draw_circles(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
+    const PixelBounds bounds = bounds_of(canvas.size(), clip);
+    std::vector<Circle> circles;
+    for (const Disk& disk : disks)
+        if (is_visible(disk, bounds))
+            circles.push_back({{static_cast<double>(disk.x), static_cast<double>(disk.y)},
+                               static_cast<double>(disk.radius),
+                               rgb(disk.color)});
+    canvas.fill_circles(circles, clip);
+}
+
 }  // namespace
 
 // Asks for the pixels of a disk that will be drawn soon. Disks come in no order of place: without
@@ -252,9 +263,10 @@ DiskPainter::DiskPainter(DiskPainter&&) noexcept = default;
 DiskPainter& DiskPainter::operator=(DiskPainter&&) noexcept = default;
 
 void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
+    if (!canvas.is_raster()) return draw_circles(canvas, disks, clip);
     implementation_->forget_if_full();
     const PixelView pixels = canvas.pixels();
-    const PixelBounds bounds = bounds_of(pixels, clip);
+    const PixelBounds bounds = bounds_of(canvas.size(), clip);
     constexpr std::size_t ahead = 4;
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const Disk& disk = disks[i];

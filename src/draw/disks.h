@@ -1,5 +1,5 @@
-// Many disks on a raster, fast: cached coverage masks at 16 x 16 sub-pixel phases, blended into the
-// canvas's own pixels.
+// Many disks. On a raster, fast: cached coverage masks at 16 x 16 sub-pixel phases, blended into
+// the canvas's own pixels. In a vector document: circles.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ class DiskPainter {
     DiskPainter(DiskPainter&&) noexcept;
     DiskPainter& operator=(DiskPainter&&) noexcept;
 
-    /// Draws in order, later disks over earlier ones; clipped to `clip`. Centres are right to 1/32
-    /// pixel, coverage to 1/255 or so.
+    /// Draws in order, later disks over earlier ones; clipped to `clip`. On a raster centres are
+    /// right to 1/32 pixel, coverage to 1/255 or so.
     void draw(Canvas& canvas, std::span<const Disk> disks, Rect clip);
 
   private:

@@ -4,9 +4,9 @@
 
 namespace carom {
 
-void write_png(const Canvas& canvas, const std::filesystem::path& path) {
+void write_image(Canvas& canvas, const std::filesystem::path& path) {
     AtomicFile file{path};
-    file.write(canvas.png());
+    file.write(canvas.file());
     file.commit();
 }
 

@@ -1,4 +1,4 @@
-// Still pictures: PNG from a raster canvas.
+// Still pictures: a PNG of a raster canvas, an SVG or PDF of a vector one.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,8 @@
 
 namespace carom {
 
-/// Writes a PNG, whole or not at all. Throws SystemError naming the path and the cause.
-void write_png(const Canvas& canvas, const std::filesystem::path& path);
+/// Writes the canvas's file(), whole or not at all. Throws SystemError naming the path and the
+/// cause.
+void write_image(Canvas& canvas, const std::filesystem::path& path);
 
 }  // namespace carom

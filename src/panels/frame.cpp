@@ -79,21 +79,25 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
       unit_(grid_.unit()),
       ground_({scene.film.size.width, scene.film.size.height}),
       canvas_({scene.film.size.width, scene.film.size.height}) {
-    ground_.fill_all(theme_.page);
-    draw_title();
-    for (const Observers::Placed& placed : observers_.panels())
-        placed.panel->draw_ground(ground_, page(placed.slot));
-    const Page key = page(scene_.film.layout.color_bar);
-    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
-    const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
-    observers_.gas().draw_key(ground_, {beside, unit_, theme_, disks_},
-                              page(scene_.film.layout.gas));
+    draw_ground(ground_);
     for (const Observers::Placed& placed : observers_.panels()) {
         const Rect area = grid_.place(placed.slot);
         changing_.push_back(
             {area.x - unit_, area.y - unit_, area.width + 2.0 * unit_, area.height + 2.0 * unit_});
     }
     canvas_.copy_from(ground_);
+}
+
+void FramePainter::draw_ground(Canvas& canvas) {
+    canvas.fill_all(theme_.page);
+    draw_title(canvas);
+    for (const Observers::Placed& placed : observers_.panels())
+        placed.panel->draw_ground(canvas, page(placed.slot));
+    const Page key = page(scene_.film.layout.color_bar);
+    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
+    observers_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
+                              page(scene_.film.layout.gas));
 }
 
 Page FramePainter::page(const Slot& slot) { return {grid_.place(slot), unit_, theme_, disks_}; }
@@ -109,7 +113,7 @@ TextStyle FramePainter::title_style(double width) const {
 }
 
 // A title too long for its line takes two where there is room, and the subtitle the rest.
-void FramePainter::draw_title() {
+void FramePainter::draw_title(Canvas& canvas) const {
     const Rect area = grid_.place(scene_.film.layout.title);
     const TextStyle title = title_style(area.width);
     const TextStyle subtitle{.size = 1.17 * unit_,
@@ -122,16 +126,18 @@ void FramePainter::draw_title() {
     double y = area.y + 1.7 * unit_;
     const std::size_t title_lines = spare < title_line ? 1 : 2;
     for (const std::string& words : wrapped(scene_.title, title, title_lines)) {
-        draw_text(ground_, {area.x, y}, escape_markup(words), title);
+        draw_text(canvas, {area.x, y}, escape_markup(words), title);
         y += title_line;
     }
     y -= title_line - 2.0 * unit_;
     const double rest = std::max(0.0, area.bottom() - 0.5 * unit_ - y);
-    draw_subtitle({area.x, y}, subtitle, 1 + static_cast<std::size_t>(rest / line + 1e-9), line);
+    draw_subtitle(canvas, {area.x, y}, subtitle, 1 + static_cast<std::size_t>(rest / line + 1e-9),
+                  line);
 }
 
 // With the remark on units at the right end of its last line, or of the one after it.
-void FramePainter::draw_subtitle(Point at, TextStyle style, std::size_t most, double line) {
+void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most,
+                                 double line) const {
     TextStyle remark = style;
     remark.size = unit_;
     remark.align = Align::right;
@@ -143,33 +149,42 @@ void FramePainter::draw_subtitle(Point at, TextStyle style, std::size_t most, do
     double last = 0.0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (i > 0) at.y += line;
-        last = draw_text(ground_, at, escape_markup(lines[i]), style).width;
+        last = draw_text(canvas, at, escape_markup(lines[i]), style).width;
     }
     const bool meets = at.x + last + unit_ > right - measure_text(units, remark).width;
     if (meets && lines.size() >= most) return;
-    draw_text(ground_, {right, meets ? at.y + line : at.y}, units, remark);
+    draw_text(canvas, {right, meets ? at.y + line : at.y}, units, remark);
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
     for (const Rect& rect : changing_) canvas_.copy_from(ground_, rect);
-    for (std::size_t i = 0; i < frame.states.size(); ++i) {
-        const Observers::Placed& placed = observers_.panels()[i];
-        placed.panel->draw(canvas_, page(placed.slot), *frame.states[i]);
-    }
-    if (frame.tick.phase == Phase::reversing) draw_announcement(frame.tick);
+    draw_changing(canvas_, frame);
     return canvas_;
 }
 
-void FramePainter::draw_announcement(const Tick& tick) {
+void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
+    draw_ground(canvas);
+    draw_changing(canvas, frame);
+}
+
+void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame) {
+    for (std::size_t i = 0; i < frame.states.size(); ++i) {
+        const Observers::Placed& placed = observers_.panels()[i];
+        placed.panel->draw(canvas, page(placed.slot), *frame.states[i]);
+    }
+    if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
+}
+
+void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
     const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const Rect plate{box.x, box.y + 0.5 * box.height - 2.0 * unit_, box.width, 4.0 * unit_};
-    canvas_.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
+    canvas.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
     const TextStyle style{.size = 2.2 * unit_,
                           .weight = 600,
                           .color = with_alpha(theme_.ink, alpha),
                           .align = Align::center};
-    draw_text(canvas_, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, "velocities reversed",
+    draw_text(canvas, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, "velocities reversed",
               style);
 }
 

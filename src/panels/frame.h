@@ -56,12 +56,18 @@ class FramePainter {
     /// The picture of a frame, a pure function of `frame`; valid until the next call.
     const Canvas& paint(const FrameData& frame);
 
+    /// Draws the same picture on another canvas of the film's size.
+    void paint_on(Canvas& canvas, const FrameData& frame);
+
   private:
     Page page(const Slot& slot);
     TextStyle title_style(double width) const;
-    void draw_title();
-    void draw_subtitle(Point at, TextStyle style, std::size_t most_lines, double line);
-    void draw_announcement(const Tick& tick);
+    void draw_ground(Canvas& canvas);
+    void draw_title(Canvas& canvas) const;
+    void draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most_lines,
+                       double line) const;
+    void draw_changing(Canvas& canvas, const FrameData& frame);
+    void draw_announcement(Canvas& canvas, const Tick& tick) const;
 
     const Scene& scene_;
     const Observers& observers_;

@@ -130,7 +130,7 @@ TEST_CASE("impossible sizes are errors, not crashes") {
 }
 
 TEST_CASE("a PNG says its size and is complete") {
-    const std::vector<std::uint8_t> png = Canvas({300, 5}).png();
+    const std::vector<std::uint8_t> png = Canvas({300, 5}).file();
     REQUIRE(png.size() > 45);
     const std::uint8_t head[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', 0, 0, 0, 13, 'I',
                                  'H',  'D', 'R', 0,   0,    1,    44,   0,    0, 0, 5, 8,  2};

@@ -38,6 +38,7 @@ const std::vector<Door> doors{
     {std::regex("yaml-cpp/.*"), {"scene/yaml.cpp"}},
     {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
+    {std::regex("pugixml.*"), {"draw/svg.cpp"}},
     {std::regex("lib(av|sw).*"), {"media/video_writer.cpp"}},
     {std::regex("CLI/.*"), {"app/command.h"}},
     {std::regex("nlohmann/.*"), {"app/run_json.cpp", "app/check_json.cpp", "app/schema_json.cpp"}},

@@ -128,3 +128,47 @@ TEST_CASE("a gas at rest, one particle, and infinite masses make a film without 
         for (const FrameData& frame : film.frames) painter.paint(frame);
     }
 }
+
+TEST_CASE("a picture drawn at once on another canvas is the film's") {
+    const Shot film(scene_of("seconds: 2, fps: 5, size: [320, 180]"));
+    FramePainter painter(film.scene, *film.observers);
+    Canvas canvas({320, 180});
+    painter.paint(film.frames.front());
+    painter.paint_on(canvas, film.frames.back());
+    CHECK(pixels_of(canvas) == pixels_of(painter.paint(film.frames.back())));
+}
+
+TEST_CASE("vector pictures hold no pixels, whatever they show") {
+    const auto svg_of = [](const Scene& scene) {
+        const Shot film(scene);
+        FramePainter painter(film.scene, *film.observers);
+        Canvas canvas({film.scene.film.size.width, film.scene.film.size.height}, VectorFormat::svg,
+                      {"T", "D"});
+        painter.paint_on(canvas, film.frames.back());
+        const std::vector<std::uint8_t> bytes = canvas.file();
+        return std::string(bytes.begin(), bytes.end());
+    };
+    const std::string gas =
+        "{name: a, count: 40, radius: 0.5, speed: 1, fill: false}, "
+        "{name: b, count: 1, radius: 3, position: [4, 20], velocity: [3, 2], trail: 1}";
+    const std::string film =
+        "seconds: 2, fps: 5, size: [640, 360], template: data, velocities: true, labels: index, ";
+    std::vector<std::string> svgs;
+    for (const std::string& kind : panel_kinds()) {
+        CAPTURE(kind);
+        try {
+            svgs.push_back(svg_of(scene_of(film + "panels: [" + kind + "]", gas)));
+        } catch (const SceneError&) {
+            continue;  // a kind that wants to be told more
+        }
+    }
+    CHECK(svgs.size() > 5);
+    svgs.push_back(svg_of(load_scene_text(
+        "title: T\nbox: {length: 40}\ngas: [{name: a, count: 9, radius: 1, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {seconds: 2, fps: 5, size: [640, 360], velocities: true}\n",
+        "test", templates)));
+    for (const std::string& svg : svgs) {
+        CHECK(svg.find("<path") != std::string::npos);
+        CHECK(svg.find("<image") == std::string::npos);
+    }
+}

@@ -1,0 +1,129 @@
+// SVG and PDF: read back by another reader than the writer.
+#include <doctest/doctest.h>
+
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "draw/canvas.h"
+#include "draw/disks.h"
+#include "draw/svg.h"
+#include "draw/text.h"
+#include "util/diagnostics.h"
+
+using namespace carom;
+
+namespace {
+
+const PictureWords words{"Hot & cold <disks>", "Two disks, “one” of them hot."};
+constexpr PixelSize size{400, 300};
+constexpr Color blue = rgb(0x0000FF);
+
+std::string file_of(Canvas& canvas) {
+    const std::vector<std::uint8_t> bytes = canvas.file();
+    return {bytes.begin(), bytes.end()};
+}
+
+struct Svg {
+    pugi::xml_document document;
+    pugi::xml_node root;
+
+    explicit Svg(const std::string& text) {
+        REQUIRE(document.load_string(text.c_str()));
+        root = document.document_element();
+        REQUIRE(std::string(root.name()) == "svg");
+    }
+
+    std::size_t count(const std::string& name) const {
+        return document.select_nodes(("//" + name).c_str()).size();
+    }
+};
+
+// Some of everything that a picture may hold.
+std::string drawn(VectorFormat format) {
+    Canvas canvas(size, format, words);
+    canvas.fill_all(rgb(0xFFFFFF));
+    canvas.clip_to({10, 10, 200, 200});
+    canvas.fill({5, 5, 50, 50}, with_alpha(blue, 0.3));
+    canvas.release_clip();
+    draw_text(canvas, {20, 200}, "mean <b>energy</b>", {.color = blue});
+    DiskPainter disks;
+    const std::vector<Disk> three{{50, 60, 8, 0x123456}, {99, 60, 8, 0xABCDEF}, {150, 60, 8, 0}};
+    disks.draw(canvas, three, {0, 0, 100, 100});
+    return file_of(canvas);
+}
+
+// Canvases and letters that come before, as in a process that draws more than one picture.
+void draw_something_else() {
+    Canvas raster({50, 50});
+    draw_text(raster, {0, 20}, "before", {});
+    Canvas other(size, VectorFormat::svg, {});
+    other.fill_all(blue);
+    other.file();
+}
+
+}  // namespace
+
+TEST_CASE("an SVG has a title, a description and the role of a picture") {
+    const Svg svg(drawn(VectorFormat::svg));
+    CHECK(std::string(svg.root.attribute("role").value()) == "img");
+    const pugi::xml_node first = svg.root.first_child();
+    CHECK(std::string(first.name()) == "title");
+    CHECK(first.text().get() == words.title);
+    CHECK(std::string(first.next_sibling().name()) == "desc");
+    CHECK(first.next_sibling().text().get() == words.description);
+}
+
+TEST_CASE("a pixel is a user unit of an SVG and three quarters of a point in a PDF") {
+    const Svg svg(drawn(VectorFormat::svg));
+    CHECK(std::string(svg.root.attribute("width").value()) == "400px");
+    CHECK(std::string(svg.root.attribute("height").value()) == "300px");
+    CHECK(std::string(svg.root.attribute("viewBox").value()) == "0 0 400 300");
+    CHECK(drawn(VectorFormat::pdf).find("/MediaBox [ 0 0 300 225 ]") != std::string::npos);
+}
+
+TEST_CASE("disks of a vector picture are curves, cut where they are asked to be") {
+    Canvas canvas(size, VectorFormat::svg, words);
+    DiskPainter disks;
+    // Inside, over the edge, outside.
+    const std::vector<Disk> three{{50, 60, 8, 0x123456}, {99, 60, 8, 0xABCDEF}, {150, 60, 8, 0}};
+    disks.draw(canvas, three, {0, 0, 100, 100});
+    const Svg svg(file_of(canvas));
+    CHECK(svg.count("image") == 0);
+    CHECK(svg.count("path[contains(@d, 'C') and contains(@style, 'fill:')]") == 2);
+    CHECK(svg.count("clipPath") == 1);
+}
+
+TEST_CASE("the same drawing gives the same document, whatever was drawn before") {
+    for (const VectorFormat format : {VectorFormat::svg, VectorFormat::pdf}) {
+        const std::string first = drawn(format);
+        draw_something_else();
+        CHECK(first.size() > 1000);
+        CHECK(drawn(format) == first);
+    }
+}
+
+TEST_CASE("a PDF tells its title, and no date of its making") {
+    const std::string pdf = drawn(VectorFormat::pdf);
+    CHECK(pdf.find("/Title (Hot & cold <disks>)") != std::string::npos);
+    // Cairo 1.16 leaves out the `D:` that dates begin with.
+    for (const std::string date : {"/CreationDate (", "/ModDate ("}) {
+        const std::size_t at = pdf.find(date);
+        REQUIRE(at != std::string::npos);
+        const std::string value = pdf.substr(at + date.size(), 17);
+        CHECK((value.starts_with("20000101000000Z") || value == "D:20000101000000Z"));
+    }
+}
+
+TEST_CASE("a document of no size is refused") {
+    CHECK_THROWS_AS(Canvas({0, 10}, VectorFormat::svg, words), SystemError);
+    CHECK_THROWS_AS(Canvas({10, 20000}, VectorFormat::pdf, words), SystemError);
+}
+
+TEST_CASE("what is no SVG is not finished") {
+    for (const std::string text : {"", "<svg", "<html/>"}) {
+        CAPTURE(text);
+        const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+        CHECK_THROWS_AS(finished_svg(bytes, words), SystemError);
+    }
+}

@@ -170,16 +170,20 @@ void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t ser
     const Scales s = scales(page);
     const Color color = ink(series, page).bar;
     const double alpha = series_.size() > 1 ? tint_alpha : 1.0;
+    // One shape: bars of their own would show seams between them wherever a vector picture is seen
+    // at another size. On whole pixels sideways, so that bars side by side are equally sharp.
+    std::vector<Point> outline;
     for (int i = 0; i < bins_.count; ++i) {
         const double count = now.counts[static_cast<std::size_t>(i)];
-        if (count == 0.0) continue;
-        // Whole pixels sideways: half-covered columns would show as seams between the bars.
         const double left = std::round(s.x(bins_.edge(i)));
         const double right = std::round(s.x(bins_.edge(i + 1)));
-        const double top = s.y(std::min(count, tallest_));
-        canvas.fill({left, top, right - left, s.area.bottom() - top},
-                    alpha < 1.0 ? with_alpha(color, alpha) : color);
+        const double top = count == 0.0 ? s.area.bottom() : s.y(std::min(count, tallest_));
+        if (outline.empty()) outline.push_back({left, s.area.bottom()});
+        outline.push_back({left, top});
+        outline.push_back({right, top});
     }
+    outline.push_back({outline.back().x, s.area.bottom()});
+    canvas.fill_polygon(outline, alpha < 1.0 ? with_alpha(color, alpha) : color);
 }
 
 // The upper edge of bars that others overlap.

@@ -138,6 +138,31 @@ TEST_CASE("a picture drawn at once on another canvas is the film's") {
     CHECK(pixels_of(canvas) == pixels_of(painter.paint(film.frames.back())));
 }
 
+TEST_CASE("the bars of a histogram are one shape: no seams at any size of a vector picture") {
+    const auto text_of = [](Canvas& canvas) {
+        const std::vector<std::uint8_t> bytes = canvas.file();
+        return std::string(bytes.begin(), bytes.end());
+    };
+    Canvas sample({10, 10}, VectorFormat::svg, {});
+    sample.fill({1, 1, 5, 5}, theme(ThemeKind::dark).bar);
+    const std::string drawn = text_of(sample);
+    const std::size_t from = drawn.find("fill:rgb(");
+    REQUIRE(from != std::string::npos);
+    const std::string bar = drawn.substr(from, drawn.find(')', from) + 1 - from);
+
+    const Shot film(scene_of("seconds: 2, fps: 5, size: [640, 360], panels: [speed-histogram]",
+                             "{count: 200, radius: 0.3, temperature: 1}"));
+    FramePainter painter(film.scene, *film.observers);
+    Canvas canvas({640, 360}, VectorFormat::svg, {});
+    painter.paint_on(canvas, film.frames.back());
+    const std::string svg = text_of(canvas);
+    int shapes = 0;
+    for (std::size_t at = svg.find("<path"); at != std::string::npos;
+         at = svg.find("<path", at + 1))
+        shapes += svg.substr(at, svg.find('>', at) - at).find(bar) != std::string::npos ? 1 : 0;
+    CHECK(shapes == 1);
+}
+
 TEST_CASE("vector pictures hold no pixels, whatever they show") {
     const auto svg_of = [](const Scene& scene) {
         const Shot film(scene);

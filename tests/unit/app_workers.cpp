@@ -31,6 +31,48 @@ RenderReport render_with(const Scene& scene, const std::filesystem::path& path, 
     return render(scene, {.output = path, .quality = Quality::draft, .threads = threads}, silent);
 }
 
+// A film that stands still at its first frame, handed to workers in segments of so many frames.
+class StillFilm {
+  public:
+    explicit StillFilm(const Scene& scene)
+        : scene_(scene),
+          simulation_(scene.gas, scene.run),
+          observers_(scene, simulation_.particles(), simulation_.sample()),
+          tick_(timeline(scene).front()),
+          passage_(simulation_.advance_to(0.0)) {
+        observers_.survey(tick_, simulation_.sample(), passage_);
+        observers_.settle();
+    }
+
+    VideoSettings settings() const {
+        return {.width = scene_.film.size.width,
+                .height = scene_.film.size.height,
+                .fps = 30,
+                .quality = Quality::draft,
+                .metadata = {}};
+    }
+
+    void make(const std::filesystem::path& path, int segment, int threads) {
+        const int frames = frame_count(scene_.film);
+        const auto writer = film_writer(path, settings(), frames);
+        Progress silent(Progress::Form::silent, "");
+        SegmentWorkers workers(scene_, observers_, segment_starts(frames, segment), threads,
+                               *writer, silent);
+        for (int i = 0; i < frames; ++i)
+            workers.frame(observers_.frame_data(tick_, simulation_.sample(), passage_));
+        workers.finish();
+    }
+
+    const Observers& observers() const { return observers_; }
+
+  private:
+    const Scene& scene_;
+    Simulation simulation_;
+    Observers observers_;
+    Tick tick_;
+    Passage passage_;
+};
+
 }  // namespace
 
 TEST_CASE("seconds are told as on a clock") {
@@ -53,47 +95,22 @@ TEST_CASE("films of two frames, of fewer segments than workers and of many parti
 TEST_CASE("an interruption stops workers that have all their frames") {
     const TemporaryFolder folder;
     const Scene scene = small_scene(5, 9.0);
-    Simulation simulation(scene.gas, scene.run);
-    Observers observers(scene, simulation.particles(), simulation.sample());
-    const std::vector<Tick> ticks = timeline(scene);
-    const Passage passage = simulation.advance_to(0.0);
-    observers.survey(ticks.front(), simulation.sample(), passage);
-    observers.settle();
-    const VideoSettings settings{
-        .width = 128, .height = 72, .fps = 30, .quality = Quality::draft, .metadata = {}};
-    {
-        const auto writer =
-            film_writer(folder.path() / "film.mp4", settings, frame_count(scene.film));
-        Progress silent(Progress::Form::silent, "");
-        const int frames = frame_count(scene.film);
-        set_interrupted(true);
-        SegmentWorkers workers(scene, observers, segment_starts(frames, 5), 2, *writer, silent);
-        const auto whole_film = [&] {
-            for (int i = 0; i < frames; ++i)
-                workers.frame(observers.frame_data(ticks.front(), simulation.sample(), passage));
-            workers.finish();
-        };
-        CHECK_THROWS_AS(whole_film(), Interrupted);
-        set_interrupted(false);
-    }
+    StillFilm film(scene);
+    set_interrupted(true);
+    CHECK_THROWS_AS(film.make(folder.path() / "film.mp4", 5, 2), Interrupted);
+    set_interrupted(false);
     CHECK(folder.names().empty());
 }
 
 TEST_CASE("a worker's error reaches the caller") {
     const TemporaryFolder folder;
     const Scene scene = small_scene(5, 2.0);
-    const std::vector<Tick> ticks = timeline(scene);
-    Simulation simulation(scene.gas, scene.run);
-    Observers observers(scene, simulation.particles(), simulation.sample());
-    const Passage passage = simulation.advance_to(0.0);
-    observers.survey(ticks.front(), simulation.sample(), passage);
-    observers.settle();
-    // The encoder is told another size than the frames have.
-    const VideoSettings wrong{
-        .width = 0, .height = 0, .fps = 30, .quality = Quality::draft, .metadata = {}};
+    const StillFilm film(scene);
+    VideoSettings wrong = film.settings();  // another size than the frames have
+    wrong.width = wrong.height = 0;
     const auto writer = film_writer(folder.path() / "film.mp4", wrong, 1);
     Progress silent(Progress::Form::silent, "");
-    SegmentWorkers workers(scene, observers, {0, 1}, 1, *writer, silent);
+    SegmentWorkers workers(scene, film.observers(), {0, 1}, 1, *writer, silent);
     CHECK_THROWS_AS(workers.finish(), std::exception);
 }
 
@@ -118,14 +135,7 @@ TEST_CASE("values are handed on in order, and none after one that could not be")
 TEST_CASE("a film that cannot be written to its end stops all workers, wherever they are") {
     const TemporaryFolder folder;
     const Scene scene = small_scene(2000, 1.0, "640, 360");
-    const std::vector<Tick> ticks = timeline(scene);
-    Simulation simulation(scene.gas, scene.run);
-    Observers observers(scene, simulation.particles(), simulation.sample());
-    const Passage passage = simulation.advance_to(0.0);
-    observers.survey(ticks.front(), simulation.sample(), passage);
-    observers.settle();
-    const VideoSettings settings{
-        .width = 640, .height = 360, .fps = 30, .quality = Quality::draft, .metadata = {}};
+    StillFilm film(scene);
     // As with a full disk, some segments, of one frame each, are written before one is not.
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     rlimit before;
@@ -133,19 +143,8 @@ TEST_CASE("a film that cannot be written to its end stops all workers, wherever 
     rlimit small = before;
     small.rlim_cur = 10'000;
     setrlimit(RLIMIT_FSIZE, &small);
-    for (int round = 0; round < 10; ++round) {
-        const auto writer =
-            film_writer(folder.path() / "film.mp4", settings, frame_count(scene.film));
-        Progress silent(Progress::Form::silent, "");
-        const int frames = frame_count(scene.film);
-        SegmentWorkers workers(scene, observers, segment_starts(frames, 1), 8, *writer, silent);
-        const auto whole_film = [&] {
-            for (int i = 0; i < frames; ++i)
-                workers.frame(observers.frame_data(ticks.front(), simulation.sample(), passage));
-            workers.finish();
-        };
-        CHECK_THROWS_AS(whole_film(), SystemError);
-    }
+    for (int round = 0; round < 10; ++round)
+        CHECK_THROWS_AS(film.make(folder.path() / "film.mp4", 1, 8), SystemError);
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     CHECK(folder.names().empty());

@@ -175,6 +175,24 @@ std::string failure_of(const fs::path& path, const VideoSettings& settings, int 
     return "";
 }
 
+// `least`: bytes of the film, several buffers.
+void check_failing_writes(const fs::path& path, const VideoSettings& settings, rlim_t least) {
+    REQUIRE(failure_of(path, settings, 40) == "");
+    const auto size = static_cast<rlim_t>(fs::file_size(path));
+    REQUIRE(size > least);
+    std::ofstream(path) << "earlier";
+    for (const rlim_t limit : {rlim_t{1}, size / 2, size - 2000, size - 1}) {
+        CAPTURE(limit);
+        std::string message;
+        {
+            const FileSizeLimit limited(limit);
+            message = failure_of(path, settings, 40);
+        }
+        CHECK(message == "cannot write " + path.string() + ": File too large");
+        CHECK(contents(path) == "earlier");
+    }
+}
+
 }  // namespace
 
 TEST_CASE("a film is the same bytes whatever threads encoded its segments, for every quality") {
@@ -355,22 +373,8 @@ TEST_CASE("an uncommitted film leaves nothing, and the earlier one as it was") {
 
 TEST_CASE("a write that fails, early or late, is one clear error and harms nothing") {
     const Folder folder;
-    const VideoSettings settings = small_film(Quality::draft);
-    REQUIRE(failure_of(folder.film(), settings, 40) == "");
-    const auto size = static_cast<rlim_t>(fs::file_size(folder.film()));
-    REQUIRE(size > 1'000'000);  // several buffers
-    std::ofstream(folder.film()) << "earlier";
-    for (const rlim_t limit : {rlim_t{1}, size / 2, size - 2000, size - 1}) {
-        CAPTURE(limit);
-        std::string message;
-        {
-            const FileSizeLimit limited(limit);
-            message = failure_of(folder.film(), settings, 40);
-        }
-        CHECK(message == "cannot write " + folder.film().string() + ": File too large");
-        CHECK(contents(folder.film()) == "earlier");
-        CHECK(folder.names().size() == 1);
-    }
+    check_failing_writes(folder.film(), small_film(Quality::draft), 1'000'000);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("a full disk is named") {
@@ -467,20 +471,6 @@ TEST_CASE("the index of a WebM stands before the pictures") {
 
 TEST_CASE("a WebM whose write fails, early or late, is one clear error and harms nothing") {
     const Folder folder;
-    const VideoSettings settings = small_webm(Quality::draft);
-    REQUIRE(failure_of(folder.webm(), settings, 40) == "");
-    const auto size = static_cast<rlim_t>(fs::file_size(folder.webm()));
-    REQUIRE(size > 600'000);  // several buffers
-    std::ofstream(folder.webm()) << "earlier";
-    for (const rlim_t limit : {rlim_t{1}, size / 2, size - 2000, size - 1}) {
-        CAPTURE(limit);
-        std::string message;
-        {
-            const FileSizeLimit limited(limit);
-            message = failure_of(folder.webm(), settings, 40);
-        }
-        CHECK(message == "cannot write " + folder.webm().string() + ": File too large");
-        CHECK(contents(folder.webm()) == "earlier");
-        CHECK(folder.names().size() == 1);
-    }
+    check_failing_writes(folder.webm(), small_webm(Quality::draft), 600'000);
+    CHECK(folder.names().size() == 1);
 }

@@ -9,6 +9,7 @@
 #include "panels/frame.h"
 #include "panels/gas_colors.h"
 #include "scene/load.h"
+#include "support/first_frame.h"
 #include "support/vision.h"
 
 using namespace carom;
@@ -27,33 +28,11 @@ Scene scene_of(const std::string& gas, const std::string& film,
 }
 
 // The first frame of a scene.
-struct Picture {
-    Scene scene;
-    Simulation simulation;
-    Observers observers;
-    std::unique_ptr<FramePainter> painter;
-    PixelView view;
-
-    explicit Picture(Scene loaded)
-        : scene(std::move(loaded)),
-          simulation(scene.gas, scene.run),
-          observers(scene, simulation.particles(), simulation.sample()) {
-        const Passage passage = simulation.advance_to(0.0);
-        const Tick tick{};
-        observers.survey(tick, simulation.sample(), passage);
-        observers.settle();
-        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
-        painter = std::make_unique<FramePainter>(scene, observers);
-        view = painter->paint(frame).pixels();
-    }
+struct Picture : test::FirstFrame {
+    using FirstFrame::FirstFrame;
 
     Color at(double x, double y) const {
         return rgb(view.data[std::lround(y) * view.stride + std::lround(x)] & 0xFFFFFF);
-    }
-
-    Rect box() const {
-        return observers.gas().frame_in(
-            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas));
     }
 
     // The pixels along a line from the centre of the box to the right.

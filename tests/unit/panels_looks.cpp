@@ -8,6 +8,7 @@
 #include "panels/bead_words.h"
 #include "panels/frame.h"
 #include "scene/load.h"
+#include "support/first_frame.h"
 #include "support/pixels.h"
 
 using namespace carom;
@@ -26,25 +27,8 @@ Scene scene_of(const std::string& gas, const std::string& film,
 }
 
 // The first frame of a scene.
-struct Picture {
-    Scene scene;
-    Simulation simulation;
-    Observers observers;
-    std::unique_ptr<FramePainter> painter;
-    PixelView view;
-
-    explicit Picture(Scene loaded)
-        : scene(std::move(loaded)),
-          simulation(scene.gas, scene.run),
-          observers(scene, simulation.particles(), simulation.sample()) {
-        const Passage passage = simulation.advance_to(0.0);
-        const Tick tick{};
-        observers.survey(tick, simulation.sample(), passage);
-        observers.settle();
-        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
-        painter = std::make_unique<FramePainter>(scene, observers);
-        view = painter->paint(frame).pixels();
-    }
+struct Picture : test::FirstFrame {
+    using FirstFrame::FirstFrame;
 
     // How many pixels of the whole frame are exactly of this colour.
     int count(std::uint32_t color) const {
@@ -57,11 +41,7 @@ struct Picture {
 
     std::vector<std::uint32_t> pixels() const { return test::pixels_of(view); }
 
-    double scale() const {
-        const Rect box = observers.gas().frame_in(
-            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas));
-        return box.width / scene.gas.box.size[0];
-    }
+    double scale() const { return box().width / scene.gas.box.size[0]; }
 };
 
 }  // namespace

@@ -16,15 +16,23 @@ struct RelativeMotion {
     Scalar x, y, vx, vy;
 };
 
-/// The distance from 1 to the next number, of a number or of each of several lanes.
-template <typename Scalar>
-inline constexpr auto epsilon_of = std::numeric_limits<Scalar>::epsilon();
-template <SomeLanes Lanes>
-inline constexpr double epsilon_of<Lanes> = std::numeric_limits<double>::epsilon();
+/// A number of which the standard library knows the limits, unlike several lanes.
+template <typename T>
+concept HasLimits = std::numeric_limits<T>::is_specialized;
 
-/// The time of what never happens.
-template <typename Scalar>
+/// The time of what never happens; never<double> also for lanes.
+template <HasLimits Scalar>
 inline constexpr Scalar never = std::numeric_limits<Scalar>::infinity();
+
+/// The distance from 1 to the next number, of a number or of each of several lanes.
+template <HasLimits Scalar>
+constexpr Scalar epsilon_of() {
+    return std::numeric_limits<Scalar>::epsilon();
+}
+template <SomeLanes Lanes>
+constexpr double epsilon_of() {
+    return std::numeric_limits<double>::epsilon();
+}
 
 /// a b - c d to within 1.5 ulp (Kahan; proof: Jeannerod, Louvet and Muller 2013).
 template <typename Scalar>
@@ -64,7 +72,7 @@ template <typename Scalar>
                                                         const Scalar& second_vy) {
     using carom::abs;
     using std::abs;
-    return 4 * epsilon_of<Scalar> *
+    return 4 * epsilon_of<Scalar>() *
            (abs(m.x) * (abs(first_vx) + abs(second_vx)) +
             abs(m.y) * (abs(first_vy) + abs(second_vy)));
 }

@@ -1,5 +1,6 @@
 // The plane: disks in two dimensions, who may touch whom and when. Finds neighbours in a grid of
-// cells (cell_grid.h), times by pair_collision.h. Knows no queue order and no clock.
+// cells (cell_grid.h), and the first of them to be touched by contact_search.h. Knows no queue
+// order and no clock.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -9,6 +7,7 @@
 #include "app/pipeline.h"
 #include "app/segment_workers.h"
 #include "scene/load.h"
+#include "support/file_size_limit.h"
 #include "support/process.h"
 #include "util/interrupt.h"
 
@@ -137,15 +136,10 @@ TEST_CASE("a film that cannot be written to its end stops all workers, wherever 
     const Scene scene = small_scene(2000, 1.0, "640, 360");
     StillFilm film(scene);
     // As with a full disk, some segments, of one frame each, are written before one is not.
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before;
-    getrlimit(RLIMIT_FSIZE, &before);
-    rlimit small = before;
-    small.rlim_cur = 10'000;
-    setrlimit(RLIMIT_FSIZE, &small);
-    for (int round = 0; round < 10; ++round)
-        CHECK_THROWS_AS(film.make(folder.path() / "film.mp4", 1, 8), SystemError);
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
+    {
+        const test::FileSizeLimit small(10'000);
+        for (int round = 0; round < 10; ++round)
+            CHECK_THROWS_AS(film.make(folder.path() / "film.mp4", 1, 8), SystemError);
+    }
     CHECK(folder.names().empty());
 }

@@ -29,11 +29,12 @@ std::pair<double, double> tick_range(double low, double high, const Step& step) 
     return {std::ceil(low / step.size() - slack), std::floor(high / step.size() + slack)};
 }
 
-Step smallest_step(double low, double high, int most) {
+Step smallest_step(double low, double high, int most, bool whole) {
     Step step{.tenths = 10, .exponent = static_cast<int>(std::floor(std::log10(high - low))) - 2};
     while (true) {
         for (const int tenths : {10, 20, 25, 50}) {
             step.tenths = tenths;
+            if (whole && (step.exponent < 0 || (step.exponent == 0 && step.is_half()))) continue;
             const auto [first, last] = tick_range(low, high, step);
             if (last - first + 1 <= most) return step;
         }
@@ -94,17 +95,18 @@ bool fits(const std::vector<TickMark>& marks, const Scale& scale, const TextStyl
     return true;
 }
 
-std::vector<TickMark> fitting_x_ticks(const Scale& scale, const TextStyle& style) {
+std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style) {
     for (int most = 5; most > 2; --most) {
-        std::vector<TickMark> marks = ticks(scale.low, scale.high, most);
-        if (fits(marks, scale, style)) return marks;
+        std::vector<TickMark> marks = ticks(scale.low, scale.high, most, style.whole);
+        if (fits(marks, scale, style.label)) return marks;
     }
-    return ticks(scale.low, scale.high, 2);
+    return ticks(scale.low, scale.high, 2, style.whole);
 }
 
-std::vector<TickMark> fitting_y_ticks(const Scale& scale, const TextStyle& style) {
-    const double room = std::abs(scale.to - scale.from) / (1.5 * style.size);
-    return ticks(scale.low, scale.high, std::clamp(static_cast<int>(room) + 1, 2, 5));
+std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
+    const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
+    const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
+    return ticks(scale.low, scale.high, most, style.whole);
 }
 
 void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
@@ -130,9 +132,9 @@ void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
 
 }  // namespace
 
-std::vector<TickMark> ticks(double low, double high, int most) {
+std::vector<TickMark> ticks(double low, double high, int most, bool whole) {
     if (!(std::isfinite(low) && std::isfinite(high) && low < high && most >= 2)) return {};
-    const Step step = smallest_step(low, high, most);
+    const Step step = smallest_step(low, high, most, whole);
     const auto [first, last] = tick_range(low, high, step);
     const double largest = std::max(std::abs(first), std::abs(last)) * step.size();
 
@@ -172,7 +174,7 @@ double x_axis_space(const AxisStyle& style) {
 
 double y_axis_space(const Scale& scale, const AxisStyle& style) {
     double widest = 0;
-    for (const TickMark& mark : fitting_y_ticks(scale, style.label))
+    for (const TickMark& mark : fitting_y_ticks(scale, style))
         widest = std::max(widest, measure_text(mark.label, style.label).width);
     return style.tick_length + gap_to_label(style) + widest;
 }
@@ -193,7 +195,7 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
         const double width = draw_text(canvas, {area.right(), baseline}, title, words).width;
         right = area.right() - width - 0.5 * words.size;
     }
-    for (const TickMark& mark : fitting_x_ticks(scale, label)) {
+    for (const TickMark& mark : fitting_x_ticks(scale, style)) {
         const double x = scale(mark.value);
         draw_upright_line(canvas, x, y, y + style.tick_length, style);
         if (x + 0.5 * measure_text(mark.label, label).width < right)
@@ -203,7 +205,7 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
 
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style) {
-    draw_y_marks(canvas, area, scale, fitting_y_ticks(scale, style.label), title, style);
+    draw_y_marks(canvas, area, scale, fitting_y_ticks(scale, style), title, style);
 }
 
 void draw_log_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,

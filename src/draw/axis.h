@@ -26,8 +26,8 @@ struct TickMark {
 
 /// Round values (multiples of 1, 2, 2.5 or 5 times a power of ten) inside [low, high]: as many as
 /// `most` (>= 2) allows, three at least for `most` = 5 and a range from 0, with labels of equal
-/// precision. Nothing for an empty range.
-std::vector<TickMark> ticks(double low, double high, int most = 5);
+/// precision. Nothing for an empty range. `whole`: whole numbers only, for counts.
+std::vector<TickMark> ticks(double low, double high, int most = 5, bool whole = false);
 
 /// Powers of ten from 10^low to 10^high, at most about `most`; a mark's value is its exponent.
 std::vector<TickMark> decade_ticks(double low, double high, int most = 5);
@@ -41,6 +41,7 @@ struct AxisStyle {
     TextStyle label;  ///< of the tick labels
     TextStyle title;  ///< of the words at its end
     Color line;
+    bool whole = false;  ///< ticks of linear axes at whole numbers only
 };
 
 /// The height that an x axis takes below its area, and the width that a y axis takes left of it.

@@ -326,6 +326,18 @@ double start_of(double x, Align align, double width) {
     return align == Align::center ? x - 0.5 * width : x - width;
 }
 
+thread_local TextLog* current_log = nullptr;
+
+void note(const std::string& markup, double size, Point origin, PangoLayout* layout) {
+    PangoRectangle ink = {};
+    pango_layout_line_get_extents(pango_layout_get_line_readonly(layout, 0), &ink, nullptr);
+    current_log->lines.push_back({markup,
+                                  size,
+                                  {origin.x + to_length(ink.x), origin.y + to_length(ink.y),
+                                   to_length(ink.width), to_length(ink.height)},
+                                  pango_layout_is_ellipsized(layout) != 0});
+}
+
 bool is_raster(cairo_t* context) {
     return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
 }
@@ -347,8 +359,12 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
         pango_cairo_show_layout_line(context, pango_layout_get_line_readonly(line.layout.get(), 0));
         cairo_new_path(context);
     }
+    if (current_log != nullptr) note(markup, style.size, origin, line.layout.get());
     return line.extent;
 }
+
+TextLog::TextLog() { current_log = this; }
+TextLog::~TextLog() { current_log = nullptr; }
 
 TextExtent measure_text(const std::string& markup, const TextStyle& style) {
     return line_of(markup, style).extent;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "draw/canvas.h"
 
@@ -33,6 +34,26 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
 
 /// The extent without drawing.
 TextExtent measure_text(const std::string& markup, const TextStyle& style);
+
+/// A line of text as it was drawn.
+struct DrawnLine {
+    std::string markup;
+    double size = 0;  ///< height of the em
+    Rect ink;         ///< what its letters touch
+    bool is_cut = false;
+};
+
+/// Notes the lines that this thread draws while it lives, so that a layout can be checked for words
+/// that are cut or lie on one another. One at a time on a thread.
+class TextLog {
+  public:
+    TextLog();
+    ~TextLog();
+    TextLog(const TextLog&) = delete;
+    TextLog& operator=(const TextLog&) = delete;
+
+    std::vector<DrawnLine> lines;
+};
 
 /// Plain text made safe as markup: & < > ' " escaped.
 std::string escape_markup(const std::string& text);

@@ -31,13 +31,14 @@ Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, co
     return kind_color(cast.scene.gas.species.size() + place, theme);
 }
 
-std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme) {
+std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme,
+                          const std::string& last) {
     if (chosen.size() == 1) return escape_markup(name_of(cast, chosen.front()));
     const bool numbers =
         std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
     std::string words = numbers ? "particles " : "";
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-        if (k > 0) words += k + 1 == chosen.size() ? " and " : ", ";
+        if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
         const std::string name =
             numbers ? std::to_string(*chosen[k].particle) : name_of(cast, chosen[k]);
         words += colored(name, choice_color(cast, chosen[k], k, theme), theme);

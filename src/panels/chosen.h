@@ -21,7 +21,9 @@ std::string name_of(const Cast& cast, const Chosen& chosen);
 /// and all have colours that no species has by default. `place`: among the choices.
 Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme);
 
-/// Names in their colours, as markup: "light and heavy"; uncoloured where there is one.
-std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme);
+/// Names in their colours, as markup: "light and heavy", the last joined by `last`; uncoloured
+/// where there is one.
+std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme,
+                          const std::string& last = " and ");
 
 }  // namespace carom

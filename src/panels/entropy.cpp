@@ -95,7 +95,8 @@ std::unique_ptr<Panel> make_entropy(const Cast& cast, const PanelSpec& spec) {
                 return spec.title ? escape_markup(*spec.title)
                                   : std::string("Entropy of the velocities, −<i>H</i>");
             },
-        .note = "−Σ <i>p</i> ln <i>p</i> over cells of velocity; 0 if all move alike"};
+        .notes = {"−Σ <i>p</i> ln <i>p</i> over cells of velocity; 0 if all move alike",
+                  "−Σ <i>p</i> ln <i>p</i> over cells of velocity"}};
     if (cast.equilibrium)
         subject.reference = [cells]() -> std::optional<ReferenceLevel> {
             if (!*cells) return std::nullopt;

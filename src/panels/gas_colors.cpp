@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "panels/layout.h"
 #include "stats/histogram.h"
 #include "stats/speed_classes.h"
 #include "util/text.h"
@@ -174,21 +175,25 @@ void GasColors::draw_legend(Canvas& canvas, const Page& page) const {
         for (const Species& species : cast_.scene.gas.species) names.push_back(species.name);
     }
     const std::vector<Color> colors = of_shades(page.theme);
-    const auto rows = static_cast<std::size_t>(std::max(2.0, page.area.height / (1.8 * u)));
-    if (names.size() > rows) {
-        const std::size_t more = names.size() - (rows - 1);
-        names.resize(rows - 1);
-        draw_text(canvas, {page.area.x, page.area.y + (0.9 + 1.8 * double(rows - 1)) * u},
-                  fmt::format("and {} more", more), label_style(page));
-    }
+    TextStyle style = label_style(page);
+    style.max_width = page.area.width - 1.4 * u;
+    double y = page.area.y + 0.9 * u;
     for (std::size_t k = 0; k < names.size(); ++k) {
-        const double y = page.area.y + (0.9 + 1.8 * static_cast<double>(k)) * u;
+        const std::vector<std::string> lines = wrapped(names[k], style, 2);
+        const double end = y + 1.4 * u * static_cast<double>(lines.size() - 1);
+        const double last = k + 1 == names.size() ? 0.0 : 1.8 * u;  // room for how many more
+        if (k > 1 && end + last > page.area.bottom()) {
+            draw_text(canvas, {page.area.x, y}, fmt::format("and {} more", names.size() - k),
+                      label_style(page));
+            break;
+        }
         const Point swatch{page.area.x + 0.5 * u, y - 0.35 * u};
         canvas.fill_circle(swatch, 0.45 * u, edge_of(colors[k], page.theme));
         canvas.fill_circle(swatch, 0.38 * u, colors[k]);
-        TextStyle style = label_style(page);
-        style.max_width = page.area.width - 1.4 * u;
-        draw_text(canvas, {page.area.x + 1.4 * u, y}, escape_markup(names[k]), style);
+        for (std::size_t line = 0; line < lines.size(); ++line)
+            draw_text(canvas, {page.area.x + 1.4 * u, y + 1.4 * u * static_cast<double>(line)},
+                      escape_markup(lines[line]), style);
+        y = end + 1.8 * u;
     }
     if (cast_.scene.film.color_by != ColorBy::speed_class) return;
     const std::array bounds{"below ½,", "above 1½", "of the", "mean"};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "panels/bead_words.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -201,6 +202,7 @@ void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) c
     if (cast_.scene.film.labels == Labels::none) draw_infinite(canvas, page, state);
     if (cast_.scene.film.labels != Labels::none) draw_labels(canvas, page, state);
     draw_chosen(canvas, page, state);
+    draw_remark(canvas, page);
     canvas.release_clip();
     draw_arrows(canvas, page, state);
 }
@@ -255,6 +257,33 @@ void GasPanel::draw_infinite(Canvas& canvas, const Page& page, const PanelState&
                 draw_hatching(canvas, page, to_pixels(place.x, place.y), radius * to_pixels.scale);
             });
     }
+}
+
+// Disks that are drawn larger than they are make a gas look denser than it is.
+void GasPanel::draw_remark(Canvas& canvas, const Page& page) const {
+    const Rect box = frame_in(page.area);
+    const double scale = mapping(*this, page, cast_.scene.gas.box).scale;
+    const Eigen::ArrayXd& radius = cast_.particles.radius;
+    const double smallest = radius.minCoeff();
+    if (!(smallest * scale < least_radius)) return;
+    const double largest = (radius * scale < least_radius).select(radius, smallest).maxCoeff();
+    const double u = page.unit;
+    TextStyle style = label_style(page);
+    style.align = Align::right;
+    std::vector<std::string> words{"disks drawn larger than their radius of " +
+                                   three_digits(smallest)};
+    if (largest > smallest)
+        words = {"disks drawn larger than their radii of " + three_digits(smallest) + " to " +
+                 three_digits(largest)};
+    words.emplace_back("disks drawn larger than they are");
+    const std::string& fitting = fitting_title(
+        {{box.x, box.y, box.width - 2.0 * u, box.height}, u, page.theme, page.disks}, words);
+    const double width = measure_text(fitting, style).width;
+    if (width > box.width - 2.0 * u) return;
+    const Point foot{box.right() - 0.6 * u, box.bottom() - 0.6 * u};
+    canvas.fill({foot.x - width - 0.4 * u, foot.y - 1.1 * u, width + 0.8 * u, 1.5 * u},
+                with_alpha(page.theme.ground, plate_alpha));
+    draw_text(canvas, foot, fitting, style);
 }
 
 void GasPanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const {

@@ -50,6 +50,7 @@ class GasPanel : public Panel {
     void draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_remark(Canvas& canvas, const Page& page) const;
 
     Cast cast_;
     GasColors colors_;

@@ -67,9 +67,20 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) co
 
 double HistogramPanel::names_width(const Page& page) const {
     const double usual = usual_names_width * page.unit;
-    if (series_.size() > 1) return usual;
-    const std::string longest = "mean at start " + three_digits(series_.front().mean_start);
-    return std::max(usual, measure_text(longest, label_style(page)).width + 0.7 * page.unit);
+    return series_.size() > 1 ? usual : std::max(usual, width_of_name(page, "mean at start"));
+}
+
+// Of a mean's mark, name and number.
+double HistogramPanel::width_of_name(const Page& page, const std::string& name) const {
+    const std::string longest = name + " " + three_digits(series_.front().mean_start);
+    return measure_text(longest, label_style(page)).width + 0.7 * page.unit;
+}
+
+// "now" and "start" in a row that has no room for more.
+bool HistogramPanel::has_short_names(const Page& page) const {
+    if (names_place(page) != NamesPlace::above || series_.size() > 1) return false;
+    return width_of_name(page, "mean now") + width_of_name(page, "mean at start") + page.unit >
+           plot_area(page).right() - page.area.x;
 }
 
 // Whether the equilibrium curve, and so the bars in the long run, leave room under the names.
@@ -128,24 +139,34 @@ std::string HistogramPanel::title(const Page& page) const {
                                          : capitalised(subject_.quantity) + " of " + names;
     if (spec_.title) words = escape_markup(*spec_.title);
     const bool several = series_.size() > 1;
-    words += ": " + (several ? time_words() : colored(time_words(), page.theme.bar, page.theme));
-    if (curve_top() == 0.0) return words;
+    const std::string time =
+        several ? time_words() : colored(time_words(), page.theme.bar, page.theme);
+    words += ": " + time;
+    std::string shortest = capitalised(subject_.quantity) + ": " + time;
+    if (several)
+        shortest = capitalised(subject_.quantity) + ": " +
+                   colored_names(cast_, chosen, page.theme, ", ") + ", " + time;
+    if (curve_top() == 0.0) return fitting_title(page, {words, shortest});
+    const std::string curve = colored("equilibrium", page.theme.accent, page.theme);
     const std::vector<std::string> endings =
         several ? std::vector<std::string>{", lines: in equilibrium", ", lines: equilibrium",
                                            ", lines: theory"}
                 : std::vector{" and " + colored("in equilibrium", page.theme.accent, page.theme),
-                              ", " + colored("equilibrium", page.theme.accent, page.theme)};
+                              ", " + curve};
     for (const std::string& ending : endings)
         if (measure_text(words + ending, title_style(page)).width <= page.area.width)
             return words + ending;
-    return words;
+    if (several) return fitting_title(page, {words, shortest});
+    return fitting_title(page, {words + ", " + curve, shortest + ", " + curve, shortest});
 }
 
 void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
     draw_panel_title(canvas, page, title(page));
     const Scales s = scales(page);
     draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(page));
-    draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
+    AxisStyle counts = axis_style(page);
+    counts.whole = window() == 0.0;  // means over a while may be any number
+    draw_y_axis(canvas, s.area, s.y, "", counts);
 }
 
 void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
@@ -264,9 +285,11 @@ Point HistogramPanel::name_place(const Page& page, int index) const {
         return {names_x(page), area.y + (0.8 + 1.4 * index) * page.unit};
     const Point row = row_above(page, std::max(0, rows_above(page) - 1));
     if (series_.size() == 1) {  // that of the present at the left, that of the start at the right
-        constexpr double width_of_first = 8.8;  // units
-        const double second = area.right() - names_width(page);
-        const double first = std::min(row.x, second - width_of_first * page.unit);
+        const bool is_short = has_short_names(page);
+        const double second =
+            area.right() - (is_short ? width_of_name(page, "start") : names_width(page));
+        const double width = width_of_name(page, is_short ? "now" : "mean now");
+        const double first = std::min(row.x, second - width - page.unit);
         return {index == 0 ? std::max(page.area.x, first) + 0.2 * page.unit : second, row.y};
     }
     const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
@@ -395,12 +418,16 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page,
         if (!solid) canvas.stroke_dashed(low, high, 0.12 * u, 0.25 * u, color);
     };
     const bool several = series_.size() > 1;
-    const std::string present = window() == 0.0 ? "mean now" : "mean";
+    const bool is_short = has_short_names(page);
+    const std::string now_name = is_short ? "now" : "mean now";
+    const std::string present = window() == 0.0 ? now_name : "mean";
     for (std::size_t k = series_.size(); k-- > 0;) {
         const Color start_color = several ? ink(k, page).bar : page.theme.muted;
         if (marks_mean_start()) {
             draw_mark(canvas, page, series_[k].mean_start, false, start_color);
-            if (!several) name(1, "mean at start", series_[k].mean_start, false, start_color);
+            if (!several)
+                name(1, is_short ? "start" : "mean at start", series_[k].mean_start, false,
+                     start_color);
         }
         if (!marks_mean_now()) continue;
         const Color color = several ? ink(k, page).curve : page.theme.ink;

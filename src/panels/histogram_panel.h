@@ -86,6 +86,8 @@ class HistogramPanel : public Panel {
     enum class NamesPlace { right, left, above };
     NamesPlace names_place(const Page& page) const;
     double names_width(const Page& page) const;
+    double width_of_name(const Page& page, const std::string& name) const;
+    bool has_short_names(const Page& page) const;
     bool is_low_right_of(const Rect& area, double x, const Page& page) const;
     int rows_above(const Page& page) const;
     Point row_above(const Page& page, int row) const;

@@ -36,6 +36,9 @@ constexpr std::array columns{Column{"time", 7.08},        Column{"collisions", 7
                              Column{"fast", 4.012},       Column{"all collisions", 8.968}};
 constexpr double widest_column = 8.968;
 constexpr double widest_number = 6.4;
+constexpr double tightest = 0.85;  // the widths of columns have some air
+constexpr double digits_over_label = 1.53;
+constexpr double least_gap = 0.8;     // units, between the numbers of columns
 constexpr double arrow_place = 5.29;  // units, right of the time
 
 const Column& column(Monitor number) { return columns.at(static_cast<std::size_t>(number)); }
@@ -83,6 +86,7 @@ struct MonitorsPanel::Row {
     double spacing, size, height;  // of text and rows as multiples of the smallest
     double unit;
     double label_size() const { return std::min(size, 1.6); }
+    double digits() const { return digits_over_label * size; }
     double label_baseline() const { return label_size() * unit; }
     double baseline() const { return label_baseline() + 1.9 * size * unit; }
 };
@@ -96,7 +100,7 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
         if (count == 1) width = widest_number;
         if (rows == 1 && count > 1) {
             width = 0.0;
-            for (std::size_t i = 0; i < count; ++i) width += column(numbers_[i]).width;
+            for (std::size_t i = 0; i < count; ++i) width += this->width(numbers_[i], unit);
         }
         const double across = area.width / unit / width;
         const double height = area.height / unit / static_cast<double>(rows);
@@ -114,7 +118,6 @@ MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
         area.y += 2.0 * page.unit;
         area.height -= 2.0 * page.unit;
     }
-    constexpr double tightest = 0.85;  // the widths of columns have some air
     constexpr double loosest = 1.35;
     std::size_t count = numbers_.size();
     while (count > 1 && row_of(area, page.unit, count).spacing < tightest) --count;
@@ -128,9 +131,25 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
     const std::size_t first = index - index % row.columns;
     double x = row.area.x;
     for (std::size_t i = first; i < index; ++i)
-        x += (row.columns < row.shown ? widest_column : column(numbers_[i]).width) * row.spacing *
-             row.unit;
+        x += (row.columns < row.shown ? widest_column : width(numbers_[i], row.unit)) *
+             row.spacing * row.unit;
     return {x, row.area.y + row.height * row.unit * static_cast<double>(index / row.columns)};
+}
+
+// In units, at the smallest size of text: numbers that need a power of ten need more than usual.
+double MonitorsPanel::width(Monitor number, double unit) const {
+    if (number != Monitor::mean_speed && number != Monitor::mean_energy)
+        return column(number).width;
+    MonitorsState least, most;
+    least.mean_speed = smallest_speed_;
+    least.mean_energy = smallest_energy_;
+    most.mean_speed = largest_speed_;
+    most.mean_energy = largest_energy_;
+    TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
+    double widest = 0.0;
+    for (const MonitorsState* state : {&least, &most})
+        widest = std::max(widest, measure_text(text(*state, number), style).width / unit);
+    return std::max(column(number).width, (widest + least_gap) / tightest);
 }
 
 MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
@@ -144,6 +163,8 @@ MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
 void MonitorsPanel::survey(const Observation& observation) {
     largest_speed_ = std::max(largest_speed_, observation.speed.mean());
     largest_energy_ = std::max(largest_energy_, observation.energy.mean());
+    smallest_speed_ = std::min(smallest_speed_, observation.speed.mean());
+    smallest_energy_ = std::min(smallest_energy_, observation.energy.mean());
 }
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
@@ -198,7 +219,7 @@ std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
 void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     const Row rows = row(page);
     TextStyle style = title_style(page);
-    style.size = 1.53 * rows.size * page.unit;
+    style.size = rows.digits() * page.unit;
     for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();

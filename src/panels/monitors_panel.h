@@ -2,6 +2,7 @@
 // fast, or some of these; a row under the gas, or as large as a panel.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,12 +28,15 @@ class MonitorsPanel : public Panel {
     Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  ///< its top left corner
     std::string text(const PanelState& state, Monitor number) const;
+    double width(Monitor number, double unit) const;  ///< of its column
 
     Cast cast_;
     std::vector<Monitor> numbers_;
     std::optional<std::string> title_;
     double largest_speed_ = 0.0;  ///< of the mean over the film: fixes the number of decimals
     double largest_energy_ = 0.0;
+    double smallest_speed_ = std::numeric_limits<double>::infinity();
+    double smallest_energy_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace carom

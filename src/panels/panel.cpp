@@ -35,8 +35,9 @@ Rect plot_area(const Page& page) {
 void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup) {
     TextStyle style = title_style(page);
     const double width = measure_text(markup, style).width;
-    if (width > page.area.width)  // down to the smallest size of text
-        style.size = std::max(page.unit, style.size * page.area.width / width);
+    // Down to the smallest size of text. Widths are nearly proportional to it: a little less.
+    if (width > page.area.width)
+        style.size = std::max(page.unit, 0.99 * style.size * page.area.width / width);
     style.max_width = page.area.width;
     draw_text(canvas, {page.area.x, page.area.y + 1.05 * page.unit}, markup, style);
 }

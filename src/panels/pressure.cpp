@@ -100,7 +100,7 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
                 return "Pressure " + colored("on the walls", line_color(0, theme), theme) +
                        " and " + virial;
             },
-        .note = time_words(over)};
+        .notes = {time_words(over)}};
     return std::make_unique<SeriesPanel>(cast, std::move(subject));
 }
 

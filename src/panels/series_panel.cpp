@@ -75,7 +75,7 @@ double SeriesPanel::reference_value() const { return reference_ ? reference_->va
 
 SeriesPanel::Scales SeriesPanel::scales(const Page& page) const {
     Rect area = plot_area(page);
-    const double note = subject_.note.empty() ? 0.0 : row_height * page.unit;
+    const double note = subject_.notes.empty() ? 0.0 : row_height * page.unit;
     area.y += note;
     area.height = std::max(page.unit, area.height - note);
     return {area, {first_, last_, area.x, area.right()}, {low_, high_, area.bottom(), area.y}};
@@ -85,8 +85,9 @@ void SeriesPanel::draw_ground(Canvas& canvas, const Page& page) const {
     draw_panel_title(canvas, page, subject_.title(page.theme));
     TextStyle note = label_style(page);
     note.max_width = page.area.width;
-    if (!subject_.note.empty())
-        draw_text(canvas, {page.area.x, page.area.y + 2.5 * page.unit}, subject_.note, note);
+    if (!subject_.notes.empty())
+        draw_text(canvas, {page.area.x, page.area.y + 2.5 * page.unit},
+                  fitting_title(page, subject_.notes), note);
     const Scales s = scales(page);
     draw_x_axis(canvas, s.area, s.x, "time", axis_style(page));
     if (logarithmic_) draw_log_y_axis(canvas, s.area, s.y, "", axis_style(page));

@@ -22,8 +22,9 @@ struct SeriesSubject {
     std::function<std::vector<double>(const Observation&)>
         measure;  ///< one number for each line, every frame of the first pass in order; NaN: none
     std::function<Color(std::size_t line, const Theme&)> color;
-    std::function<std::string(const Theme&)> title;                 ///< markup
-    std::string note = {};                                          ///< markup under the title
+    std::function<std::string(const Theme&)> title;  ///< markup
+    std::vector<std::string> notes =
+        {};  ///< markup under the title: the first that is not cut, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
     std::optional<double> top = {};  ///< of the axis; none: as the run shows
     bool spreads = false;            ///< over powers of ten, if need be

@@ -26,8 +26,12 @@ std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spe
         .color = [cast](std::size_t k,
                         const Theme& theme) { return speed_class_colors(cast.scene, theme)[k]; },
         .title = [cast, spec](const Theme& theme) { return title(cast, spec, theme); },
-        .note = spec.reference_initial ? "slow below ½, fast above 1½ of the mean at the start"
-                                       : "slow below ½, fast above 1½ of the mean speed now",
+        .notes =
+            spec.reference_initial
+                ? std::vector<std::string>{"slow below ½, fast above 1½ of the mean at the start",
+                                           "below ½, above 1½ of the mean at the start"}
+                : std::vector<std::string>{"slow below ½, fast above 1½ of the mean speed now",
+                                           "slow below ½, fast above 1½ of the mean"},
         .top = 100.0};
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{},

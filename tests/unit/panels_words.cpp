@@ -1,0 +1,96 @@
+// The words of frames: whole, apart from one another and inside of the picture, in every scene of
+// the library with every template.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "panels/frame.h"
+#include "scene/load.h"
+#include "support/files.h"
+#include "support/shot.h"
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root{CAROM_TEST_ROOT};
+
+double overlap(double a, double a_end, double b, double b_end) {
+    return std::min(a_end, b_end) - std::max(a, b);
+}
+
+// A line that comes nearer to another than a word to the next one (0.28 em in Inter).
+bool collide(const DrawnLine& a, const DrawnLine& b) {
+    const double least_gap = 0.28 * std::min(a.size, b.size);
+    return overlap(a.ink.x, a.ink.right(), b.ink.x, b.ink.right()) > -least_gap &&
+           overlap(a.ink.y, a.ink.bottom(), b.ink.y, b.ink.bottom()) > 0.0;
+}
+
+void check_words(const std::vector<DrawnLine>& lines, PictureSize size, double smallest) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const DrawnLine& line = lines[i];
+        CAPTURE(line.markup);
+        CHECK_FALSE(line.is_cut);
+        CHECK(line.size > 0.999 * smallest);
+        if (line.ink.width == 0) continue;
+        CHECK(line.ink.x >= 0);
+        CHECK(line.ink.y >= 0);
+        CHECK(line.ink.right() <= size.width);
+        CHECK(line.ink.bottom() <= size.height);
+        for (std::size_t k = 0; k < i; ++k) {
+            CAPTURE(lines[k].markup);
+            CHECK_FALSE(collide(line, lines[k]));
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("words are whole, apart and inside of the picture, in every scene with every template") {
+    int seen = 0;
+    for (const fs::path& file : test::yaml_files(root / "scenes"))
+        for (const fs::path& layout : test::yaml_files(root / "templates/films")) {
+            CAPTURE(file.stem().string());
+            CAPTURE(layout.stem().string());
+            const test::Shot film(
+                load_scene(file, root / "templates",
+                           {{{"film.template", layout.stem().string()}, {"film.fps", "1"}}}));
+            const double unit = Grid(film.scene.film.layout, film.scene.film.size).unit();
+            TextLog log;  // the ground, which the painter draws once, and what changes on it
+            FramePainter painter(film.scene, *film.observers);
+            const std::vector<DrawnLine> ground = log.lines;
+            const std::size_t last = film.frames.size() - 1;
+            for (const std::size_t frame : {std::size_t{0}, last / 3, last / 2, last}) {
+                CAPTURE(frame);
+                log.lines = ground;
+                painter.paint(film.frames[frame]);
+                check_words(log.lines, film.scene.film.size, unit);
+                seen += static_cast<int>(log.lines.size());
+            }
+        }
+    CHECK(seen > 10000);
+}
+
+TEST_CASE("disks that are drawn larger than they are say so, with their true radius") {
+    const auto remark = [](const std::string& gas) {
+        const test::Shot film(load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: " + gas +
+                                                  "\nrun: {until: 1}\nfilm: {seconds: 0.1}\n",
+                                              "test", root / "templates"));
+        FramePainter painter(film.scene, *film.observers);
+        const TextLog log;
+        painter.paint(film.frames.front());
+        std::string found;
+        for (const DrawnLine& line : log.lines)
+            if (line.markup.starts_with("disks drawn larger")) found += line.markup;
+        return found;
+    };
+    // A lecture film's box of 40 by 30 is about 770 pixels high: 1.2 pixels are a radius of 0.047.
+    CHECK(remark("[{count: 20, radius: 0.06, speed: 1}]").empty());
+    CHECK(remark("[{count: 20, radius: 0.02, speed: 1}]") ==
+          "disks drawn larger than their radius of 0.0200");
+    CHECK(remark("[{name: a, count: 9, radius: 0.02, speed: 1}, {name: b, count: 1, radius: 3}, "
+                 "{name: c, count: 5, radius: 0.03}]") ==
+          "disks drawn larger than their radii of 0.0200 to 0.0300");
+}

@@ -174,8 +174,8 @@ void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& st
     for (std::size_t k = 0; k < series_.size(); ++k) {
         draw_bars(canvas, page, k, now[k]);
         if (series_.size() > 1) draw_outline(canvas, page, k, now[k]);
-        draw_cuts(canvas, page, now[k]);
     }
+    draw_cuts(canvas, page, now);
     draw_beyond(canvas, page, now);
     if (series_.size() == 1) draw_casings(canvas, page, now.front());
     for (std::size_t k = 0; k < series_.size(); ++k) {
@@ -221,24 +221,30 @@ void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t 
 }
 
 // What the axes cannot hold is said: a bar that is cut, with its count.
-void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page, const MeanHistogram& now) const {
+void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page,
+                               const std::vector<MeanHistogram>& now) const {
     const Scales s = scales(page);
     const double u = page.unit;
     double free_from = s.area.x;  // counts of neighbours must not lie on each other
     for (int i = 0; i < bins_.count; ++i) {
-        const double count = now.counts[static_cast<std::size_t>(i)];
-        if (count <= tallest_) continue;
+        std::string words;  // of all choices whose bars are cut here
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            const double count = now[k].counts[static_cast<std::size_t>(i)];
+            if (count > tallest_)
+                words += (words.empty() ? "" : ", ") +
+                         colored(count_words(count), ink(k, page).bar, page.theme);
+        }
+        if (words.empty()) continue;
         const double left = s.x(bins_.edge(i));
         const double right = s.x(bins_.edge(i + 1));
         for (double y : {0.9 * u, 1.3 * u})
             canvas.stroke_line({left - 0.15 * u, s.area.y + y + 0.25 * u},
                                {right + 0.15 * u, s.area.y + y - 0.25 * u}, 0.14 * u,
                                page.theme.page);
-        TextStyle style = label_style(page);
-        style.color = page.theme.bar;
+        const TextStyle style = label_style(page);
         if (left < free_from) continue;
-        free_from = left + 0.4 * u +
-                    draw_text(canvas, {left, s.area.y - 0.25 * u}, count_words(count), style).width;
+        free_from =
+            left + 0.4 * u + draw_text(canvas, {left, s.area.y - 0.25 * u}, words, style).width;
     }
 }
 

@@ -107,7 +107,7 @@ class HistogramPanel : public Panel {
     Point name_place(const Page& page, int index) const;
     void draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
                    Color color) const;
-    void draw_cuts(Canvas& canvas, const Page& page, const MeanHistogram& now) const;
+    void draw_cuts(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
     void draw_beyond(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
 
     Cast cast_;

@@ -8,9 +8,9 @@
 #include <system_error>
 
 #include "app/command.h"
+#include "app/letters.h"
 #include "app/pipeline.h"
 #include "app/resources.h"
-#include "draw/text.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -126,8 +126,9 @@ void tell(const RenderArguments& arguments, const Scene& scene, const RenderRepo
 
 void render_scenes(const RenderArguments& arguments) {
     refuse_same_outputs(arguments);
-    require_font();
-    for (const Scene& scene : load_all(arguments)) {
+    const std::vector<Scene> scenes = load_all(arguments);
+    for (const Scene& scene : scenes) require_letters(scene);
+    for (const Scene& scene : scenes) {
         Progress progress(Progress::fitting_form(arguments.quiet),
                           fs::path(scene.source.path).stem().string());
         const RenderOptions options{.output = film_path(arguments, scene.source.path),

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/letters.h"
 #include "app/pipeline.h"
 #include "app/resources.h"
-#include "draw/text.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -19,8 +19,8 @@ struct StillArguments : SceneOptions {
 };
 
 void draw_still(const StillArguments& arguments) {
-    require_font();
     const Scene scene = load_scene(arguments.scene, templates_folder(), overrides_of(arguments));
+    require_letters(scene);
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
         throw UsageError(
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));

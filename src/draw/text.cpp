@@ -5,6 +5,7 @@
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -255,6 +257,21 @@ class Typesetter {
             .first->second;
     }
 
+    /// Words in as many lines as they need.
+    Layout paragraph(const LineKey& key, double width) {
+        Layout layout = create_layout(declared_.context.get(), key);
+        if (!has_all_letters(layout)) layout = create_layout(machine().context.get(), key);
+        pango_layout_set_width(layout.get(), static_cast<int>(width * PANGO_SCALE));
+        pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
+        return layout;
+    }
+
+    /// Whether no font of the machine has what the line needs.
+    bool lacks(const LineKey& key) {
+        return !has_all_letters(create_layout(declared_.context.get(), key)) &&
+               !has_all_letters(create_layout(machine().context.get(), key));
+    }
+
     static constexpr double phases = 8.0;
 
   private:
@@ -265,11 +282,15 @@ class Typesetter {
     Line set(const LineKey& key) {
         Line line;
         line.layout = create_layout(declared_.context.get(), key);
-        const bool is_complete = pango_layout_get_unknown_glyphs_count(line.layout.get()) == 0;
+        const bool is_complete = has_all_letters(line.layout);
         if (!is_complete) line.layout = create_layout(machine().context.get(), key);
         line.extent = extent_of(line.layout.get());
         if (is_complete) line.glyphs = glyphs_of(line.layout.get());
         return line;
+    }
+
+    static bool has_all_letters(const Layout& layout) {
+        return pango_layout_get_unknown_glyphs_count(layout.get()) == 0;
     }
 
     // A font whose address is a key must not be freed, or another might come to lie there.
@@ -361,6 +382,40 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
     }
     if (current_log != nullptr) note(markup, style.size, origin, line.layout.get());
     return line.extent;
+}
+
+std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
+                                 std::size_t most) {
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    if (!words.empty()) {
+        const LineKey key{escape_markup(words), style.size, style.weight, style.tabular, 0.0};
+        const Layout layout = typesetter().paragraph(key, style.max_width);
+        const GSList* line = pango_layout_get_lines_readonly(layout.get());
+        for (; line != nullptr && lines.size() + 1 < most; line = line->next) {
+            const auto& one = *static_cast<const PangoLayoutLine*>(line->data);
+            begin = static_cast<std::size_t>(one.start_index + one.length);
+            lines.push_back(words.substr(static_cast<std::size_t>(one.start_index),
+                                         static_cast<std::size_t>(one.length)));
+            while (lines.back().ends_with(' ')) lines.back().pop_back();
+        }
+    }
+    while (begin < words.size() && words[begin] == ' ') ++begin;
+    if (begin < words.size()) lines.push_back(words.substr(begin));
+    return lines;
+}
+
+std::vector<std::string> missing_letters(const std::string& text) {
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t next = next_code_point(text, i);
+        const std::string letter = text.substr(i, next - i);
+        i = next;
+        if (std::ranges::find(missing, letter) == missing.end() &&
+            typesetter().lacks({escape_markup(letter), 16.0, 400, true, 0.0}))
+            missing.push_back(letter);
+    }
+    return missing;
 }
 
 TextLog::TextLog() { current_log = this; }

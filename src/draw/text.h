@@ -35,6 +35,14 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
 /// The extent without drawing.
 TextExtent measure_text(const std::string& markup, const TextStyle& style);
 
+/// Plain words in lines of at most `style.max_width`, broken where their script allows it, a word
+/// that is too long within it; the last of `most` lines holds whatever is left.
+std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
+                                 std::size_t most);
+
+/// The letters of a plain text that no font of this machine has, each once.
+std::vector<std::string> missing_letters(const std::string& text);
+
 /// A line of text as it was drawn.
 struct DrawnLine {
     std::string markup;

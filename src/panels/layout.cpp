@@ -70,28 +70,4 @@ std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count
     return shared;
 }
 
-std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
-                                 std::size_t most) {
-    TextStyle whole = style;
-    whole.max_width = 0;
-    std::vector<std::string> lines;
-    std::size_t begin = 0;
-    while (lines.size() + 1 < most && begin < words.size()) {
-        std::size_t end = words.size();
-        const auto too_long = [&] {
-            const std::string line = escape_markup(words.substr(begin, end - begin));
-            return measure_text(line, whole).width > style.max_width;
-        };
-        while (too_long()) {
-            const std::size_t space = words.rfind(' ', end - 1);
-            if (space == std::string::npos || space <= begin) break;
-            end = space;
-        }
-        lines.push_back(words.substr(begin, end - begin));
-        begin = end == words.size() ? end : end + 1;
-    }
-    if (begin < words.size()) lines.push_back(words.substr(begin));
-    return lines;
-}
-
 }  // namespace carom

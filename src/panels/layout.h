@@ -1,5 +1,5 @@
 // Where things stand in a frame: a template's grid on a picture of any shape, panels in the places
-// there are, and long words in lines. Draws nothing.
+// there are. Draws nothing.
 #pragma once
 
 #include <cstddef>
@@ -28,10 +28,5 @@ class Grid {
 /// The places of `count` panels, row by row. Fewer than there are places share the whole area of a
 /// regular grid of places; where these are no regular grid, the first are taken.
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count);
-
-/// Plain words in lines of at most `style.max_width`, broken at spaces; the last of `most` lines
-/// holds whatever is left.
-std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
-                                 std::size_t most);
 
 }  // namespace carom

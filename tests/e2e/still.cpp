@@ -154,3 +154,14 @@ TEST_CASE("a still appears whole or not at all") {
     }
     CHECK(folder.names() == std::vector<std::string>{"file", "still.pdf", "still.svg"});
 }
+
+TEST_CASE("a title in letters that no font has is refused before any work") {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run({program, "still", library_scene("two-to-one"), "--set", "title=A \u2fe0 title"},
+            folder.path());
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.err.find("no font on this machine has \u2fe0") != std::string::npos);
+    CHECK(outcome.err.find("fonts-noto") != std::string::npos);
+    CHECK(fs::is_empty(folder.path()));
+}

@@ -179,3 +179,40 @@ TEST_CASE("what is remembered does not show") {
     for (int i = 0; i < 700; ++i) drawn(std::to_string(i), style_of(10 + i % 90));
     CHECK(pixels_of(drawn("12 345", style_of(37))) == before);
 }
+
+TEST_CASE("words are broken where their script allows it, no line is too long, and none is lost") {
+    TextStyle style;
+    style.size = 20;
+    style.max_width = 150;
+    const auto joined = [&](const std::string& words, const std::string& with) {
+        TextStyle whole = style;
+        whole.max_width = 0;
+        std::string all;
+        for (const std::string& line : wrapped(words, style, 99)) {
+            CHECK(measure_text(escape_markup(line), whole).width <= 150);
+            all += (all.empty() ? "" : with) + line;
+        }
+        return all;
+    };
+    const std::string english = "Light & heavy disks share energy, not speed";
+    CHECK(wrapped(english, style, 9).size() > 2);
+    CHECK(joined(english, " ") == english);
+    CHECK(wrapped(english, style, 1) == std::vector<std::string>{english});
+    CHECK(wrapped(english, style, 2).size() == 2);
+    const std::string arabic = "الغاز المثالي وتوزيع السرعات عند الاتزان";
+    CHECK(wrapped(arabic, style, 9).size() > 2);
+    CHECK(joined(arabic, " ") == arabic);
+    // No spaces: Chinese breaks between letters, a word that is too long within it.
+    const std::string chinese = "一个热粒子在许多冷粒子之间一个热粒子";
+    CHECK(wrapped(chinese, style, 9).size() > 1);
+    CHECK(joined(chinese, "") == chinese);
+    CHECK(joined("Unbreakablewordlongerthanitsline", "") == "Unbreakablewordlongerthanitsline");
+    CHECK(wrapped("", style, 3).empty());
+}
+
+TEST_CASE("letters that no font has are found") {
+    CHECK(missing_letters("Gas: ⟨v²⟩ < 3 & π 'ä' \"Ω\"").empty());
+    CHECK(missing_letters("الغاز المثالي").empty());  // DejaVu Sans has them, Inter does not
+    // U+2FE0 is no letter and never will be one that fonts have.
+    CHECK(missing_letters("a\u2fe0b\u2fe0") == std::vector<std::string>{"\u2fe0"});
+}

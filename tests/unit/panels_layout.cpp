@@ -55,25 +55,3 @@ TEST_CASE("places that are no regular grid are taken as they are") {
     REQUIRE(three.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) check_slot(three[i], four[i]);
 }
-
-TEST_CASE("words are broken at spaces, no line is too long but the last, and none is lost") {
-    TextStyle style;
-    style.size = 20;
-    style.max_width = 150;
-    const std::string words = "Light & heavy disks share energy, not speed";
-    const std::vector<std::string> lines = wrapped(words, style, 9);
-    CHECK(lines.size() > 2);
-    std::string joined;
-    style.max_width = 0;
-    for (const std::string& line : lines) {
-        CHECK(measure_text(escape_markup(line), style).width <= 150);
-        joined += (joined.empty() ? "" : " ") + line;
-    }
-    CHECK(joined == words);
-    style.max_width = 150;
-    CHECK(wrapped(words, style, 1) == std::vector<std::string>{words});
-    CHECK(wrapped(words, style, 2).size() == 2);
-    CHECK(wrapped("Unbreakablewordlongerthanitsline indeed", style, 3).front() ==
-          "Unbreakablewordlongerthanitsline");
-    CHECK(wrapped("", style, 3).empty());
-}

@@ -77,6 +77,7 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
       theme_(theme_of(scene.film.theme)),
       grid_(scene.film.layout, scene.film.size),
       unit_(grid_.unit()),
+      captions_(caption_schedule(scene)),
       ground_({scene.film.size.width, scene.film.size.height}),
       canvas_({scene.film.size.width, scene.film.size.height}) {
     draw_ground(ground_);
@@ -85,6 +86,7 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
         changing_.push_back(
             {area.x - unit_, area.y - unit_, area.width + 2.0 * unit_, area.height + 2.0 * unit_});
     }
+    if (!captions_.empty()) changing_.push_back(grid_.place(*scene.film.layout.caption));
     canvas_.copy_from(ground_);
 }
 
@@ -173,6 +175,35 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame) {
         placed.panel->draw(canvas, page(placed.slot), *frame.states[i]);
     }
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
+    draw_caption(canvas, frame.tick);
+}
+
+// One line, smaller if that keeps it whole; on the gas's axis where nothing stands beside the gas.
+void FramePainter::draw_caption(Canvas& canvas, const Tick& tick) const {
+    const LayoutSpec& layout = scene_.film.layout;
+    for (const CaptionSpan& caption : captions_) {
+        const double opacity = caption_opacity(caption, scene_.film, tick.frame);
+        if (opacity <= 0.0 || caption.words.empty()) continue;
+        const Rect line = grid_.place(*layout.caption);
+        const Rect place = grid_.place(layout.gas);
+        const Rect box = observers_.gas().frame_in(place);
+        const std::string words = escape_markup(caption.words);
+        TextStyle style{.size = 1.5 * unit_,
+                        .weight = 500,
+                        .color = with_alpha(theme_.ink, opacity),
+                        .tabular = false};
+        const double share = line.width / measure_text(words, style).width;
+        style.size = std::max(unit_, std::min(1.0, share) * style.size);
+        style.max_width = line.width * (1.0 + 1e-3);  // letters are set at whole sizes
+        const bool centered = box.x > place.x;
+        const double half = 0.5 * std::min(line.width, measure_text(words, style).width);
+        const double middle =
+            std::clamp(box.x + 0.5 * box.width, line.x + half, line.right() - half);
+        draw_text(
+            canvas,
+            {centered ? middle - half : line.x, line.y + 0.5 * line.height + 0.36 * style.size},
+            words, style);
+    }
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {

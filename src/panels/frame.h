@@ -7,6 +7,7 @@
 
 #include "panels/layout.h"
 #include "panels/panel.h"
+#include "scene/captions.h"
 
 namespace carom {
 
@@ -68,6 +69,7 @@ class FramePainter {
                        double line) const;
     void draw_changing(Canvas& canvas, const FrameData& frame);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
+    void draw_caption(Canvas& canvas, const Tick& tick) const;
 
     const Scene& scene_;
     const Observers& observers_;
@@ -75,6 +77,7 @@ class FramePainter {
     Grid grid_;
     double unit_;
     DiskPainter disks_;
+    std::vector<CaptionSpan> captions_;
     std::vector<Rect> changing_;  ///< where frames differ from the ground: the reach of each panel
     Canvas ground_;               ///< what is the same in every frame
     Canvas canvas_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "scene/captions.h"
 #include "scene/limits.h"
 #include "scene/panel_reading.h"
 #include "scene/scalar.h"
@@ -13,32 +14,6 @@
 
 namespace carom {
 namespace {
-
-void read_event(const Fields& fields, const Run& run, std::vector<RunEvent>& events,
-                Errors& errors) {
-    const auto at = fields.number("at");
-    if (!at) return;
-    if (run.until > 0.0 && *at >= run.until)
-        errors.add(*fields.given("at"),
-                   fmt::format("expected a time above 0 and below `until` ({}) for `at`, found {}",
-                               run.until, described(*fields.given("at"))),
-                   "the film ends at `until`: what happens then or later is never shown");
-    if (fields.given("reverse")) events.push_back({*at, ReverseVelocities{}});
-}
-
-double read_sample_every(const Fields& fields, const Run& run, Errors& errors) {
-    const Node* node = fields.given("sample_every");
-    if (node == nullptr) return 0.0;
-    const double every = fields.number("sample_every").value_or(0.0);
-    const double samples = run.until / every;
-    if (samples > most_samples.value)
-        errors.add(
-            *node,
-            fmt::format("a run until {} sampled every {} has {:.6g} samples", run.until, every,
-                        samples),
-            fmt::format("the ceiling is {:.0f} {}", most_samples.value, most_samples.meaning));
-    return every;
-}
 
 Slot read_slot(const Node& list, const LayoutSpec& layout, Errors& errors) {
     const std::vector<double> sides = numbers(list);
@@ -51,6 +26,15 @@ Slot read_slot(const Node& list, const LayoutSpec& layout, Errors& errors) {
         errors.add(list, fmt::format("the place reaches outside the grid of {} by {}",
                                      layout.grid_width, layout.grid_height));
     return slot;
+}
+
+void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& errors) {
+    const LayoutSpec with_line = with_caption_line(layout);
+    std::vector<Slot> slots{with_line.title, with_line.gas, with_line.color_bar};
+    if (with_line.monitors) slots.push_back(*with_line.monitors);
+    slots.insert(slots.end(), with_line.panels.begin(), with_line.panels.end());
+    if (std::ranges::any_of(slots, [](const Slot& slot) { return slot.height <= 0.0; }))
+        errors.add(line, "the place for captions leaves no room for another one");
 }
 
 PictureSize read_size(const Fields& film) {
@@ -157,23 +141,6 @@ void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& e
 
 }  // namespace
 
-Run read_run(const Fields& scene, Errors& errors) {
-    Run run;
-    const auto fields = scene.inner("run");
-    if (!fields) return run;
-    run.until = fields->number("until").value_or(0.0);
-    run.equilibrate = fields->number("equilibrate").value_or(0.0);
-    run.sample_every = read_sample_every(*fields, run, errors);
-    if (const Node* events = fields->given("events"))
-        for (const Node& item : events->items)
-            if (item.is_mapping())
-                read_event({item, section_of(fields->section(), "events")}, run, run.events,
-                           errors);
-    std::stable_sort(run.events.begin(), run.events.end(),
-                     [](const RunEvent& a, const RunEvent& b) { return a.at < b.at; });
-    return run;
-}
-
 std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors) {
     const auto fields = template_file.inner("layout");
     if (!fields || fields->given("grid") == nullptr) return std::nullopt;
@@ -188,10 +155,13 @@ std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& error
     slot("gas", layout.gas);
     slot("color_bar", layout.color_bar);
     if (fields->given("monitors")) slot("monitors", layout.monitors.emplace());
+    if (fields->given("caption")) slot("caption", layout.caption.emplace());
     const Node* panels = fields->given("panels");
     if (panels == nullptr && fields->mentions("panels")) return std::nullopt;
-    if (panels == nullptr) return layout;
-    for (const Node& item : panels->items) layout.panels.push_back(read_slot(item, layout, errors));
+    if (panels != nullptr)
+        for (const Node& item : panels->items)
+            layout.panels.push_back(read_slot(item, layout, errors));
+    if (layout.caption) check_caption_line(*fields->given("caption"), layout, errors);
     return layout;
 }
 

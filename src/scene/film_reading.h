@@ -1,13 +1,11 @@
-// From the checked `run` and `film` of a scene, and its template, to values, and what these mean
-// together: times, frames, panels for the slots there are.
+// From the checked `film` of a scene, and its template, to values, and what these mean together:
+// frames, panels for the slots there are.
 #pragma once
 
 #include "scene/fields.h"
 #include "scene/scene.h"
 
 namespace carom {
-
-Run read_run(const Fields& scene, Errors& errors);
 
 /// Where things stand, from a checked template; nothing when an error leaves it open.
 std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors);

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "scene/captions.h"
 #include "scene/forms.h"
 
 namespace carom {
@@ -198,9 +199,19 @@ Section gas_item(int dimension) {
 Section run() {
     const Section event = complete(
         {.name = "an item of `events`",
-         .keys = {required({"at", "When, in simulated time, before `until`.", {number(positive)}}),
-                  {"reverse", "Turns every velocity round.", {one_of({"velocities"})}}},
-         .choices = {{{"reverse"}, true}}});
+         .keys = {required(
+                      {"at", "When, in simulated time, before `until`.", {number(not_negative)}}),
+                  {"reverse", "Turns every velocity round.", {one_of({"velocities"})}},
+                  {"caption",
+                   "Words under the gas, one line that is shown until the next; \"\" takes them "
+                   "away.",
+                   {text(0, most_caption_letters)}},
+                  left_to("until the next caption",
+                          {"for",
+                           "How long the caption is shown at most, in seconds of film.",
+                           {number({least_caption_seconds, most_seconds.value,
+                                    most_seconds.meaning})}})},
+         .choices = {{{"reverse", "caption"}, true}}});
     return complete(
         {.name = "`run`",
          .keys = {
@@ -362,6 +373,11 @@ Section layout() {
                   required({"title", "Where title and subtitle stand.", {slot}}),
                   required({"gas", "Where the box stands.", {slot}}),
                   required({"color_bar", "Where the scale of the colours stands.", {slot}}),
+                  left_to("the foot of the gas's place",
+                          {"caption",
+                           "Where captions stand in films that have any: what reaches into this "
+                           "place makes room for them.",
+                           {slot}}),
                   left_to("none", {"monitors", "Where the numbers stand.", {slot}}),
                   left_to("none", {"panels",
                                    "Where the panels stand, in their order.",

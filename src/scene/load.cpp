@@ -8,11 +8,13 @@
 #include <memory>
 #include <system_error>
 
+#include "scene/captions.h"
 #include "scene/check.h"
 #include "scene/film_reading.h"
 #include "scene/gas_reading.h"
 #include "scene/limits.h"
 #include "scene/overrides.h"
+#include "scene/run_reading.h"
 #include "scene/scalar.h"
 #include "scene/template.h"
 #include "scene/timeline.h"
@@ -141,7 +143,9 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     scene.gas.seed = scene.seed;
     const auto box = read_box(fields, tree.dimension, errors);
     const std::vector<SpeciesDraft> drafts = read_species(fields, tree.dimension, errors);
-    scene.run = read_run(fields, errors);
+    const RunDraft run = read_run(fields, errors);
+    scene.run = run.run;
+    for (const CaptionDraft& draft : run.captions) scene.captions.push_back(draft.caption);
     if (box) {
         scene.gas.box = *box;
         if (box->dimension == 1) check_wire(*box, drafts, scene.run, errors);
@@ -158,6 +162,8 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
         scene.film = read_film({tree.film, section_of(scene_section(), "film")}, fields, scene.run,
                                scene.gas, layout, errors);
         scene.film.template_name = tree.template_name;
+        if (errors.empty()) check_captions(scene, run.captions, fields, errors);
+        if (!scene.captions.empty()) scene.film.layout = with_caption_line(scene.film.layout);
     }
     errors.throw_if_any();
     if (scene.run.sample_every == 0.0) scene.run.sample_every = usual_sample_every(scene, has_film);

@@ -57,8 +57,17 @@ struct LayoutSpec {
     Slot title;               ///< title and subtitle, in as many lines as it has room for
     Slot gas;
     Slot color_bar;
+    std::optional<Slot> caption;  ///< the line of captions, where the scene has any; the rest has
+                                  ///< made room for it then
     std::optional<Slot> monitors;
     std::vector<Slot> panels;
+};
+
+/// Words under the gas, until the next caption or for a while.
+struct Caption {
+    double at = 0.0;                     ///< simulated time
+    std::string words;                   ///< empty: none from then on
+    std::optional<double> seconds = {};  ///< of film, at most; none: until the next
 };
 
 /// Particles that a panel shows as one: a species, one particle, or all where neither is given.
@@ -124,6 +133,7 @@ struct Scene {
     Gas gas;
     std::vector<SpeciesLook> looks;  ///< one for each species
     Run run;
+    std::vector<Caption> captions;  ///< in order of time; equal times in the order listed
     Film film;
     SceneSource source;
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an

@@ -91,6 +91,39 @@ TEST_CASE("a disk is drawn where it is, to an eighth of a pixel") {
                         0.01));  // 0.5 % of coverage, and the 8-bit steps of the rim
 }
 
+TEST_CASE("a caption changes its own line and nothing else, in every template") {
+    for (const char* name : {"lecture", "wide-gas", "minimal", "data", "square", "portrait"}) {
+        CAPTURE(name);
+        const auto frame_of = [&](const std::string& words) {
+            const Shot film(load_scene_text(
+                "title: T\nbox: {size: [40, 30]}\ngas: [{count: 20, speed: 1}]\n"
+                "run: {until: 4, events: [{at: 0, caption: \"" +
+                    words +
+                    "\"}]}\n"
+                    "film: {seconds: 4, fps: 5, panels: [], size: [480, 480], template: " +
+                    std::string(name) + "}\n",
+                "test", templates));
+            FramePainter painter(film.scene, *film.observers);
+            painter.paint(film.frames[7]);
+            return std::pair{pixels_of(painter.paint(film.frames[9])), film.scene.film.layout};
+        };
+        // Sixty of the widest letters do not fit and are cut.
+        const auto [wide, layout] = frame_of(std::string(60, 'W'));
+        const auto [none, same] = frame_of("");
+        const Rect line = Grid(layout, {480, 480}).place(*layout.caption);
+        bool inside = false, outside = false;
+        for (std::size_t i = 0; i < wide.size(); ++i) {
+            if (wide[i] == none[i]) continue;
+            const double x = double(i % 480) + 0.5, y = double(i / 480) + 0.5;
+            const bool within =
+                x > line.x - 1.0 && x < line.right() + 1.0 && y > line.y && y < line.bottom();
+            (within ? inside : outside) = true;
+        }
+        CHECK(inside);
+        CHECK_FALSE(outside);
+    }
+}
+
 TEST_CASE("fewer panels than places share the height of the whole column") {
     const Scene two = scene_of("seconds: 1, panels: [speed-histogram, energy-histogram]");
     const Simulation simulation(two.gas, two.run);

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <ctime>
+#include <initializer_list>
+#include <span>
+#include <utility>
 
+#include "app/frame_span.h"
 #include "app/segment_workers.h"
 #include "app/simulate.h"
 #include "media/image_writer.h"
@@ -22,41 +26,67 @@ double seconds_of(clockid_t clock) {
 }
 
 // All that makes the film again: the seed, what the command line changed, and the scene itself.
-std::string recipe(const Scene& scene) {
+std::string recipe(const Scene& scene, const RenderOptions& options) {
     std::string text = fmt::format("seed: {}\n", scene.seed);
+    if (options.from) text += fmt::format("--from {}\n", *options.from);
+    if (options.to) text += fmt::format("--to {}\n", *options.to);
     for (const std::string& change : scene.source.overrides)
         text += fmt::format("--set {}\n", change);
     return text + "\n" + scene.source.text;
 }
 
-VideoSettings video_settings(const Scene& scene, Quality quality) {
+VideoSettings video_settings(const Scene& scene, const RenderOptions& options) {
     return {.width = scene.film.size.width,
             .height = scene.film.size.height,
             .fps = scene.film.fps,
-            .quality = quality,
+            .quality = options.quality,
             .metadata = {{"title", scene.title},
                          {"description", scene.description},
-                         {"comment", recipe(scene)}}};
+                         {"comment", recipe(scene, options)}}};
 }
 
 // The physics alone, so that axes and scales hold for the whole film.
-void survey(const std::vector<Tick>& ticks, Simulation simulation, Observers& observers,
-            Progress& progress) {
+void survey(const std::vector<Tick>& ticks, Simulation simulation,
+            std::initializer_list<Observers*> all, Progress& progress) {
     progress.begin("simulating", static_cast<double>(ticks.size()));
     for (const Tick& tick : ticks) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);
-        observers.survey(tick, simulation.sample(), passage);
+        const Sample sample = simulation.sample();
+        for (Observers* observers : all) observers->survey(tick, sample, passage);
         progress.advance();
     }
-    observers.settle();
+    for (Observers* observers : all) observers->settle();
 }
 
-Canvas picture(const Scene& scene, double time, const std::filesystem::path& extension) {
+// Frames of the whole film, evenly spread, drawn before it.
+void show_previews(const Scene& scene, const std::vector<Tick>& ticks, const FrameSpan& span,
+                   Observers& observers, FilmWriter& writer, Progress& progress) {
+    progress.begin("choosing colours", static_cast<double>(span.end));
+    Simulation simulation = simulate(scene);
+    simulation.record_collisions(observers.wants_collisions());
+    FramePainter painter(scene, observers);
+    const int wanted = std::min(writer.wanted_previews(), span.frames());
+    int shown = 0;
+    for (const Tick& tick : std::span(ticks).first(static_cast<std::size_t>(span.end))) {
+        throw_if_interrupted();
+        const Passage passage = simulation.advance_to(tick.time);
+        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        const int next = span.first + (span.frames() - 1) * shown / std::max(1, wanted - 1);
+        if (tick.frame == next && shown < wanted) {
+            writer.preview(painter.paint(frame));
+            ++shown;
+        }
+        progress.advance();
+    }
+    writer.previews_done();
+}
+
+Canvas picture(const Scene& scene, double time, std::string_view format) {
     const PixelSize size{scene.film.size.width, scene.film.size.height};
-    if (extension == ".png") return Canvas(size);
+    if (format == "png") return Canvas(size);
     return Canvas(
-        size, extension == ".svg" ? VectorFormat::svg : VectorFormat::pdf,
+        size, format == "svg" ? VectorFormat::svg : VectorFormat::pdf,
         {scene.title, fmt::format("The frame at time {:.4g}. {}", time, scene.description)});
 }
 
@@ -66,27 +96,35 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     const double begun = seconds_of(CLOCK_MONOTONIC);
     const double cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     Simulation simulation = simulate(scene);
-    // Before the work: it may not be allowed to write.
-    const std::unique_ptr<FilmWriter> writer = film_writer(
-        options.output, video_settings(scene, options.quality), frame_count(scene.film));
-
     const std::vector<Tick> ticks = timeline(scene);
-    Observers observers(scene, simulation.particles(), simulation.sample());
-    survey(ticks, simulate(scene), observers, progress);
+    const FrameSpan span = frames_between(ticks, options.from, options.to);
+    // Before the work: it may not be allowed to write.
+    const std::unique_ptr<FilmWriter> writer =
+        film_writer(options.output, video_settings(scene, options), span.frames());
 
-    progress.begin("rendering", static_cast<double>(ticks.size()));
+    Observers observers(scene, simulation.particles(), simulation.sample());
+    if (writer->wanted_previews() > 0) {
+        Observers beforehand(scene, simulation.particles(), simulation.sample());
+        survey(ticks, simulate(scene), {&observers, &beforehand}, progress);
+        show_previews(scene, ticks, span, beforehand, *writer, progress);
+    } else {
+        survey(ticks, simulate(scene), {&observers}, progress);
+    }
+
+    progress.begin("rendering", static_cast<double>(span.frames()));
     simulation.record_collisions(observers.wants_collisions());
     RenderReport report;
     report.path = options.output;
-    report.frames = static_cast<int>(ticks.size());
+    report.frames = span.frames();
     SegmentWorkers workers(scene, observers,
                            segment_starts(report.frames, simulation.particles().count()),
                            options.threads, *writer, progress);
-    for (const Tick& tick : ticks) {
+    for (const Tick& tick : std::span(ticks).first(static_cast<std::size_t>(span.end))) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);
         report.collisions = passage.counts;
-        workers.frame(observers.frame_data(tick, simulation.sample(), passage));
+        FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        if (tick.frame >= span.first) workers.frame(std::move(frame));
     }
     report.simulate_seconds = seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_begun;
     const WorkerSeconds seconds = workers.finish();
@@ -101,16 +139,14 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     return report;
 }
 
-void render_still(const Scene& scene, double at, const std::filesystem::path& output) {
+Canvas draw_still(const Scene& scene, double at, std::string_view format) {
     const std::vector<Tick> ticks = timeline(scene);
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < ticks.size(); ++i)
-        if (std::abs(ticks[i].time - at) < std::abs(ticks[nearest].time - at)) nearest = i;
+    const auto nearest = static_cast<std::size_t>(frame_nearest_to(ticks, at));
 
     Progress silent(Progress::Form::silent, "");
     Simulation simulation = simulate(scene);
     Observers observers(scene, simulation.particles(), simulation.sample());
-    survey(ticks, simulate(scene), observers, silent);
+    survey(ticks, simulate(scene), {&observers}, silent);
     simulation.record_collisions(observers.wants_collisions());
     FrameData frame;
     for (std::size_t i = 0; i <= nearest; ++i) {
@@ -119,9 +155,14 @@ void render_still(const Scene& scene, double at, const std::filesystem::path& ou
         frame = observers.frame_data(ticks[i], simulation.sample(), passage);
     }
     FramePainter painter(scene, observers);
-    Canvas canvas = picture(scene, frame.tick.time, output.extension());
+    Canvas canvas = picture(scene, frame.tick.time, format);
     painter.paint_on(canvas, frame);
-    write_image(canvas, output);
+    return canvas;
+}
+
+void render_still(const Scene& scene, double at, const std::filesystem::path& output) {
+    Canvas picture = draw_still(scene, at, output.extension().string().substr(1));
+    write_image(picture, output);
 }
 
 }  // namespace carom

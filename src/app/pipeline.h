@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include "app/progress.h"
+#include "draw/canvas.h"
 #include "media/video_writer.h"
 #include "physics/simulation.h"
 #include "scene/scene.h"
@@ -15,6 +18,7 @@ struct RenderOptions {
     std::filesystem::path output;  ///< as film_writer() reads it
     Quality quality = Quality::standard;
     int threads = 1;
+    std::optional<double> from = {}, to = {};  ///< as frames_between() reads them; none: the whole film
 };
 
 /// What a rendering did, and the seconds it took.
@@ -33,8 +37,11 @@ struct RenderReport {
 /// SystemError, Interrupted.
 RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress);
 
-/// Writes the frame nearest to the simulated time `at` as a PNG, an SVG or a PDF, by the
-/// extension of `output`. Throws as render() does.
+/// Draws the frame nearest to the simulated time `at` as pixels, or for `svg` and `pdf` as vectors.
+/// Throws as render() does.
+Canvas draw_still(const Scene& scene, double at, std::string_view format);
+
+/// Writes the same as a PNG, an SVG or a PDF, by the extension of `output`.
 void render_still(const Scene& scene, double at, const std::filesystem::path& output);
 
 }  // namespace carom

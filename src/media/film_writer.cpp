@@ -6,6 +6,7 @@
 #include <atomic>
 #include <utility>
 
+#include "media/gif_film.h"
 #include "util/atomic_file.h"
 
 namespace carom {
@@ -79,6 +80,7 @@ class FrameFolder : public FilmWriter {
 std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
                                         const VideoSettings& settings, int frames) {
     if (!path.has_filename()) return std::make_unique<FrameFolder>(path, frames);
+    if (path.extension() == ".gif") return gif_film(path, settings);
     VideoSettings chosen = settings;
     chosen.format = path.extension() == ".webm" ? VideoFormat::webm : VideoFormat::mp4;
     return std::make_unique<VideoFilm>(path, chosen);

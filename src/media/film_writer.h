@@ -32,6 +32,12 @@ class FilmWriter {
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
 
+    /// How many frames, spread over the whole film, it must see before the first segment: to choose
+    /// its colours. None: preview() and previews_done() are not called.
+    virtual int wanted_previews() const { return 0; }
+    virtual void preview(const Canvas&) {}  ///< one of them, in order
+    virtual void previews_done() {}
+
     /// The segment that begins with frame number `first`, from 0. From any thread.
     virtual std::unique_ptr<FilmSegment> segment(int first) = 0;
     virtual void commit() = 0;
@@ -39,7 +45,7 @@ class FilmWriter {
 };
 
 /// A folder of frame-00001.png and so on when `path` ends in a slash (it must be empty if it is
-/// there already), otherwise a video: WebM when it ends in .webm, MP4 under any other name.
+/// there already), otherwise by its extension: .webm, .gif, MP4 under any other name.
 /// `frames` are those of the whole film: so many digits.
 std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
                                         const VideoSettings& settings, int frames);

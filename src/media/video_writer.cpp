@@ -1,9 +1,6 @@
 #include "media/video_writer.h"
 
 extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libavutil/log.h>
 #include <libavutil/opt.h>
 }
 
@@ -12,8 +9,6 @@ extern "C" {
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstdarg>
-#include <cstdio>
 #include <exception>
 #include <limits>
 #include <new>
@@ -22,68 +17,26 @@ extern "C" {
 #include <vector>
 
 #include "media/h264_settings.h"
+#include "media/libav.h"
 #include "media/vp9_settings.h"
 #include "media/yuv.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+
+using libav::cause_of, libav::Owned, libav::owned;
+
 namespace {
 
 constexpr int io_buffer_bytes = 1 << 18;
-
-struct Free {
-    void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-    void operator()(AVCodecParameters* parameters) const { avcodec_parameters_free(&parameters); }
-    void operator()(AVFormatContext* context) const { avformat_free_context(context); }
-    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    void operator()(AVIOContext* context) const {
-        av_freep(&context->buffer);
-        avio_context_free(&context);
-    }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Free>;
-
-template <class T>
-Owned<T> owned(T* pointer) {
-    if (pointer == nullptr) throw std::bad_alloc();
-    return Owned<T>(pointer);
-}
-
-// libav returns "generic error in an external library" and logs what was wrong: that is kept, and
-// everything else that it would print is not.
-thread_local std::string last_complaint;
-
-void keep_complaint(void*, int level, const char* format, va_list arguments) {
-    if (level > AV_LOG_ERROR) return;
-    std::array<char, 256> text = {};
-    std::vsnprintf(text.data(), text.size(), format, arguments);
-    last_complaint = text.data();
-    while (!last_complaint.empty() && last_complaint.back() == '\n') last_complaint.pop_back();
-}
-
-void listen_to_libav() {
-    [[maybe_unused]] static const bool once = (av_log_set_callback(keep_complaint), true);
-    last_complaint.clear();
-}
-
-std::string cause_of(int error) {
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> text = {};
-    av_strerror(error, text.data(), text.size());
-    return last_complaint.empty() ? text.data()
-                                  : fmt::format("{} ({})", text.data(), last_complaint);
-}
 
 const char* encoder_name(VideoFormat format) {
     return format == VideoFormat::webm ? "libvpx-vp9" : "libx264";
 }
 
 void check_encoder(VideoFormat format, int result) {
-    if (result < 0)
-        throw SystemError(
-            fmt::format("cannot encode with {}: {}", encoder_name(format), cause_of(result)));
+    libav::check_encoder(encoder_name(format), result);
 }
 
 void tag_as_bt709(AVCodecContext& context) {
@@ -120,11 +73,7 @@ Options vp9_options(Quality quality) {
 
 Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
     const VideoFormat format = settings.format;
-    const AVCodec* const codec = avcodec_find_encoder_by_name(encoder_name(format));
-    if (codec == nullptr)
-        throw SystemError(
-            fmt::format("cannot encode: this libavcodec has no {}", encoder_name(format)));
-    Owned<AVCodecContext> context = owned(avcodec_alloc_context3(codec));
+    Owned<AVCodecContext> context = libav::encoder(encoder_name(format));
     context->width = even_size(settings.width);
     context->height = even_size(settings.height);
     context->pix_fmt = AV_PIX_FMT_YUV420P;
@@ -142,7 +91,7 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
                                                         : h264_options(settings.quality);
     for (const auto& [name, value] : options)
         check_encoder(format, av_opt_set(context->priv_data, name, value.c_str(), 0));
-    check_encoder(format, avcodec_open2(context.get(), codec, nullptr));
+    check_encoder(format, avcodec_open2(context.get(), nullptr, nullptr));
     return context;
 }
 
@@ -284,7 +233,7 @@ void SegmentEncoder::Implementation::take_packets(EncodedSegment::Implementation
 
 SegmentEncoder::SegmentEncoder(const VideoSettings& settings)
     : implementation_(std::make_unique<Implementation>()) {
-    listen_to_libav();
+    libav::listen();
     implementation_->settings = settings;
     implementation_->context = open_encoder(settings);
     implementation_->frame = frame_for(*implementation_->context, settings.format);
@@ -405,7 +354,7 @@ void VideoWriter::Implementation::start(const EncodedSegment::Implementation& se
 }
 
 VideoWriter::VideoWriter(const std::filesystem::path& path, const VideoSettings& settings) {
-    listen_to_libav();
+    libav::listen();
     implementation_ = std::make_unique<Implementation>(path, settings);
 }
 

@@ -82,6 +82,15 @@ int threads_of(const SceneOptions& options) {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
+std::string scene_stem(const std::string& scene) {
+    return scene == standard_input ? "stdin" : fs::path(scene).stem().string();
+}
+
+void refuse_second_standard_input(const std::vector<std::string>& scenes) {
+    if (std::ranges::count(scenes, standard_input) > 1)
+        throw UsageError("- stands for one scene only: standard input can be read but once");
+}
+
 bool is_same_file(const fs::path& a, const fs::path& b) {
     std::error_code error;
     return fs::equivalent(a, b, error);
@@ -89,7 +98,7 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 
 fs::path output_path(const std::string& output, bool several, const std::string& scene,
                      const std::vector<std::string>& extensions) {
-    const fs::path name = fs::path(scene).stem().string() + extensions.front();
+    const fs::path name = scene_stem(scene) + extensions.front();
     if (output.empty()) return "out" / name;
     if (names_folder(output, several)) return output / name;
     fs::path path = output;

@@ -47,6 +47,12 @@ int threads_of(const SceneOptions& options);
 std::filesystem::path output_path(const std::string& output, bool several, const std::string& scene,
                                   const std::vector<std::string>& extensions);
 
+/// What the output of a scene is called without its extension: its file's name, or `stdin`.
+std::string scene_stem(const std::string& scene);
+
+/// Throws UsageError when `-` is among the scenes more than once.
+void refuse_second_standard_input(const std::vector<std::string>& scenes);
+
 /// Whether both names lead to one file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 

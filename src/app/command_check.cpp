@@ -35,7 +35,8 @@ std::pair<Scene, bool> loaded(const std::string& path, const Overrides& override
 }
 
 CheckedScene checked(const std::string& path, const CheckArguments& arguments) {
-    CheckedScene found{.path = path, .scene = {}, .facts = {}, .errors = {}};
+    CheckedScene found{
+        .path = path == standard_input ? "<stdin>" : path, .scene = {}, .facts = {}, .errors = {}};
     try {
         auto [scene, has_film] = loaded(path, overrides_of(arguments));
         found.facts = facts_of(scene, has_film, threads_of(arguments));
@@ -61,6 +62,7 @@ void refuse_invalid(const std::vector<CheckedScene>& scenes, bool json) {
 }
 
 void check_scenes(const CheckArguments& arguments) {
+    refuse_second_standard_input(arguments.scenes);
     std::vector<CheckedScene> scenes;
     for (const std::string& path : arguments.scenes) scenes.push_back(checked(path, arguments));
     if (arguments.json)
@@ -76,7 +78,8 @@ void add_check(CLI::App& app) {
     CLI::App& command =
         *app.add_subcommand("check", "whether scenes are valid, and what they will cost");
     const auto arguments = std::make_shared<CheckArguments>();
-    command.add_option("scenes", arguments->scenes, "scene files")->required();
+    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
+        ->required();
     command.add_flag("--json", arguments->json, "for programs: a list with an object per scene");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);

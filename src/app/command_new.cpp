@@ -9,9 +9,7 @@
 
 #include "app/command.h"
 #include "app/resources.h"
-#include "scene/limits.h"
 #include "scene/starter.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -75,7 +73,7 @@ std::vector<std::string> library() {
 // A file, or a scene of the library by its name.
 fs::path source(const std::string& from) {
     std::error_code error;
-    if (fs::exists(from, error)) return from;
+    if (from == standard_input || fs::exists(from, error)) return from;
     const std::vector<std::string> names = library();
     if (std::find(names.begin(), names.end(), from) != names.end())
         return library_folder() / (from + ".yaml");
@@ -89,9 +87,9 @@ fs::path source(const std::string& from) {
 std::string text_for(const NewArguments& arguments, const fs::path& file) {
     const std::string schema = schema_reference(file);
     if (arguments.from.empty()) return starter_scene(schema, file.filename().string());
-    const fs::path from = source(arguments.from);
-    load_scene(from, templates_folder());  // its mistakes are told where they are
-    return starter_from(read_file(from, static_cast<std::int64_t>(most_file_bytes.value)), schema);
+    // Its mistakes are told where they are.
+    const Scene scene = load_scene(source(arguments.from), templates_folder());
+    return starter_from(scene.source.text, schema);
 }
 
 [[noreturn]] void fail(const fs::path& file, int cause) {
@@ -130,8 +128,10 @@ void add_new(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("new", "write a commented scene to start from");
     const auto arguments = std::make_shared<NewArguments>();
     command.add_option("name", arguments->name, "the file to write: NAME.yaml")->required();
-    command.add_option("--from", arguments->from,
-                       "another scene to begin with: a file, or the name of one in the library");
+    command.add_option(
+        "--from", arguments->from,
+        "another scene to begin with: a file, - for standard input, or the name of one in "
+        "the library");
     command.add_flag("--quiet", arguments->quiet, "no report");
     command.callback([arguments] { make_scene(*arguments); });
 }

@@ -1,16 +1,18 @@
 // carom render: the films of scenes.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <memory>
+#include <optional>
 #include <set>
-#include <system_error>
 
 #include "app/command.h"
+#include "app/film_path.h"
 #include "app/letters.h"
+#include "app/output.h"
 #include "app/pipeline.h"
 #include "app/resources.h"
+#include "app/scratch_folder.h"
+#include "media/gif_film.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -21,7 +23,9 @@ namespace fs = std::filesystem;
 struct RenderArguments : SceneOptions {
     std::vector<std::string> scenes;
     std::string output;
+    std::string format;
     std::string quality = "standard";
+    std::optional<double> from, to;
 };
 
 Quality quality_of(const std::string& name) {
@@ -29,60 +33,43 @@ Quality quality_of(const std::string& name) {
     return name == "final" ? Quality::final_ : Quality::standard;
 }
 
-constexpr std::array video_extensions = {".mp4", ".webm"};
-
-bool is_video(const std::string& output) {
-    return std::ranges::find(video_extensions, fs::path(output).extension()) !=
-           video_extensions.end();
-}
-
-// Frames never go among other files: whose they are could not be told afterwards.
-void refuse_used_folder(const std::string& output, const std::string& scene) {
-    std::error_code error;  // a name that cannot be looked at will be told when it is written
-    if (!fs::is_directory(output, error)) return;
-    if (!fs::is_empty(output, error) && !error)
-        throw UsageError(
-            fmt::format("-o {}: numbered frames go into a new or empty folder, and this one holds "
-                        "files; for a film in it write -o {}{}.mp4",
-                        output, output, fs::path(scene).stem().string()));
-    if (is_same_file(output, "."))
-        throw UsageError(fmt::format(
-            "-o {}: this is the working folder; name a new one for the frames", output));
-}
-
-fs::path film_path(const RenderArguments& arguments, const std::string& scene) {
-    const std::string& output = arguments.output;
-    const bool several = arguments.scenes.size() > 1;
-    std::error_code error;
-    if (several || output.empty() || (!output.ends_with('/') && fs::is_directory(output, error)))
-        return output_path(output, several, scene, {".mp4"});
-    if (output.ends_with('/')) {
-        refuse_used_folder(output, scene);
-        return output;
-    }
-    if (!is_video(output) && !is_same_file(output, scene))
-        throw UsageError(
-            fmt::format("-o {}: a film ends in {}; a folder of PNG frames ends in a slash", output,
-                        fmt::join(video_extensions, " or ")));
-    return output_path(output, false, scene, {fs::path(output).extension().string()});
+FilmDestination destination_of(const RenderArguments& arguments) {
+    return {arguments.output, arguments.format, arguments.scenes.size() > 1};
 }
 
 void refuse_same_outputs(const RenderArguments& arguments) {
-    const bool several = arguments.scenes.size() > 1;
-    if (several && is_video(arguments.output))
-        throw UsageError(fmt::format("-o {}: several scenes are written into a folder; name one",
-                                     arguments.output));
     std::set<fs::path> outputs;
     for (const std::string& scene : arguments.scenes)
-        if (!outputs.insert(film_path(arguments, scene)).second)
+        if (const fs::path path = film_path(destination_of(arguments), scene);
+            !outputs.insert(path).second)
             throw UsageError(
                 fmt::format("two scenes would be written to {}; render them one by one with -o",
-                            film_path(arguments, scene).string()));
+                            path.string()));
 }
 
-void report_timings(const RenderReport& report) {
-    const auto row = [](const char* stage, double seconds, const std::string& rate) {
-        fmt::print("  {:<10} {:>8.2f} s CPU   {}\n", stage, seconds, rate);
+void refuse_span(const RenderArguments& arguments, const Scene& scene) {
+    for (const auto& [flag, time] : {std::pair{"--from", arguments.from}, {"--to", arguments.to}})
+        if (time && !(*time >= 0.0 && *time <= scene.run.until))
+            throw UsageError(
+                fmt::format("{} {}: the scene runs from 0 to {}", flag, *time, scene.run.until));
+    const double from = arguments.from.value_or(0.0), to = arguments.to.value_or(scene.run.until);
+    if (!(from < to))
+        throw UsageError(
+            fmt::format("--from {} --to {}: expected an end after the start", from, to));
+}
+
+void refuse_format(const std::string& format, const Scene& scene) {
+    if (format == "gif" && scene.film.fps > most_gif_frames_per_second)
+        throw UsageError(
+            fmt::format("a GIF cannot show {} frames a second, {} are the most; give "
+                        "--fps {} or fewer, or write a .webm or .mp4",
+                        scene.film.fps, most_gif_frames_per_second, most_gif_frames_per_second));
+}
+
+std::string timings(const RenderReport& report) {
+    std::string text;
+    const auto row = [&](const char* stage, double seconds, const std::string& rate) {
+        text += fmt::format("  {:<10} {:>8.2f} s CPU   {}\n", stage, seconds, rate);
     };
     const double events = static_cast<double>(report.collisions.particle + report.collisions.wall);
     const double frames = report.frames;
@@ -93,8 +80,8 @@ void report_timings(const RenderReport& report) {
     row("encode", report.encode_seconds,
         fmt::format("{:.2f} ms a frame, conversion included",
                     1e3 * report.encode_seconds / frames));
-    fmt::print("  {:<10} {:>8.2f} s       {:.1f} frames/s\n", "wall", report.wall_seconds,
-               frames / report.wall_seconds);
+    return text + fmt::format("  {:<10} {:>8.2f} s       {:.1f} frames/s\n", "wall",
+                              report.wall_seconds, frames / report.wall_seconds);
 }
 
 // All scenes before any work: a mistake in the last one must not cost the hours of the first.
@@ -115,27 +102,70 @@ std::vector<Scene> load_all(const RenderArguments& arguments) {
     return scenes;
 }
 
+// A GIF holds every change of every pixel: what pages and mail take without trouble is soon passed.
+std::string warning(const std::string& format, const RenderReport& report) {
+    constexpr double large = 10e6;
+    const auto bytes = static_cast<double>(report.bytes);
+    if (format != "gif" || bytes < large) return "";
+    return fmt::format(
+        "carom: {:.0f} MB is large for a GIF; a smaller --size or --fps makes it "
+        "smaller, and a .webm shows the same in a tenth\n",
+        1e-6 * bytes);
+}
+
 void tell(const RenderArguments& arguments, const Scene& scene, const RenderReport& report) {
     if (arguments.quiet && !arguments.timings) return;
-    fmt::print("{}: {} frames, {}, {:.1f} MB, {} collisions between particles, made in {:.1f} s\n",
-               report.path.string(), report.frames, clock_text(scene.film.seconds),
-               1e-6 * static_cast<double>(report.bytes), report.collisions.particle,
-               report.wall_seconds);
-    if (arguments.timings) report_timings(report);
+    const bool streamed = Output::is_standard_output(arguments.output);
+    std::string text = fmt::format(
+        "{}: {} frames, {}, {:.1f} MB, {} collisions between particles, made in {:.1f} s\n",
+        streamed ? "standard output" : report.path.string(), report.frames,
+        clock_text(static_cast<double>(report.frames) / scene.film.fps),
+        1e-6 * static_cast<double>(report.bytes), report.collisions.particle, report.wall_seconds);
+    if (arguments.timings) text += timings(report);
+    if (streamed) return say(text);
+    fmt::print("{}", text);
+}
+
+RenderReport render_to_stream(const Scene& scene, RenderOptions options, const std::string& format,
+                              Progress& progress) {
+    Output stream("-");
+    const ScratchFolder folder;
+    options.output = folder.path() / ("film." + format);
+    const RenderReport report = render(scene, options, progress);
+    stream.copy(options.output);
+    return report;
+}
+
+void render_scene(const RenderArguments& arguments, const std::string& name, const Scene& scene) {
+    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
+    const FilmDestination destination = destination_of(arguments);
+    const fs::path path = film_path(destination, name);
+    const std::string format = film_format(destination, path);
+    const RenderOptions options{.output = path,
+                                .quality = quality_of(arguments.quality),
+                                .threads = threads_of(arguments),
+                                .from = arguments.from,
+                                .to = arguments.to};
+    const RenderReport report = Output::is_standard_output(path.string())
+                                    ? render_to_stream(scene, options, format, progress)
+                                    : render(scene, options, progress);
+    tell(arguments, scene, report);
+    if (!arguments.quiet) say(warning(format, report));
 }
 
 void render_scenes(const RenderArguments& arguments) {
+    refuse_second_standard_input(arguments.scenes);
     refuse_same_outputs(arguments);
     const std::vector<Scene> scenes = load_all(arguments);
-    for (const Scene& scene : scenes) require_letters(scene);
-    for (const Scene& scene : scenes) {
-        Progress progress(Progress::fitting_form(arguments.quiet),
-                          fs::path(scene.source.path).stem().string());
-        const RenderOptions options{.output = film_path(arguments, scene.source.path),
-                                    .quality = quality_of(arguments.quality),
-                                    .threads = threads_of(arguments)};
-        tell(arguments, scene, render(scene, options, progress));
+    const FilmDestination destination = destination_of(arguments);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        require_letters(scenes[i]);
+        refuse_span(arguments, scenes[i]);
+        refuse_format(film_format(destination, film_path(destination, arguments.scenes[i])),
+                      scenes[i]);
     }
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        render_scene(arguments, arguments.scenes[i], scenes[i]);
 }
 
 }  // namespace
@@ -143,11 +173,16 @@ void render_scenes(const RenderArguments& arguments) {
 void add_render(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("render", "render the films of scenes");
     const auto arguments = std::make_shared<RenderArguments>();
-    command.add_option("scenes", arguments->scenes, "scene files")->required();
+    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
+        ->required();
     command.add_option(
         "-o,--output", arguments->output,
-        "the film (.mp4 or .webm), an existing folder for it, or a new folder with a slash "
-        "for its frames as PNG (frames/); out/SCENE.mp4 if not given");
+        "the film (.mp4, .webm or .gif; - for standard output), an existing folder for it, or a "
+        "new folder with a slash for its frames as PNG (frames/); out/SCENE.mp4 if not given");
+    command.add_option("--format", arguments->format, "mp4, webm, gif, or png for frames")
+        ->check(CLI::IsMember(film_formats));
+    command.add_option("--from", arguments->from, "simulated time at which the film begins");
+    command.add_option("--to", arguments->to, "simulated time at which it ends");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);
     add_shortcut(command, *arguments, "--fps", "film.fps", "frames a second");

@@ -87,8 +87,7 @@ void run_scene(const RunArguments& arguments) {
         take = [&](const Particles& particles, const Sample& sample) {
             table->add(particles, sample);
         };
-    Progress progress(Progress::fitting_form(arguments.quiet),
-                      fs::path(arguments.scene).stem().string());
+    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     const RunReport report = telling_what_is_left(csv, [&] {
         const RunReport whole = run_physics(scene, take, progress);
         if (table) table->finish();
@@ -105,7 +104,7 @@ void run_scene(const RunArguments& arguments) {
 void add_run(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("run", "run the physics alone: statistics and samples");
     const auto arguments = std::make_shared<RunArguments>();
-    command.add_option("scene", arguments->scene, "a scene file")->required();
+    command.add_option("scene", arguments->scene, "a scene file; - for standard input")->required();
     command.add_option("--json", arguments->json, "the statistics as JSON; - for standard output");
     command.add_option("--csv", arguments->csv,
                        "all samples, a row for each particle; - for standard output");

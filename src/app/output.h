@@ -1,6 +1,7 @@
 // Where a command's results go: a file that appears whole or not at all, or standard output.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,8 +20,9 @@ class Output {
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
 
-    void write(std::string_view text);  ///< all of it, or SystemError
-    void commit();                      ///< a file gets its name; SystemError if it cannot
+    void write(std::string_view text);             ///< all of it, or SystemError
+    void copy(const std::filesystem::path& file);  ///< all that is in it
+    void commit();  ///< a file gets its name; SystemError if it cannot
 
     /// What stands in a stream although the work was stopped; empty: nothing, or a file that will
     /// not appear.

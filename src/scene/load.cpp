@@ -32,8 +32,16 @@ struct CloseFile {
 
 std::string cause(int error) { return std::generic_category().message(error); }
 
-// Reads a file up to one byte over the ceiling, which the reader then refuses. Devices and pipes
-// are no scenes: they may never end.
+// Up to one byte over the ceiling, which the reader then refuses.
+std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
+    std::string text(most_file_bytes.count() + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), &file));
+    if (std::ferror(&file) == 0) return text;
+    errors.add(name, "cannot be read: " + cause(errno));
+    return std::nullopt;
+}
+
+// Devices and pipes that are named are no scenes: they may never end.
 std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);
@@ -50,11 +58,7 @@ std::optional<std::string> file_text(const fs::path& path, const Source& name, E
         errors.add(name, "cannot be read: " + cause(errno));
         return std::nullopt;
     }
-    std::string text(most_file_bytes.count() + 1, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    if (std::ferror(file.get()) == 0) return text;
-    errors.add(name, "cannot be read: " + cause(errno));
-    return std::nullopt;
+    return text_of(*file, name, errors);
 }
 
 // A scene of a newer format may hold anything: nothing else in it is looked at.
@@ -205,13 +209,16 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
 
 Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides,
                  Wanted wanted) {
+    const bool streamed = path == standard_input;
+    const fs::path name = streamed ? "<stdin>" : path;
     Sources sources(1);
-    sources.front().name = path.string();
+    sources.front().name = name.string();
     Errors errors;
-    auto text = file_text(path, sources.front(), errors);
+    auto text = streamed ? text_of(*stdin, sources.front(), errors)
+                         : file_text(path, sources.front(), errors);
     errors.throw_if_any();
     sources.front().text = std::move(text.value());
-    return load(sources, path, templates, overrides, wanted);
+    return load(sources, name, templates, overrides, wanted);
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name, const fs::path& templates,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
@@ -20,7 +21,11 @@ struct Overrides {
 /// time where a film is wanted, and has none where only the physics is.
 enum class Wanted { film, physics };
 
-/// Loads and validates. `templates` is carom's own template folder (holding films/). Throws
+/// The path that stands for standard input.
+inline constexpr std::string_view standard_input = "-";
+
+/// Loads and validates; of standard_input all that is there, as `<stdin>` in the working folder.
+/// `templates` is carom's own template folder (holding films/). Throws
 /// SceneError with every diagnostic of the file.
 Scene load_scene(const std::filesystem::path& path, const std::filesystem::path& templates,
                  const Overrides& overrides = {}, Wanted wanted = Wanted::film);

@@ -1,0 +1,134 @@
+// Standard input as a scene, standard output as a picture or a film, and formats by name.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "e2e/program.h"
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scene = library_scene("two-to-one");
+const std::string other = library_scene("cradle");
+const std::string small = " --size 320x180 --quiet ";
+const std::string short_film = small + "--quality draft --seconds 1 ";
+
+Outcome call(const std::string& arguments, const fs::path& folder) {
+    return shell("'" + program + "' " + arguments, folder);
+}
+
+}  // namespace
+
+TEST_CASE("`-` is a scene from standard input, for every command that takes one") {
+    const TemporaryFolder folder;
+    const std::string in = "<'" + scene + "'";
+    REQUIRE(call("still - --at 6" + small + in, folder.path()).exit_code == 0);
+    REQUIRE(call("still '" + scene + "' --at 6" + small, folder.path()).exit_code == 0);
+    const fs::path out = folder.path() / "out";
+    CHECK(contents(out / "stdin.png") == contents(out / "two-to-one.png"));
+    CHECK(call("render -" + short_film + in, folder.path()).exit_code == 0);
+    CHECK(fs::exists(out / "stdin.mp4"));
+    CHECK(call("run - " + in, folder.path()).out.find("<stdin>: 2 particles") != std::string::npos);
+    CHECK(call("check - " + in, folder.path()).out.starts_with("<stdin>: valid"));
+    REQUIRE(call("new mine --quiet --from - " + in, folder.path()).exit_code == 0);
+    CHECK(call("check mine.yaml", folder.path()).exit_code == 0);
+}
+
+TEST_CASE("mistakes in a scene from standard input have their place in it") {
+    const TemporaryFolder folder;
+    const Outcome outcome = shell("echo 'titel: T' | '" + program + "' check -", folder.path());
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out == "<stdin>: not valid, 4 errors\n");
+    CHECK(outcome.err.find("<stdin>:1:1: error: `titel` is not a key") != std::string::npos);
+    const Outcome twice = call("check - - </dev/null", folder.path());
+    CHECK(twice.exit_code == 2);
+    CHECK(twice.err == "carom: - stands for one scene only: standard input can be read but once\n");
+}
+
+TEST_CASE("a template beside the working folder's scene is found for standard input") {
+    const TemporaryFolder folder;
+    fs::copy(root / "templates/films/minimal.yaml", folder.path() / "mine.yaml");
+    const Outcome outcome =
+        call("check - --set film.template=mine <'" + scene + "'", folder.path());
+    CHECK(outcome.out.find("template mine") != std::string::npos);
+}
+
+TEST_CASE("`still -o -` writes the very file to standard output, and nothing else") {
+    const TemporaryFolder folder;
+    for (const std::string format : {"png", "svg", "pdf"}) {
+        const std::string still = "still '" + scene + "' --at 6 --size 320x180 ";
+        REQUIRE(call(still + "-o file." + format, folder.path()).exit_code == 0);
+        const Outcome streamed =
+            call(still + "-o - " + (format == "png" ? "" : "--format " + format), folder.path());
+        CHECK(streamed.err.empty());
+        CHECK((streamed.out == contents(folder.path() / ("file." + format))));
+    }
+    CHECK(call("still '" + scene + "' -o - >/dev/full", folder.path()).exit_code == 1);
+}
+
+TEST_CASE("`render -o -` writes the very film to standard output, its report elsewhere") {
+    const TemporaryFolder folder;
+    for (const std::string format : {"mp4", "webm", "gif"}) {
+        CAPTURE(format);
+        const std::string film = "render '" + scene + "' --size 320x180 --seconds 1 ";
+        REQUIRE(call(film + "-o film." + format, folder.path()).exit_code == 0);
+        const Outcome streamed = call("render '" + scene + "' --size 320x180 --seconds 1 -o - " +
+                                          (format == "mp4" ? "" : "--format " + format),
+                                      folder.path());
+        CHECK((streamed.out == contents(folder.path() / ("film." + format))));
+        CHECK(streamed.err.find("standard output: 30 frames") != std::string::npos);
+    }
+    // No part of it stays anywhere.
+    const Outcome full = shell("mkdir tmp; TMPDIR=tmp '" + program + "' render '" + scene + "'" +
+                                   short_film + "-o - >/dev/full; echo $?; ls -A tmp",
+                               folder.path());
+    CHECK(full.out == "1\n");
+    CHECK(full.err == "carom: cannot write standard output: No space left on device\n");
+    CHECK(call("render '" + scene + "' -o - --format png", folder.path()).exit_code == 2);
+    CHECK(call("render '" + scene + "' '" + other + "' -o -", folder.path()).exit_code == 2);
+}
+
+TEST_CASE("--format chooses the kind of all films, and the ending where none is given") {
+    const TemporaryFolder folder;
+    const std::string both = "render '" + scene + "' '" + other + "'" + short_film;
+    for (const std::string format : {"mp4", "webm", "gif"}) {
+        REQUIRE(call(both + "-o films --format " + format, folder.path()).exit_code == 0);
+        CHECK(fs::exists(folder.path() / "films" / ("two-to-one." + format)));
+        CHECK(fs::exists(folder.path() / "films" / ("cradle." + format)));
+    }
+    REQUIRE(call(both + "-o films --format png", folder.path()).exit_code == 0);
+    CHECK(fs::exists(folder.path() / "films/two-to-one/frame-00030.png"));
+    CHECK(fs::exists(folder.path() / "films/cradle/frame-00030.png"));
+    REQUIRE(call(both, folder.path()).exit_code == 0);
+    CHECK(fs::exists(folder.path() / "out/cradle.mp4"));
+
+    const std::string one = "render '" + scene + "'" + short_film;
+    for (const auto& [arguments, path] : {std::pair{"--format gif", "out/two-to-one.gif"},
+                                          {"--format png", "out/two-to-one/frame-00001.png"},
+                                          {"--format webm -o films/", "films/two-to-one.webm"},
+                                          {"--format png -o a/", "a/frame-00001.png"},
+                                          {"--format png -o b", "b/frame-00001.png"}}) {
+        CAPTURE(std::string(arguments));
+        REQUIRE(call(one + arguments, folder.path()).exit_code == 0);
+        CHECK(fs::exists(folder.path() / path));
+    }
+    REQUIRE(call("still '" + scene + "' --format svg" + small, folder.path()).exit_code == 0);
+    CHECK(fs::exists(folder.path() / "out/two-to-one.svg"));
+}
+
+TEST_CASE("a format and an ending that contradict one another are refused") {
+    const TemporaryFolder folder;
+    const Outcome film = call("render '" + scene + "' --format gif -o film.webm", folder.path());
+    CHECK(film.exit_code == 2);
+    CHECK(film.err == "carom: -o film.webm: the name ends in .webm, and --format asks for gif\n");
+    const Outcome frames = call("render '" + scene + "' --format png -o film.mp4", folder.path());
+    CHECK(frames.exit_code == 2);
+    const Outcome still = call("still '" + scene + "' --format svg -o a.png", folder.path());
+    CHECK(still.exit_code == 2);
+    CHECK(still.err == "carom: -o a.png: the name ends in .png, and --format asks for svg\n");
+    CHECK(call("render '" + scene + "' --format avi", folder.path()).exit_code == 2);
+    CHECK(folder.names().empty());
+}

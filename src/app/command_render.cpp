@@ -26,6 +26,7 @@ struct RenderArguments : SceneOptions {
     std::string format;
     std::string quality = "standard";
     std::optional<double> from, to;
+    bool words = false;
 };
 
 Quality quality_of(const std::string& name) {
@@ -144,6 +145,7 @@ void render_scene(const RenderArguments& arguments, const std::string& name, con
     const RenderOptions options{.output = path,
                                 .quality = quality_of(arguments.quality),
                                 .threads = threads_of(arguments),
+                                .words = arguments.words,
                                 .from = arguments.from,
                                 .to = arguments.to};
     const RenderReport report = Output::is_standard_output(path.string())
@@ -156,6 +158,8 @@ void render_scene(const RenderArguments& arguments, const std::string& name, con
 void render_scenes(const RenderArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
     refuse_same_outputs(arguments);
+    if (arguments.words && Output::is_standard_output(arguments.output))
+        throw UsageError("--words: a film on standard output has no place beside it; name a file");
     const std::vector<Scene> scenes = load_all(arguments);
     const FilmDestination destination = destination_of(arguments);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -183,6 +187,9 @@ void add_render(CLI::App& app) {
         ->check(CLI::IsMember(film_formats));
     command.add_option("--from", arguments->from, "simulated time at which the film begins");
     command.add_option("--to", arguments->to, "simulated time at which it ends");
+    command.add_flag("--words", arguments->words,
+                     "beside the film its captions, chapters and descriptions (.vtt) and a "
+                     "transcript (.txt)");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);
     add_shortcut(command, *arguments, "--fps", "film.fps", "frames a second");

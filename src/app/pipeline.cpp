@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "app/film_words.h"
 #include "app/frame_span.h"
 #include "app/segment_workers.h"
 #include "app/simulate.h"
@@ -111,6 +112,9 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
         survey(ticks, simulate(scene), {&observers}, progress);
     }
 
+    FilmWords words;
+    if (options.words) words = words_of_film(scene, span);
+
     progress.begin("rendering", static_cast<double>(span.frames()));
     simulation.record_collisions(observers.wants_collisions());
     RenderReport report;
@@ -130,6 +134,7 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     const WorkerSeconds seconds = workers.finish();
     throw_if_interrupted();
     writer->commit();
+    if (options.words) write_words(words, options.output);
     progress.finish();
 
     report.bytes = writer->bytes();

@@ -18,7 +18,9 @@ struct RenderOptions {
     std::filesystem::path output;  ///< as film_writer() reads it
     Quality quality = Quality::standard;
     int threads = 1;
-    std::optional<double> from = {}, to = {};  ///< as frames_between() reads them; none: the whole film
+    bool words = false;  ///< the files of film_words.h beside it
+    std::optional<double> from = {},
+                          to = {};  ///< as frames_between() reads them; none: the whole film
 };
 
 /// What a rendering did, and the seconds it took.

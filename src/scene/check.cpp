@@ -23,21 +23,6 @@ void refuse(Node& node, std::string message, std::string hint, Errors& errors) {
     errors.add(node, std::move(message), std::move(hint));
 }
 
-std::string listed(const std::vector<std::string>& parts, std::string_view last) {
-    std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (i > 0) text += i + 1 == parts.size() ? fmt::format(" {} ", last) : ", ";
-        text += parts[i];
-    }
-    return text;
-}
-
-std::string names_listed(const std::vector<std::string>& names, std::string_view last) {
-    std::vector<std::string> quoted;
-    for (const std::string& name : names) quoted.push_back("`" + name + "`");
-    return listed(quoted, last);
-}
-
 Node::Kind kind_of(const Form& form) {
     if (form.shape == Shape::list) return Node::Kind::list;
     return form.shape == Shape::mapping ? Node::Kind::mapping : Node::Kind::scalar;
@@ -258,14 +243,13 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
         } else {
             if (origin == kept->source->origin)
                 errors.add(node.keys[i],
-                           fmt::format("{} exclude one another", names_listed(choice.names, "and")),
+                           fmt::format("{} exclude one another", listed(choice.names, "and", "`")),
                            "keep one of them");
             value.valid = false;
         }
     }
     if (choice.required && kept == nullptr && knows_all(section, node))
-        errors.add(node,
-                   fmt::format("{} needs {}", section.name, names_listed(choice.names, "or")));
+        errors.add(node, fmt::format("{} needs {}", section.name, listed(choice.names, "or", "`")));
 }
 
 // A key that seems to be meant by an unknown one, which has been reported.
@@ -301,7 +285,7 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
         errors.add(node.keys[i],
                    fmt::format("`{}` has no meaning for a panel of kind `{}`", node.keys[i].text,
                                kind->text),
-                   "it goes with " + names_listed(with, "or"));
+                   "it goes with " + listed(with, "or", "`"));
         node.items[i].valid = false;
     }
 }

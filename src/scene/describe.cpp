@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "scene/film_reading.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -22,15 +23,6 @@ std::string species_words(const Species& species, int dimension, bool several) {
     return several
                ? fmt::format("{} {} ({}, {})", species.count, noun, species.name, start_of(species))
                : fmt::format("{} {}, {},", species.count, noun, start_of(species));
-}
-
-std::string listed(const std::vector<std::string>& words) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-        text += words[i];
-    }
-    return text;
 }
 
 std::string box_words(const Box& box) {

@@ -7,21 +7,14 @@
 #include <cassert>
 #include <utility>
 
+#include "util/text.h"
+
 namespace carom {
 namespace {
 
 const Source& preset_source() {
     static const Source source{"default", "", Origin::preset};
     return source;
-}
-
-std::string listed(const std::vector<std::string>& words) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-        text += "`" + words[i] + "`";
-    }
-    return text;
 }
 
 std::string range_phrase(std::string_view what, const Range& range) {
@@ -196,7 +189,7 @@ std::string phrase(const Form& form) {
         case Shape::text:
             return form.shortest > 0 ? "a text that is not empty" : "a text";
         case Shape::word:
-            return listed(form.words);
+            return listed(form.words, "or", "`");
         case Shape::color:
             return "a colour (a name or \"#rrggbb\")";
         case Shape::list:

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "scene/key_text.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -49,15 +50,6 @@ std::string capital(std::string text) {
     return text;
 }
 
-std::string names_listed(const std::vector<std::string>& names, const char* last) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? fmt::format(" {} ", last) : ", ";
-        text += "`" + names[i] + "`";
-    }
-    return text;
-}
-
 std::string cell(std::string text) {
     for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
         text.insert(i, "\\");
@@ -84,7 +76,7 @@ std::string stand_in(const Section& section, const Key& key) {
 
 std::string row(const Section& section, const Key& key) {
     std::string meaning = key.meaning;
-    if (!key.with.empty()) meaning += " Goes with " + names_listed(key.with, "and") + ".";
+    if (!key.with.empty()) meaning += " Goes with " + listed(key.with, "and", "`") + ".";
     return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(forms_text(key)),
                        cell(stand_in(section, key)));
 }
@@ -96,7 +88,7 @@ std::string table(const std::string& rows) {
 std::string choices(const Section& section) {
     std::string text;
     for (const Choice& choice : section.choices) {
-        const std::string names = names_listed(choice.names, "and");
+        const std::string names = listed(choice.names, "and", "`");
         if (choice.names.size() > 1)
             text += fmt::format("{} of {}.\n\n", choice.required ? "Exactly one" : "At most one",
                                 names);
@@ -118,7 +110,7 @@ std::string on_wire(const Section& plane, const Section& wire) {
         if (wire.index(key.name) == wire.keys.size()) missing.push_back(key.name);
     std::string text = rows.empty() ? "" : "On a wire:\n\n" + table(rows);
     if (!missing.empty())
-        text += fmt::format("Not on a wire: {}.\n\n", names_listed(missing, "and"));
+        text += fmt::format("Not on a wire: {}.\n\n", listed(missing, "and", "`"));
     return text;
 }
 

@@ -98,6 +98,16 @@ std::string superscript(int value) {
     return text;
 }
 
+std::string listed(std::span<const std::string> words, std::string_view last,
+                   std::string_view quote) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 == words.size() ? " " + std::string(last) + " " : ", ";
+        text.append(quote).append(words[i]).append(quote);
+    }
+    return text;
+}
+
 double off_the_tie(double value) { return value * (1.0 + 1e-9); }
 
 std::string three_digits(double value) {

@@ -28,6 +28,10 @@ bool is_control(std::string_view code_point);
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates);
 
+/// "a", "a and b", "a, b and c", each between `quote`s.
+std::string listed(std::span<const std::string> words, std::string_view last = "and",
+                   std::string_view quote = "");
+
 /// A number a little farther from 0, by less than any reader sees: what lies half-way between two
 /// digits but for round-off is then rounded one way, wherever it is shown.
 double off_the_tie(double value);

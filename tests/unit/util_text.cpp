@@ -63,3 +63,10 @@ TEST_CASE("control characters are C0, delete and C1") {
     CHECK(!is_control(" "));
     CHECK(!is_control("é"));
 }
+
+TEST_CASE("lists are words") {
+    CHECK(listed({}).empty());
+    CHECK(listed(std::vector<std::string>{"a"}) == "a");
+    CHECK(listed(std::vector<std::string>{"a", "b"}, "or") == "a or b");
+    CHECK(listed(std::vector<std::string>{"a", "b", "c"}, "and", "`") == "`a`, `b` and `c`");
+}

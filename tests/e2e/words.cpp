@@ -1,0 +1,62 @@
+// The words beside a film, read back by a program that shares nothing with their writer.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "e2e/program.h"
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string scene =
+    "title: Two beads\nbox: {length: 10}\n"
+    "gas: [{radius: 0, position: [2, 8], velocity: [1, -1]}]\n"
+    "run: {until: 6, events: [{at: 0, caption: \"<b>They</b> meet & part --> look\"}]}\n"
+    "film: {seconds: 6, fps: 5, size: [320, 180]}\n";
+
+// A file of WebVTT as ffmpeg understands it.
+std::string as_srt(const fs::path& file) {
+    const Outcome outcome = run({"ffmpeg", "-v", "error", "-i", file.string(), "-f", "srt", "-"});
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    return outcome.out;
+}
+
+}  // namespace
+
+TEST_CASE("a film's words stand beside it, as players read them") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", scene);
+    const Outcome outcome = run(
+        {program, "render", "scene.yaml", "--words", "-o", "film.mp4", "--quiet"}, folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const std::string captions = as_srt(folder.path() / "film.captions.vtt");
+    CHECK(captions.find("00:00:00,000 --> 00:00:06,000\n") != std::string::npos);
+    CHECK(captions.find("They</b> meet & part --> look") != std::string::npos);
+    CHECK(as_srt(folder.path() / "film.chapters.vtt").find("--> 00:00:06,000") !=
+          std::string::npos);
+    CHECK(as_srt(folder.path() / "film.descriptions.vtt").find("1 collision between particles") !=
+          std::string::npos);
+    CHECK(contents(folder.path() / "film.transcript.txt").starts_with("Two beads\n"));
+}
+
+TEST_CASE("words go beside a folder of frames, and nowhere without being asked") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", scene);
+    REQUIRE(
+        run({program, "render", "scene.yaml", "--words", "-o", "frames/", "--quiet"}, folder.path())
+            .exit_code == 0);
+    CHECK(fs::exists(folder.path() / "frames.transcript.txt"));
+    REQUIRE(run({program, "render", "scene.yaml", "-o", "film.mp4", "--quiet"}, folder.path())
+                .exit_code == 0);
+    CHECK_FALSE(fs::exists(folder.path() / "film.transcript.txt"));
+    const Outcome streamed =
+        run({program, "render", "scene.yaml", "--words", "-o", "-"}, folder.path());
+    CHECK(streamed.exit_code == 2);
+    CHECK(streamed.err.find("--words") != std::string::npos);
+    CHECK(streamed.out.empty());
+}

@@ -1,0 +1,85 @@
+// The words beside a film.
+#include <doctest/doctest.h>
+
+#include "app/film_words.h"
+#include "app/webvtt.h"
+#include "scene/load.h"
+#include "scene/timeline.h"
+
+using namespace carom;
+
+namespace {
+
+// Ten equal beads at rest but for one, which hands its speed on: every number is known.
+Scene row_of_beads(const std::string& more) {
+    return load_scene_text(
+        "title: A row of beads\nsubtitle: One is fast\ndescription: Ten beads in a row.\n"
+        "box: {length: 11}\ngas:\n"
+        "  - {name: fast, radius: 0, position: [1], velocity: [1]}\n"
+        "  - {name: still, radius: 0, position: [2, 3, 4, 5, 6, 7, 8, 9, 10]}\n" +
+            more,
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+}
+
+FilmWords words_of(const Scene& scene) {
+    return words_of_film(scene, {0, frame_count(scene.film)});
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("cues are WebVTT") {
+    CHECK(webvtt({}) == "WEBVTT\n");
+    CHECK(webvtt({{0.0, 1.5, "a < b & c --> d\n\ne\n"},
+                  {2.0, 2.0, "no time"},
+                  {3.0, 4.0, ""},
+                  {3661.2345, 36000.0, "long"}}) ==
+          "WEBVTT\n"
+          "\n00:00:00.000 --> 00:00:01.500\na &lt; b &amp; c --&gt; d\ne\n"
+          "\n01:01:01.235 --> 10:00:00.000\nlong\n");
+}
+
+TEST_CASE("a film without events has its words by quarters, with the numbers of the gas") {
+    const Scene scene = row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10}\n");
+    const FilmWords words = words_of(scene);
+    CHECK(words.captions == "WEBVTT\n");
+    CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:05.000\nThe start\n"));
+    CHECK(contains(words.chapters, "\n00:00:15.000 --> 00:00:20.000\nTime "));
+    CHECK(
+        contains(words.descriptions,
+                 "A row of beads. One is fast. Ten beads in a row. In the picture, the colour of "
+                 "a particle tells its speed. Beside the particles: speed histogram, energy "
+                 "histogram and energy by species. Time 0 of 8.50, 0 collisions between particles "
+                 "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
+                 "slow, 0 % medium and 10 % fast.\n"));
+    // After 8.5 the speed has gone through eight collisions to one of the others.
+    CHECK(
+        contains(words.descriptions,
+                 "\nThe film ends. Time 8.50 of 8.50, 8 collisions between particles so far. Mean "
+                 "speed 0.100, mean energy 0.0500 (fast 0 and still 0.0556);"));
+    CHECK(contains(words.transcript, "A row of beads\nOne is fast\n\nA silent film of 0:20.\n"));
+    CHECK(contains(words.transcript, "\n0:10  Time "));
+    CHECK(contains(words.transcript, "\n0:18  The film ends. Time 8.50 of 8.50"));  // 2 s are held
+}
+
+TEST_CASE("captions and reversals are told when they come") {
+    const Scene scene = row_of_beads(
+        "run:\n  until: 9\n  events:\n    - {at: 0, caption: A bead & its speed, for: 4}\n"
+        "    - {at: 4.5, reverse: velocities}\n    - {at: 5, caption: Back again}\n"
+        "film: {seconds: 20, fps: 10}\n");
+    const FilmWords words = words_of(scene);
+    CHECK(contains(words.captions, "00:00:00.000 --> 00:00:04.000\nA bead &amp; its speed\n\n"));
+    CHECK(contains(words.captions, "--> 00:00:20.000\nBack again\n"));
+    CHECK(contains(words.chapters, "\nA bead &amp; its speed\n"));
+    CHECK(contains(words.chapters, "\nVelocities reversed\n"));
+    CHECK(contains(words.chapters, "00:00:11.100 --> 00:00:15.000\nBack again\n"));
+    CHECK(contains(words.transcript, "All velocities are reversed. Time 4.50, 4 collisions"));
+    CHECK(contains(words.transcript, "“Back again” Time 3.97"));
+    // Of a part, times count from its first frame.
+    const FilmWords part = words_of_film(scene, {20, 60});
+    CHECK(contains(part.captions, "00:00:00.000 --> 00:00:02.000\nA bead"));
+    CHECK(contains(part.transcript, "A silent film of 0:04."));
+}

@@ -10,6 +10,7 @@
 #include "app/output.h"
 #include "app/resources.h"
 #include "app/scene_facts.h"
+#include "panels/text_panel.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -39,6 +40,7 @@ CheckedScene checked(const std::string& path, const CheckArguments& arguments) {
         .path = path == standard_input ? "<stdin>" : path, .scene = {}, .facts = {}, .errors = {}};
     try {
         auto [scene, has_film] = loaded(path, overrides_of(arguments));
+        if (has_film) refuse_long_words(scene);
         found.facts = facts_of(scene, has_film, threads_of(arguments));
         found.scene = std::move(scene);
     } catch (const SceneError& error) {

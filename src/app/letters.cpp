@@ -15,7 +15,9 @@ std::string words_of(const Scene& scene) {
     std::string words = scene.title + scene.subtitle;
     for (const Species& species : scene.gas.species) words += species.name;
     for (const SpeciesLook& look : scene.looks) words += look.label;
-    for (const PanelSpec& panel : scene.film.panels) words += panel.title.value_or("");
+    for (const PanelSpec& panel : scene.film.panels)
+        words += panel.title.value_or("") + panel.words;
+    std::erase(words, '\n');  // parts paragraphs, and is no letter
     return words;
 }
 

@@ -7,6 +7,7 @@
 #include "panels/layout.h"
 #include "panels/monitors_panel.h"
 #include "panels/registry.h"
+#include "panels/text_panel.h"
 #include "panels/wire_panel.h"
 
 namespace carom {
@@ -34,6 +35,7 @@ Observers::Observers(const Scene& scene, const Particles& particles, const Sampl
     : particles_(particles), equilibrium_(equilibrium(scene.gas.box, particles, start)) {
     const Cast cast{scene, particles_, frame_count(scene.film), equilibrium_};
     const LayoutSpec& layout = scene.film.layout;
+    refuse_long_words(scene);
     panels_.push_back({layout.gas, make_gas_panel(cast)});
     if (layout.monitors)
         panels_.push_back(

@@ -23,7 +23,8 @@ struct FrameData {
 /// for the frames.
 class Observers {
   public:
-    /// `start` is the state at t = 0, which fixes the equilibrium that curves show.
+    /// `start` is the state at t = 0, which fixes the equilibrium that curves show. Throws
+    /// SceneError where words do not fit into their place.
     Observers(const Scene& scene, const Particles& particles, const Sample& start);
     Observers(const Observers&) = delete;  // its panels refer to its particles
     Observers& operator=(const Observers&) = delete;

@@ -24,6 +24,7 @@ const std::array entries{
     Entry{"phase", make_phase},
     Entry{"positions", make_positions},
     Entry{"monitors", make_monitors},
+    Entry{"text", make_text},
 };
 
 }  // namespace

@@ -28,5 +28,6 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_text(const Cast& cast, const PanelSpec& spec);
 
 }  // namespace carom

@@ -302,7 +302,12 @@ Section panel() {
                  left_to("all but all-collisions",
                          {"numbers",
                           "Which numbers it shows; all-collisions counts those with walls too.",
-                          {monitors()}}))}});
+                          {monitors()}})),
+             only_with({"text"}, left_to("required for a text",
+                                         {"words",
+                                          "What the panel says, in lines as its place allows; an "
+                                          "empty line parts paragraphs.",
+                                          {lines(1, most_words_letters)}}))}});
 }
 
 vector<Key> film_keys() {
@@ -430,12 +435,19 @@ const Section& template_section() {
 }
 
 std::span<const string> panel_kinds() {
-    static const vector<string> kinds{"speed-histogram",    "energy-histogram",
-                                      "velocity-histogram", "position-histogram",
-                                      "energy-by-species",  "speed-classes",
-                                      "temperature",        "entropy",
-                                      "pressure",           "phase",
-                                      "positions",          "monitors"};
+    static const vector<string> kinds{"speed-histogram",
+                                      "energy-histogram",
+                                      "velocity-histogram",
+                                      "position-histogram",
+                                      "energy-by-species",
+                                      "speed-classes",
+                                      "temperature",
+                                      "entropy",
+                                      "pressure",
+                                      "phase",
+                                      "positions",
+                                      "monitors",
+                                      "text"};
     return kinds;
 }
 

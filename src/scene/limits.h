@@ -21,6 +21,7 @@ inline constexpr Limit most_values{500'000, "values in a file, its aliases writt
 inline constexpr Limit most_letters{4'000, "characters in a description"};
 inline constexpr Limit most_title_letters{200, "characters in a title"};
 inline constexpr Limit most_caption_letters{60, "characters in a caption, which is one line"};
+inline constexpr Limit most_words_letters{600, "characters in the words of a panel"};
 inline constexpr Limit most_name_letters{40, "characters in a name or label"};
 inline constexpr Limit most_overrides{1'000, "values set on the command line"};
 inline constexpr Limit most_errors_shown{50, "errors shown in one run"};
@@ -46,15 +47,20 @@ inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
-inline constexpr std::array limits{most_file_bytes,     most_nesting,       most_values,
-                                   most_letters,        most_title_letters, most_caption_letters,
-                                   most_name_letters,   most_seconds,       most_trail_seconds,
-                                   most_overrides,      most_errors_shown,  largest_quantity,
-                                   smallest_quantity,   largest_seed,       most_particles,
-                                   most_species,        most_events,        most_samples,
-                                   most_pairs_compared, most_frames,        most_frames_per_second,
-                                   smallest_side,       largest_side,       most_panels,
-                                   most_monitors,       most_bins,          most_chosen,
+inline constexpr std::array limits{most_file_bytes,    most_nesting,
+                                   most_values,        most_letters,
+                                   most_title_letters, most_caption_letters,
+                                   most_words_letters, most_name_letters,
+                                   most_seconds,       most_trail_seconds,
+                                   most_overrides,     most_errors_shown,
+                                   largest_quantity,   smallest_quantity,
+                                   largest_seed,       most_particles,
+                                   most_species,       most_events,
+                                   most_samples,       most_pairs_compared,
+                                   most_frames,        most_frames_per_second,
+                                   smallest_side,      largest_side,
+                                   most_panels,        most_monitors,
+                                   most_bins,          most_chosen,
                                    largest_grid};
 
 }  // namespace carom

@@ -87,6 +87,12 @@ void check_two_particles(const Node& place, const PanelSpec& panel, Errors& erro
                    "for instance {kind: positions, of: [0, 1]}");
 }
 
+void check_words(const Node& place, const Fields* fields, const PanelSpec& panel, Errors& errors) {
+    if (panel.kind == "text" && (fields == nullptr || !fields->mentions("words")))
+        errors.add(place, "a panel of kind `text` needs `words`",
+                   "for instance {kind: text, words: \"Watch the red disk.\"}");
+}
+
 std::pair<double, double> read_range(const Node& range, const std::string& kind, Errors& errors) {
     const Eigen::Array2d ends = pair(range);
     const bool never_negative = kind == "speed-histogram" || kind == "energy-histogram";
@@ -113,6 +119,7 @@ void check_theory(const Fields& fields, const Gas& gas, Errors& errors) {
 PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     PanelSpec panel;
     panel.kind = fields.text("kind").value_or("");
+    panel.place = place_of(fields.node());
     panel.title = fields.text("title");
     if (const Node* of = fields.given("of")) panel.of = read_of(*of, gas, errors);
     if (const Node* over = fields.given("over")) panel.over = read_over(fields, *over);
@@ -130,6 +137,8 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     panel.mean_start = fields.flag("mean_start");
     panel.reference_initial = fields.text("reference") == "initial";
     panel.numbers = read_monitors(fields.given("numbers"));
+    panel.words = fields.text("words").value_or("");
+    check_words(fields.node(), &fields, panel, errors);
     return panel;
 }
 
@@ -163,7 +172,9 @@ std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& e
         } else {
             panels.push_back({});
             panels.back().kind = item.text;
+            panels.back().place = place_of(item);
             check_two_particles(item, panels.back(), errors);
+            check_words(item, nullptr, panels.back(), errors);
         }
     }
     return panels;

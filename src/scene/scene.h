@@ -99,6 +99,8 @@ struct PanelSpec {
     std::optional<bool> mean_start = {};
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
     std::vector<Monitor> numbers = {};  ///< monitors: those shown; none: all
+    std::string words = {};             ///< text
+    Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
 };
 
 struct Film {

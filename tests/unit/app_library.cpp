@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "app/letters.h"
 #include "app/pipeline.h"
 #include "physics/theory.h"
 #include "scene/load.h"
@@ -42,6 +43,7 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
                                         {{{"film.size", "[320, 180]"}, {"film.fps", "5"}}});
         CHECK(loaded.description.size() > 80);
         CHECK(loaded.subtitle.size() > 20);
+        CHECK_NOTHROW(require_letters(loaded));
         const fs::path picture = folder.path() / (file.stem().string() + ".png");
         render_still(loaded, 0.3 * loaded.run.until, picture);
         CHECK(carom::test::contents(picture).starts_with("\x89PNG"));

@@ -21,6 +21,7 @@ struct MonitorsState : PanelState {
     double mean_speed = 0.0;
     double mean_energy = 0.0;
     std::array<double, 3> shares{};
+    std::optional<double> return_distance;
     double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
 };
 
@@ -30,10 +31,10 @@ struct Column {
 };
 
 // In the order of Monitor.
-constexpr std::array columns{Column{"time", 7.08},        Column{"collisions", 7.788},
-                             Column{"mean speed", 7.788}, Column{"mean energy", 8.968},
-                             Column{"slow", 5.664},       Column{"medium", 5.9},
-                             Column{"fast", 4.012},       Column{"all collisions", 8.968}};
+constexpr std::array columns{
+    Column{"time", 7.08},         Column{"collisions", 7.788},     Column{"mean speed", 7.788},
+    Column{"mean energy", 8.968}, Column{"slow", 5.664},           Column{"medium", 5.9},
+    Column{"fast", 4.012},        Column{"all collisions", 8.968}, Column{"from way out", 8.968}};
 constexpr double widest_column = 8.968;
 constexpr double widest_number = 6.4;
 constexpr double tightest = 0.85;  // the widths of columns have some air
@@ -138,9 +139,11 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
 
 // In units, at the smallest size of text: numbers that need a power of ten need more than usual.
 double MonitorsPanel::width(Monitor number, double unit) const {
-    if (number != Monitor::mean_speed && number != Monitor::mean_energy)
+    if (number != Monitor::mean_speed && number != Monitor::mean_energy &&
+        number != Monitor::return_distance)
         return column(number).width;
     MonitorsState least, most;
+    most.return_distance = 8.88e-16;
     least.mean_speed = smallest_speed_;
     least.mean_energy = smallest_energy_;
     most.mean_speed = largest_speed_;
@@ -158,13 +161,20 @@ MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
     if (numbers_.empty())
         numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
                     Monitor::slow, Monitor::medium,     Monitor::fast};
+    if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
+        way_home_.emplace(cast);
 }
 
 void MonitorsPanel::survey(const Observation& observation) {
+    if (way_home_) way_home_->survey(observation);
     largest_speed_ = std::max(largest_speed_, observation.speed.mean());
     largest_energy_ = std::max(largest_energy_, observation.energy.mean());
     smallest_speed_ = std::min(smallest_speed_, observation.speed.mean());
     smallest_energy_ = std::min(smallest_energy_, observation.energy.mean());
+}
+
+void MonitorsPanel::settle() {
+    if (way_home_) way_home_->settle();
 }
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
@@ -175,6 +185,9 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observ
     state->mean_speed = observation.speed.mean();
     state->mean_energy = observation.energy.mean();
     state->shares = class_shares(observation.speed, state->mean_speed);
+    if (way_home_)
+        if (const auto apart = way_home_->at(observation.tick.frame))
+            state->return_distance = apart->largest;
     const bool turning = observation.tick.phase == Phase::reversing;
     const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
     const double turned = turning ? observation.tick.progress : 0.0;
@@ -212,6 +225,8 @@ std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
             return percent(now.shares[2]);
         case Monitor::all_collisions:
             return counted(now.collisions + now.with_walls);
+        case Monitor::return_distance:
+            return now.return_distance ? three_digits(*now.return_distance) : "–";
     }
     return "";
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/panel.h"
+#include "panels/way_home.h"
 
 namespace carom {
 
@@ -18,6 +19,7 @@ class MonitorsPanel : public Panel {
                   std::optional<std::string> title = {});
 
     void survey(const Observation& observation) override;
+    void settle() override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
@@ -37,6 +39,7 @@ class MonitorsPanel : public Panel {
     double largest_energy_ = 0.0;
     double smallest_speed_ = std::numeric_limits<double>::infinity();
     double smallest_energy_ = std::numeric_limits<double>::infinity();
+    std::optional<WayHome> way_home_;  ///< if its number is shown
 };
 
 }  // namespace carom

@@ -21,6 +21,7 @@ const std::array entries{
     Entry{"temperature", make_temperature},
     Entry{"entropy", make_entropy},
     Entry{"pressure", make_pressure},
+    Entry{"return-distance", make_return_distance},
     Entry{"phase", make_phase},
     Entry{"positions", make_positions},
     Entry{"monitors", make_monitors},

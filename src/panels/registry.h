@@ -25,6 +25,7 @@ std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spe
 std::unique_ptr<Panel> make_temperature(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_entropy(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_return_distance(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec);

@@ -177,11 +177,11 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.palette = fields.text("palette");
     film.labels = read_labels(fields.text("labels"));
     read_velocities(fields, film);
-    film.monitors = read_monitors(fields.given("monitors"));
+    film.monitors = read_monitors(fields.given("monitors"), {gas, run}, errors);
     film.seconds = read_seconds(fields, run);
     if (film.seconds > 0.0 && check_frames(film, fields, scene, errors))
         check_legs(film, run, scene, errors);
-    film.panels = read_panels(fields, gas, errors);
+    film.panels = read_panels(fields, {gas, run}, errors);
     if (layout) check_slots(fields, film, errors);
     return film;
 }

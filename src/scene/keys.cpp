@@ -232,7 +232,7 @@ Section run() {
 
 Form monitors() {
     return list_of({one_of({"time", "collisions", "mean-speed", "mean-energy", "slow", "medium",
-                            "fast", "all-collisions"})},
+                            "fast", "all-collisions", "return-distance"})},
                    1, most_monitors, "a list of numbers to show");
 }
 
@@ -297,12 +297,12 @@ Section panel() {
                                          "The mean speed that slow and fast are measured by: the "
                                          "present one, or that at the start.",
                                          {one_of({"now", "initial"})}})),
-             only_with(
-                 {"monitors"},
-                 left_to("all but all-collisions",
-                         {"numbers",
-                          "Which numbers it shows; all-collisions counts those with walls too.",
-                          {monitors()}})),
+             only_with({"monitors"}, left_to("all but all-collisions and return-distance",
+                                             {"numbers",
+                                              "Which numbers it shows; all-collisions counts those "
+                                              "with walls too, return-distance is the largest of a "
+                                              "particle from where it was on the way out.",
+                                              {monitors()}})),
              only_with({"text"}, left_to("required for a text",
                                          {"words",
                                           "What the panel says, in lines as its place allows; an "
@@ -343,10 +343,12 @@ vector<Key> film_keys() {
                    "Arrows of velocity on disks and beads: whether there are any, or how much "
                    "simulated time they look ahead, so that an arrow is velocity * time long.",
                    {flag(), number(positive)}}),
-        left_to("all but all-collisions", {"monitors",
-                                           "Which numbers stand in the row of monitors; "
-                                           "all-collisions counts those with walls too.",
-                                           {monitors()}}),
+        left_to(
+            "all but all-collisions and return-distance",
+            {"monitors",
+             "Which numbers stand in the row of monitors; all-collisions counts those with walls "
+             "too, return-distance is the largest of a particle from where it was on the way out.",
+             {monitors()}}),
         left_to("the template's",
                 {"panels",
                  "What the panels show, each a kind or a mapping with options.",
@@ -444,6 +446,7 @@ std::span<const string> panel_kinds() {
                                       "temperature",
                                       "entropy",
                                       "pressure",
+                                      "return-distance",
                                       "phase",
                                       "positions",
                                       "monitors",

@@ -7,8 +7,10 @@
 #include <map>
 #include <numeric>
 
+#include "scene/limits.h"
 #include "scene/mixing.h"
 #include "scene/scalar.h"
+#include "scene/timeline.h"
 #include "util/text.h"
 
 namespace carom {
@@ -116,7 +118,20 @@ void check_theory(const Fields& fields, const Gas& gas, Errors& errors) {
                    "leave out `theory`, and the curve is drawn where there is one");
 }
 
-PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
+// The way home begins with a reversal, and is kept in memory.
+void check_way_home(const Node& place, const Shown& shown, Errors& errors) {
+    if (leg_count(shown.run) < 2)
+        errors.add(place, "`return-distance` is measured from a reversal on, and this run has none",
+                   "give one in `run`: events: [{at: TIME, reverse: velocities}]");
+    const std::int64_t count = particles_in(shown.gas);
+    if (count > static_cast<std::int64_t>(most_returning.count()))
+        errors.add(
+            place, fmt::format("`return-distance` of {} particles", count),
+            fmt::format("the ceiling is {:.0f} {}", most_returning.value, most_returning.meaning));
+}
+
+PanelSpec read_options(const Fields& fields, const Shown& shown, Errors& errors) {
+    const Gas& gas = shown.gas;
     PanelSpec panel;
     panel.kind = fields.text("kind").value_or("");
     panel.place = place_of(fields.node());
@@ -136,15 +151,17 @@ PanelSpec read_options(const Fields& fields, const Gas& gas, Errors& errors) {
     panel.mean_now = fields.flag("mean_now");
     panel.mean_start = fields.flag("mean_start");
     panel.reference_initial = fields.text("reference") == "initial";
-    panel.numbers = read_monitors(fields.given("numbers"));
+    panel.numbers = read_monitors(fields.given("numbers"), shown, errors);
     panel.words = fields.text("words").value_or("");
     check_words(fields.node(), &fields, panel, errors);
+    if (panel.kind == "return-distance")
+        check_way_home(*find(fields.node(), "kind"), shown, errors);
     return panel;
 }
 
 }  // namespace
 
-std::vector<Monitor> read_monitors(const Node* list) {
+std::vector<Monitor> read_monitors(const Node* list, const Shown& shown, Errors& errors) {
     static const std::map<std::string, Monitor> numbers{
         {"time", Monitor::time},
         {"collisions", Monitor::collisions},
@@ -153,14 +170,18 @@ std::vector<Monitor> read_monitors(const Node* list) {
         {"slow", Monitor::slow},
         {"medium", Monitor::medium},
         {"fast", Monitor::fast},
-        {"all-collisions", Monitor::all_collisions}};
+        {"all-collisions", Monitor::all_collisions},
+        {"return-distance", Monitor::return_distance}};
     std::vector<Monitor> monitors;
-    if (list != nullptr)
-        for (const Node& item : list->items) monitors.push_back(numbers.at(item.text));
+    if (list == nullptr) return monitors;
+    for (const Node& item : list->items) {
+        monitors.push_back(numbers.at(item.text));
+        if (monitors.back() == Monitor::return_distance) check_way_home(item, shown, errors);
+    }
     return monitors;
 }
 
-std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& errors) {
+std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Errors& errors) {
     std::vector<PanelSpec> panels;
     const Node* list = film.given("panels");
     if (list == nullptr) return panels;
@@ -168,13 +189,14 @@ std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& e
     for (const Node& item : list->items) {
         if (!item.valid) continue;
         if (item.is_mapping()) {
-            panels.push_back(read_options({item, section}, gas, errors));
+            panels.push_back(read_options({item, section}, shown, errors));
         } else {
             panels.push_back({});
             panels.back().kind = item.text;
             panels.back().place = place_of(item);
             check_two_particles(item, panels.back(), errors);
             check_words(item, nullptr, panels.back(), errors);
+            if (item.text == "return-distance") check_way_home(item, shown, errors);
         }
     }
     return panels;

@@ -10,10 +10,16 @@
 
 namespace carom {
 
-/// The numbers that a checked list of monitors names; none for no list.
-std::vector<Monitor> read_monitors(const Node* list);
+/// What panels show: a gas, and what happens to it.
+struct Shown {
+    const Gas& gas;
+    const Run& run;
+};
 
-/// The panels that `film` lists, for a scene with this gas.
-std::vector<PanelSpec> read_panels(const Fields& film, const Gas& gas, Errors& errors);
+/// The numbers that a checked list of monitors names; none for no list.
+std::vector<Monitor> read_monitors(const Node* list, const Shown& shown, Errors& errors);
+
+/// The panels that `film` lists.
+std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Errors& errors);
 
 }  // namespace carom

@@ -27,7 +27,8 @@ enum class Monitor {
     slow,
     medium,
     fast,
-    all_collisions  ///< those with walls too
+    all_collisions,  ///< those with walls too
+    return_distance  ///< the largest of all particles, after a reversal
 };
 
 struct PictureSize {

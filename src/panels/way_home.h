@@ -1,0 +1,55 @@
+// How far a reversed gas is from where it was on the way out: the distance between its state and
+// the mirror state, which is as long before the last reversal as the present is after it. Owns the
+// comparison; draws nothing.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "panels/panel.h"
+#include "stats/homecoming.h"
+
+namespace carom {
+
+class WayHome {
+  public:
+    /// One comparison; it holds until the next.
+    struct Step {
+        int frame;              ///< the first that shows it
+        std::size_t reversal;   ///< which one it is measured from, counted from 0
+        double since;           ///< simulated time since then
+        ReturnDistance apart;   ///< lengths
+        bool is_known = false;  ///< false: the gas goes on to where it has never been
+    };
+
+    explicit WayHome(const Cast& cast);
+
+    /// First pass, every frame in order: keeps where the particles are after a reversal, of as many
+    /// frames as memory allows.
+    void survey(const Observation& observation);
+
+    /// Runs the gas once more, to see the way out at the very times that mirror those kept.
+    void settle();
+
+    /// In order of time, from the first reversal on.
+    const std::vector<Step>& steps() const { return steps_; }
+
+    /// How many of the steps a frame shows: those up to it.
+    std::size_t shown(int frame) const;
+
+    /// The distance in a frame; none before a reversal, and where there is none.
+    std::optional<ReturnDistance> at(int frame) const;
+
+    /// Times of the reversals.
+    const std::vector<double>& reversals() const { return reversals_; }
+
+  private:
+    Cast cast_;
+    std::vector<double> reversals_;
+    int stride_ = 1;  ///< one of so many frames is kept
+    std::vector<Step> steps_;
+    std::vector<Sample> kept_;  ///< one for each step, its time the mirror's; no velocities
+};
+
+}  // namespace carom

@@ -1,0 +1,128 @@
+// The distance from the way out after a reversal: against places known by hand, and against a run
+// of the same gas.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "panels/way_home.h"
+#include "scene/load.h"
+#include "support/relative.h"
+#include "support/shot.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+// Two disks that fly to the right for ever, each in its own lane of a periodic box.
+Scene lanes(const std::string& events, double until) {
+    return load_scene_text(
+        "title: T\nbox: {size: [20, 20], walls: periodic}\n"
+        "gas: [{count: 2, radius: 0.5, position: [[2, 5], [2, 15]], velocity: [3, 0]}]\n"
+        "run: {until: " +
+            std::to_string(until) + ", events: [" + events +
+            "]}\nfilm: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
+        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+}
+
+std::string reversal(double at) { return "{at: " + std::to_string(at) + ", reverse: velocities}"; }
+
+struct Walk {
+    Scene scene;
+    Particles particles;
+    std::optional<EquilibriumGas> equilibrium;
+    WayHome way_home;
+    Passage passage;
+    int frames = 0;
+
+    explicit Walk(Scene loaded)
+        : scene(std::move(loaded)),
+          particles(Simulation(scene.gas, scene.run).particles()),
+          way_home(Cast{scene, particles, 100, equilibrium}) {}
+
+    // The disks of `lanes` at x, each beside its lane by so much.
+    void see(double time, double x, double first_aside, double second_aside, double ahead = 0.0) {
+        const auto into_box = [](double at) { return at - 20.0 * std::floor(at / 20.0); };
+        Sample sample{time, Eigen::ArrayXXd::Zero(2, 2), Eigen::ArrayXXd::Zero(2, 2)};
+        sample.position << into_box(x + ahead), 5.0 + first_aside, into_box(x), 15.0 + second_aside;
+        Tick tick;
+        tick.frame = frames++;
+        tick.time = time;
+        const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(2);
+        way_home.survey({tick, sample, none, none, passage});
+    }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "the distance is to where each particle was as long before the reversal, the nearest image") {
+    Walk walk(lanes(reversal(6.0), 12.0));
+    walk.see(0.0, 2.0, 0.0, 0.0);
+    walk.see(3.0, 11.0, 0.0, 0.0);
+    walk.see(6.0, 20.0, 0.0, 0.0);        // at the border: 0 and 20 are one place
+    walk.see(7.0, 17.0, -0.4, 0.0, 0.3);  // as at 5
+    walk.see(12.0, 2.0, 0.0, -0.02);      // home
+    walk.way_home.settle();
+    CHECK(!walk.way_home.at(0));
+    CHECK(!walk.way_home.at(1));
+    REQUIRE(walk.way_home.at(2));
+    CHECK(walk.way_home.at(2)->largest == 0.0);
+    REQUIRE(walk.way_home.at(3));
+    CHECK(walk.way_home.at(3)->largest == relative(0.5, 1e-12));
+    CHECK(walk.way_home.at(3)->root_mean_square == relative(0.5 / std::sqrt(2.0), 1e-12));
+    CHECK(walk.way_home.at(4)->largest == relative(0.02, 1e-12));
+    CHECK(walk.way_home.at(9)->largest == relative(0.02, 1e-12));
+}
+
+TEST_CASE("after another reversal the way back is the way out, and beyond home nothing is known") {
+    Walk walk(lanes(reversal(4.0) + ", " + reversal(6.0), 16.0));
+    walk.see(5.0, 11.0, 0.1, 0.0);  // as at 3
+    walk.see(7.0, 11.0, 0.2, 0.0);  // as at 5, not as it should have been
+    walk.see(8.0, 14.0, 0.3, 0.0);  // as at 4: home, for the second reversal
+    walk.see(9.0, 17.0, 0.4, 0.0);  // where it has never been
+    walk.way_home.settle();
+    CHECK(walk.way_home.at(0)->largest == relative(0.1, 1e-12));
+    CHECK(walk.way_home.at(1)->largest == relative(0.2, 1e-12));
+    CHECK(walk.way_home.at(2)->largest == relative(0.3, 1e-12));
+    CHECK(!walk.way_home.at(3));
+}
+
+TEST_CASE("a film's last distance is that of the run from its start") {
+    Scene scene = load_scene_text(
+        "title: T\nbox: {size: [12, 12], walls: periodic}\ngas: [{count: 30, radius: 0.5, speed: "
+        "1}]\nrun: {until: 8, events: [" +
+            reversal(4.0) + "]}\nfilm: {seconds: 1, fps: 8, size: [640, 360]}\n",
+        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+    Simulation run(scene.gas, scene.run);
+    const Sample start = run.sample();
+    run.advance_to(8.0);
+    const ReturnDistance truth = return_distance(scene.gas.box, start, run.sample());
+    CHECK(truth.largest > 0.0);
+
+    std::optional<EquilibriumGas> none;
+    WayHome way_home(Cast{scene, run.particles(), 8, none});
+    Simulation film(scene.gas, scene.run);
+    const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(30);
+    const std::vector<Tick> ticks = timeline(scene);
+    for (const Tick& tick : ticks) {
+        const Passage passage = film.advance_to(tick.time);
+        way_home.survey({tick, film.sample(), zeros, zeros, passage});
+    }
+    way_home.settle();
+    CHECK(way_home.at(ticks.back().frame)->largest == truth.largest);
+    CHECK(way_home.at(ticks.back().frame)->root_mean_square == truth.root_mean_square);
+}
+
+TEST_CASE("the panel says when it begins, and then draws what it has seen") {
+    const test::Shot film(lanes(reversal(6.0), 12.0));
+    FramePainter painter(film.scene, *film.observers);
+    const auto svg = [&](std::size_t frame) {
+        Canvas canvas({640, 360}, VectorFormat::svg, {"T", "D"});
+        painter.paint_on(canvas, film.frames[frame]);
+        const std::vector<std::uint8_t> bytes = canvas.file();
+        return std::string(bytes.begin(), bytes.end());
+    };
+    CHECK(svg(3) != svg(film.frames.size() - 1));
+}

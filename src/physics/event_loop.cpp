@@ -264,6 +264,7 @@ bool EventLoop<Dimension>::collide(std::int32_t first, std::int32_t second, Coll
     fly_to_now(a);
     fly_to_now(b);
     Contact<Dimension> contact;
+    const auto first_before = a.v, second_before = b.v;
     if (!space_.collide(bodies_, first, second, contact)) return false;
     ++a.collisions;
     ++b.collisions;
@@ -273,8 +274,15 @@ bool EventLoop<Dimension>::collide(std::int32_t first, std::int32_t second, Coll
     count_tie(first, second);
     if (collision) {
         const Eigen::Array2d position = in_plane(a.x);
-        *collision = {clock_.absolute(now_), number_of(first), number_of(second), position,
-                      position + in_plane(contact.separation)};
+        *collision = {clock_.absolute(now_),
+                      number_of(first),
+                      number_of(second),
+                      position,
+                      position + in_plane(contact.separation),
+                      in_plane(first_before),
+                      in_plane(second_before),
+                      in_plane(a.v),
+                      in_plane(b.v)};
     }
     return true;
 }
@@ -296,6 +304,7 @@ void EventLoop<Dimension>::bounce(std::int32_t i, int side, Collision* collision
     fly_to_now(b);
     double& v = b.v[static_cast<std::size_t>(side / 2)];
     transfers_.wall[static_cast<std::size_t>(side)] += 2.0 * std::abs(v) / b.inverse_mass;
+    const auto before = b.v;
     v = -v;
     ++b.collisions;
     ++counts_.wall;
@@ -303,7 +312,15 @@ void EventLoop<Dimension>::bounce(std::int32_t i, int side, Collision* collision
     const Eigen::Array2d position = in_plane(b.x);
     Eigen::Array2d contact = position;
     contact[side / 2] = side % 2 == 0 ? 0.0 : box_.size[side / 2];
-    *collision = {clock_.absolute(now_), number_of(i), -1 - side, position, contact};
+    *collision = {clock_.absolute(now_),
+                  number_of(i),
+                  -1 - side,
+                  position,
+                  contact,
+                  in_plane(before),
+                  Eigen::Array2d::Zero(),
+                  in_plane(b.v),
+                  Eigen::Array2d::Zero()};
 }
 
 template class EventLoop<1>;

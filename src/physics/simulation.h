@@ -25,6 +25,8 @@ struct Collision {
     Eigen::Array2d first_position;   ///< centre of `first` at contact; y is 0 in 1-D
     Eigen::Array2d second_position;  ///< centre of `second` (in a periodic box of its image that
                                      ///< touches `first`), or the point of contact on the wall
+    Eigen::Array2d first_before, second_before;  ///< velocities; y is 0 in 1-D, a wall's are 0
+    Eigen::Array2d first_after, second_after;
 };
 
 /// How many collisions have happened since t = 0.

@@ -36,11 +36,18 @@ TEST_CASE("collisions are told exactly, those at the end included") {
     CHECK(pair.second_position[0] == 5.0);
     CHECK(simulation.sample().velocity(0, 0) == 0.0);
     CHECK(simulation.sample().velocity(1, 0) == 1.0);
+    CHECK(pair.first_before[0] == 1.0);
+    CHECK(pair.second_before[0] == 0.0);
+    CHECK(pair.first_after[0] == 0.0);
+    CHECK(pair.second_after[0] == 1.0);
     passage = simulation.advance_to(7.0);
     REQUIRE(passage.collisions.size() == 1);
     CHECK(passage.collisions[0].time == 6.5);
     CHECK(passage.collisions[0].second == -2);  // the right wall
     CHECK(passage.collisions[0].second_position[0] == 10.0);
+    CHECK(passage.collisions[0].first_before[0] == 1.0);
+    CHECK(passage.collisions[0].first_after[0] == -1.0);
+    CHECK(passage.collisions[0].second_before[0] == 0.0);
     CHECK(passage.counts.particle == 1);
     CHECK(passage.counts.wall == 1);
     CHECK(simulation.sample().position(1, 0) == 9.0);

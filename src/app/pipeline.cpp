@@ -50,6 +50,8 @@ VideoSettings video_settings(const Scene& scene, const RenderOptions& options) {
 void survey(const std::vector<Tick>& ticks, Simulation simulation,
             std::initializer_list<Observers*> all, Progress& progress) {
     progress.begin("simulating", static_cast<double>(ticks.size()));
+    simulation.record_collisions(std::ranges::any_of(
+        all, [](const Observers* observers) { return observers->surveys_collisions(); }));
     for (const Tick& tick : ticks) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);

@@ -50,6 +50,11 @@ bool Observers::wants_collisions() const {
         panels_, [](const Placed& placed) { return placed.panel->wants_collisions(); });
 }
 
+bool Observers::surveys_collisions() const {
+    return std::ranges::any_of(
+        panels_, [](const Placed& placed) { return placed.panel->surveys_collisions(); });
+}
+
 void Observers::survey(const Tick& tick, const Sample& sample, const Passage& passage) {
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);

@@ -34,6 +34,7 @@ class Observers {
     FrameData frame_data(const Tick& tick, const Sample& sample, const Passage& passage);
 
     bool wants_collisions() const;
+    bool surveys_collisions() const;
 
     /// A panel and its place in the template's grid.
     struct Placed {

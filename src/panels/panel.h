@@ -74,6 +74,9 @@ class Panel {
     /// Whether its states need the collisions on the way.
     virtual bool wants_collisions() const { return false; }
 
+    /// Whether its survey needs them.
+    virtual bool surveys_collisions() const { return false; }
+
     /// What the panel fills of its area.
     virtual Rect frame_in(const Rect& area) const { return area; }
 

@@ -25,6 +25,8 @@ const std::array entries{
     Entry{"phase", make_phase},
     Entry{"positions", make_positions},
     Entry{"monitors", make_monitors},
+    Entry{"single-collision", make_single_collision},
+    Entry{"contact-time", make_contact_time},
     Entry{"text", make_text},
 };
 

@@ -29,6 +29,8 @@ std::unique_ptr<Panel> make_return_distance(const Cast& cast, const PanelSpec& s
 std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_single_collision(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_contact_time(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_text(const Cast& cast, const PanelSpec& spec);
 
 }  // namespace carom

@@ -37,10 +37,10 @@ const vector<string>& timed() {
 
 // Those that show particles which a scene may choose.
 const vector<string>& choosing() {
-    static const vector<string> kinds{"speed-histogram",    "energy-histogram",
-                                      "velocity-histogram", "position-histogram",
-                                      "temperature",        "phase",
-                                      "positions"};
+    static const vector<string> kinds{
+        "speed-histogram",    "energy-histogram", "velocity-histogram",
+        "position-histogram", "temperature",      "phase",
+        "positions",          "single-collision", "contact-time"};
     return kinds;
 }
 
@@ -262,7 +262,8 @@ Section panel() {
              only_with(choosing(),
                        otherwise("all", {"of",
                                          "Whose numbers: of all particles, a species, a particle "
-                                         "by its number, or several of these drawn together.",
+                                         "by its number, or several of these drawn together. Of a "
+                                         "pair, its two numbers; none for the first that collides.",
                                          chosen()})),
              only_with(timed(), left_to("now; since the start for the pressure",
                                         {"over",
@@ -450,6 +451,8 @@ std::span<const string> panel_kinds() {
                                       "phase",
                                       "positions",
                                       "monitors",
+                                      "single-collision",
+                                      "contact-time",
                                       "text"};
     return kinds;
 }

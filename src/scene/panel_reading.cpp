@@ -79,14 +79,46 @@ std::optional<Component> read_component(const Fields& fields, const std::string&
     return node->text == "y" ? Component::y : Component::x;
 }
 
-// One particle's position is shown against another's.
-void check_two_particles(const Node& place, const PanelSpec& panel, Errors& errors) {
+// Of species the masses of which are infinite; `particle` is one of theirs.
+bool is_infinite(const Gas& gas, std::int64_t particle) {
+    for (const Species& species : gas.species) {
+        if (particle < species.count) return std::holds_alternative<Infinite>(species.mass);
+        particle -= species.count;
+    }
+    return false;
+}
+
+bool shows_meeting(const std::string& kind) {
+    return kind == "single-collision" || kind == "contact-time";
+}
+
+// One particle's position is shown against another's, or how two particles meet.
+void check_two_particles(const Node& place, const PanelSpec& panel, const Gas& gas,
+                         Errors& errors) {
+    const bool may_be_none = shows_meeting(panel.kind);
+    if (panel.kind != "positions" && !may_be_none) return;
+    if (may_be_none && panel.of.empty()) return;
     const bool particles =
         std::ranges::all_of(panel.of, [](const Chosen& one) { return one.particle.has_value(); });
-    if (panel.kind == "positions" && (panel.of.size() != 2 || !particles))
+    if (panel.of.size() != 2 || !particles) {
+        errors.add(
+            place,
+            fmt::format("a panel of kind `{}` needs `of` with the numbers of two particles",
+                        panel.kind),
+            fmt::format("for instance {{kind: {}, of: [0, 1]}}{}", panel.kind,
+                        may_be_none ? "; without `of` it shows the first that collide" : ""));
+        return;
+    }
+    if (!may_be_none) return;
+    const std::int64_t first = *panel.of[0].particle, second = *panel.of[1].particle;
+    if (first == second)
+        errors.add(place, fmt::format("particle {} cannot collide with itself", first),
+                   "`of` takes the numbers of two particles");
+    else if (is_infinite(gas, first) && is_infinite(gas, second))
         errors.add(place,
-                   "a panel of kind `positions` needs `of` with the numbers of two particles",
-                   "for instance {kind: positions, of: [0, 1]}");
+                   fmt::format("particles {} and {} have infinite masses: they do not collide",
+                               first, second),
+                   "give a pair of which one can be moved");
 }
 
 void check_words(const Node& place, const Fields* fields, const PanelSpec& panel, Errors& errors) {
@@ -136,11 +168,13 @@ PanelSpec read_options(const Fields& fields, const Shown& shown, Errors& errors)
     panel.kind = fields.text("kind").value_or("");
     panel.place = place_of(fields.node());
     panel.title = fields.text("title");
-    if (const Node* of = fields.given("of")) panel.of = read_of(*of, gas, errors);
+    const Node* of = fields.given("of");
+    if (of != nullptr) panel.of = read_of(*of, gas, errors);
+    const bool all_read =
+        of == nullptr || panel.of.size() == (of->is_list() ? of->items.size() : 1);
     if (const Node* over = fields.given("over")) panel.over = read_over(fields, *over);
-    const Node* place = fields.given("of");
-    if (place != nullptr || !fields.mentions("of"))
-        check_two_particles(place != nullptr ? *place : fields.node(), panel, errors);
+    if (all_read && (of != nullptr || !fields.mentions("of")))
+        check_two_particles(of != nullptr ? *of : fields.node(), panel, gas, errors);
     panel.component = read_component(fields, panel.kind, gas, errors);
     if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
     if (const Node* range = fields.given("range"))
@@ -194,7 +228,7 @@ std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Error
             panels.push_back({});
             panels.back().kind = item.text;
             panels.back().place = place_of(item);
-            check_two_particles(item, panels.back(), errors);
+            check_two_particles(item, panels.back(), shown.gas, errors);
             check_words(item, nullptr, panels.back(), errors);
             if (item.text == "return-distance") check_way_home(item, shown, errors);
         }

@@ -24,6 +24,7 @@ struct Shot {
         Simulation simulation(scene.gas, scene.run);
         observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
         std::vector<Tick> ticks = timeline(scene);
+        survey.record_collisions(observers->surveys_collisions());
         for (const Tick& tick : ticks) {
             const Passage passage = survey.advance_to(tick.time);
             observers->survey(tick, survey.sample(), passage);

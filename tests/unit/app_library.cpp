@@ -36,7 +36,7 @@ CollisionCounts collisions_in(const Scene& loaded) {
 TEST_CASE("every scene of the library says what is seen, and makes a picture") {
     const carom::test::TemporaryFolder folder;
     const std::vector<fs::path> files = test::yaml_files(root / "scenes");
-    CHECK(files.size() >= 16);
+    CHECK(files.size() >= 17);
     for (const fs::path& file : files) {
         CAPTURE(file.string());
         const Scene loaded = load_scene(file, root / "templates",
@@ -120,6 +120,17 @@ TEST_CASE("two disks meet once, and the lighter one changes its velocity by twic
         CHECK(std::abs(heavy) > 0.1);
         CHECK(light == relative(-2.0 * heavy, 1e-12));
     }
+}
+
+TEST_CASE("the disks of the single collision meet once, off centre, and part at right angles") {
+    const Scene loaded = scene("single-collision");
+    Simulation simulation(loaded.gas, loaded.run);
+    const Passage passage = simulation.advance_to(loaded.run.until);
+    CHECK(passage.counts.particle == 1);
+    CHECK(passage.counts.wall == 0);
+    const Eigen::ArrayXXd& velocity = simulation.sample().velocity;
+    CHECK(std::abs((velocity.row(0) * velocity.row(1)).sum()) < 1e-14);
+    CHECK(velocity.square().rowwise().sum().minCoeff() > 0.2);
 }
 
 TEST_CASE("equal beads keep their speeds for ever, as a set") {

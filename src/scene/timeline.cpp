@@ -152,7 +152,12 @@ std::vector<int> segment_starts(int frames, std::int64_t particles) {
     const auto by_memory = frame_data_bytes / (12 * std::max<std::int64_t>(particles, 1));
     const int longest = static_cast<int>(std::clamp<std::int64_t>(by_memory, 30, 150));
     int segments = (frames + longest - 1) / longest;
-    if (frames >= 240) segments = (segments + 3) / 4 * 4;
+    // A segment begins with a picture of its own, which takes as many bytes as ten others: in films
+    // too short for that, some cores may rest.
+    if (frames >= 120)
+        segments = (segments + 3) / 4 * 4;
+    else if (frames >= 40)
+        segments = std::max(segments, 2);
 
     std::vector<int> starts;
     for (int i = 0; i <= segments; ++i)

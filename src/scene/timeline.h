@@ -43,7 +43,8 @@ int leg_count(const Run& run);
 int moving_steps(const Film& film, const Run& run);
 
 /// First frames of the film's segments, and the number of frames as the last entry. A function of
-/// the scene alone: a multiple of four (of cores) segments of at most 150 frames, shorter where
+/// the scene alone: a multiple of four (of cores) segments of at most 150 frames, two of them from
+/// 40 frames on and one in shorter films, shorter where
 /// many particles make a frame's data large.
 std::vector<int> segment_starts(int frames, std::int64_t particles);
 

@@ -152,7 +152,10 @@ TEST_CASE("a time axis folds at each reversal") {
 
 TEST_CASE("segments cover the film, are balanced, and depend on the scene alone") {
     CHECK(segment_starts(900, 200) == std::vector<int>{0, 112, 225, 337, 450, 562, 675, 787, 900});
-    CHECK(segment_starts(10, 200) == std::vector<int>{0, 10});
+    CHECK(segment_starts(39, 200) == std::vector<int>{0, 39});
+    // Short films have work for several cores too.
+    CHECK(segment_starts(40, 200) == std::vector<int>{0, 20, 40});
+    CHECK(segment_starts(120, 200) == std::vector<int>{0, 30, 60, 90, 120});
     for (int frames : {1, 149, 151, 239, 240, 301, 5000}) {
         const std::vector<int> starts = segment_starts(frames, 1000);
         CHECK(starts.front() == 0);

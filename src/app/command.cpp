@@ -63,6 +63,7 @@ void add_work_options(CLI::App& command, SceneOptions& options) {
 void add_picture_options(CLI::App& command, SceneOptions& options) {
     add_shortcut(command, options, "--template", "film.template", "another layout");
     add_shortcut(command, options, "--theme", "film.theme", "light, dark or print");
+    add_shortcut(command, options, "--ground", "film.ground", "theme, or none: transparent");
     add_shortcut(command, options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT");
 }
 

@@ -32,7 +32,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 /// Declares --threads and --timings.
 void add_work_options(CLI::App& command, SceneOptions& options);
 
-/// Declares --template, --theme and --size.
+/// Declares --template, --theme, --ground and --size.
 void add_picture_options(CLI::App& command, SceneOptions& options);
 
 /// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.

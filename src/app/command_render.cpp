@@ -60,6 +60,15 @@ void refuse_span(const RenderArguments& arguments, const Scene& scene) {
 }
 
 void refuse_format(const std::string& format, const Scene& scene) {
+    if (scene.film.transparent && format == "mp4")
+        throw UsageError(
+            "the ground is none, and H.264 in MP4 has no transparency; write a .webm or a folder "
+            "of frames (--format webm or png)");
+    if (scene.film.transparent && format == "gif")
+        throw UsageError(
+            "the ground is none, and the pixels of a GIF are either there or not, which would "
+            "leave "
+            "ragged letters; write a .webm or a folder of frames (--format webm or png)");
     if (format == "gif" && scene.film.fps > most_gif_frames_per_second)
         throw UsageError(
             fmt::format("a GIF cannot show {} frames a second, {} are the most; give "
@@ -110,7 +119,7 @@ std::string warning(const std::string& format, const RenderReport& report) {
     if (format != "gif" || bytes < large) return "";
     return fmt::format(
         "carom: {:.0f} MB is large for a GIF; a smaller --size or --fps makes it "
-        "smaller, and a .webm shows the same in a tenth\n",
+        "smaller, and a .webm takes a third of it\n",
         1e-6 * bytes);
 }
 

@@ -41,6 +41,8 @@ VideoSettings video_settings(const Scene& scene, const RenderOptions& options) {
             .height = scene.film.size.height,
             .fps = scene.film.fps,
             .quality = options.quality,
+            .transparent = scene.film.transparent,
+            .behind = to_pixel(page_color(scene.film)),
             .metadata = {{"title", scene.title},
                          {"description", scene.description},
                          {"comment", recipe(scene, options)}}};
@@ -87,7 +89,7 @@ void show_previews(const Scene& scene, const std::vector<Tick>& ticks, const Fra
 
 Canvas picture(const Scene& scene, double time, std::string_view format) {
     const PixelSize size{scene.film.size.width, scene.film.size.height};
-    if (format == "png") return Canvas(size);
+    if (format == "png") return FramePainter::blank(scene.film);
     return Canvas(
         size, format == "svg" ? VectorFormat::svg : VectorFormat::pdf,
         {scene.title, fmt::format("The frame at time {:.4g}. {}", time, scene.description)});

@@ -46,9 +46,11 @@ void check(PixelSize size) {
                         size.width, size.height, largest_side));
 }
 
-Surface create_raster(PixelSize size) {
+Surface create_raster(PixelSize size, Backdrop backdrop) {
     check(size);
-    Surface surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)};
+    Surface surface{cairo_image_surface_create(
+        backdrop == Backdrop::black ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, size.width,
+        size.height)};
     check(cairo_surface_status(surface.get()), "create a picture");
     return surface;
 }
@@ -130,8 +132,11 @@ void trace_circle(cairo_t* context, Point center, double radius) {
 }  // namespace
 
 struct Canvas::Implementation {
-    explicit Implementation(PixelSize wanted)
-        : size(wanted), surface(create_raster(wanted)), context(create_context(surface.get())) {}
+    Implementation(PixelSize wanted, Backdrop wanted_backdrop)
+        : size(wanted),
+          backdrop(wanted_backdrop),
+          surface(create_raster(wanted, wanted_backdrop)),
+          context(create_context(surface.get())) {}
 
     Implementation(PixelSize wanted, VectorFormat wanted_format, PictureWords its_words)
         : size(wanted),
@@ -149,10 +154,12 @@ struct Canvas::Implementation {
         // Cairo aligns its pixels for the widest access it makes itself.
         auto* data = static_cast<void*>(cairo_image_surface_get_data(surface.get()));
         const int stride = cairo_image_surface_get_stride(surface.get());
-        return {static_cast<std::uint32_t*>(data), size.width, size.height, stride / 4};
+        return {static_cast<std::uint32_t*>(data), size.width, size.height, stride / 4,
+                backdrop == Backdrop::black};
     }
 
     PixelSize size;
+    Backdrop backdrop = Backdrop::transparent;
     std::optional<VectorFormat> format;  ///< none: a raster
     PictureWords words;
     std::vector<std::uint8_t> bytes;  ///< of the document; outlives the surface that writes them
@@ -160,7 +167,8 @@ struct Canvas::Implementation {
     Context context;
 };
 
-Canvas::Canvas(PixelSize size) : implementation_(std::make_unique<Implementation>(size)) {}
+Canvas::Canvas(PixelSize size, Backdrop backdrop)
+    : implementation_(std::make_unique<Implementation>(size, backdrop)) {}
 Canvas::Canvas(PixelSize size, VectorFormat format, PictureWords words)
     : implementation_(std::make_unique<Implementation>(size, format, std::move(words))) {}
 Canvas::~Canvas() = default;

@@ -17,11 +17,13 @@ struct _cairo;  // what Cairo's handle points to, so that text.cpp can set text 
 
 namespace carom {
 
-/// Opaque pixels 0xffRRGGBB in native byte order (B, G, R, x in memory on little-endian machines).
+/// Pixels 0xAARRGGBB, colours already multiplied by alpha, in native byte order (B, G, R, A in
+/// memory on little-endian machines).
 struct PixelView {
     std::uint32_t* data = nullptr;
     int width = 0, height = 0;
-    int stride = 0;  ///< pixels from one row to the next
+    int stride = 0;      ///< pixels from one row to the next
+    bool opaque = true;  ///< alpha is 255 everywhere, or without a meaning
 };
 
 enum class VectorFormat { svg, pdf };
@@ -38,11 +40,14 @@ struct Circle {
     Color color;
 };
 
+enum class Backdrop { black, transparent };
+
 class Canvas {
   public:
-    /// An opaque black raster, 1 to 16384 pixels each way. Throws SystemError when there is no
-    /// memory or the size is out of these bounds; so does every drawing call that Cairo refuses.
-    explicit Canvas(PixelSize size);
+    /// A raster that is black all over and stays opaque, or is transparent at first, 1 to 16384
+    /// pixels each way. Throws SystemError when there is no memory or the size is out of these
+    /// bounds; so does every drawing call that Cairo refuses.
+    explicit Canvas(PixelSize size, Backdrop backdrop = Backdrop::black);
 
     /// An empty page of a vector document, within the same bounds.
     Canvas(PixelSize size, VectorFormat format, PictureWords words);

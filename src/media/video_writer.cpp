@@ -76,7 +76,7 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
     Owned<AVCodecContext> context = libav::encoder(encoder_name(format));
     context->width = even_size(settings.width);
     context->height = even_size(settings.height);
-    context->pix_fmt = AV_PIX_FMT_YUV420P;
+    context->pix_fmt = settings.transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
     context->time_base = {1, settings.fps};
     context->framerate = {settings.fps, 1};
     context->thread_count = 1;
@@ -248,8 +248,12 @@ void SegmentEncoder::add(const PixelView& frame) {
     assert(frame.width == own.settings.width && frame.height == own.settings.height);
     AVFrame& planes = *own.frame;
     check_encoder(own.settings.format, av_frame_make_writable(&planes));
-    to_yuv420(frame, {planes.data[0], planes.data[1], planes.data[2], planes.linesize[0],
-                      planes.linesize[1]});
+    const YuvPlanes to{planes.data[0],     planes.data[1], planes.data[2],    planes.linesize[0],
+                       planes.linesize[1], planes.data[3], planes.linesize[3]};
+    if (own.settings.transparent)
+        to_yuva420(frame, own.settings.behind, to);
+    else
+        to_yuv420(frame, to);
     check_encoder(own.settings.format, avcodec_send_frame(own.context.get(), &planes));
     ++planes.pts;
     own.take_packets(*own.segment.implementation_);
@@ -342,6 +346,7 @@ void VideoWriter::Implementation::start(const EncodedSegment::Implementation& se
     check(avcodec_parameters_copy(parameters.get(), segment.parameters.get()));
     check(avcodec_parameters_copy(stream->codecpar, segment.parameters.get()));
     stream->time_base = segment.time_base;
+    if (settings.transparent) av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
     stream->avg_frame_rate = {settings.fps, 1};
     AVDictionary* options = nullptr;
     if (webm)

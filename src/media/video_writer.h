@@ -24,6 +24,8 @@ struct VideoSettings {
     int fps = 30;
     Quality quality = Quality::standard;
     VideoFormat format = VideoFormat::mp4;
+    bool transparent = false;  ///< frames have alpha, and so has the film: VP9 only
+    std::uint32_t behind = 0;  ///< 0xffRRGGBB shown by players that know no transparency
     std::vector<std::pair<std::string, std::string>>
         metadata;  ///< title, description, comment, ... as libav names them
 };

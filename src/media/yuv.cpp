@@ -84,6 +84,18 @@ CAROM_SIMD void chroma_row(const std::uint32_t* __restrict red_blue,
     }
 }
 
+std::uint32_t without_alpha(std::uint32_t pixel, std::uint32_t behind) {
+    const std::uint32_t alpha = pixel >> 24;
+    if (alpha == 255) return pixel;
+    if (alpha == 0) return behind;
+    std::uint32_t color = 0xff;
+    for (const int shift : {16, 8, 0}) {
+        const std::uint32_t channel = (pixel >> shift) & 255;
+        color = color << 8 | std::min(255u, (channel * 255 + alpha / 2) / alpha);
+    }
+    return color;
+}
+
 }  // namespace
 
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes) {
@@ -112,6 +124,23 @@ void to_yuv420(const PixelView& frame, const YuvPlanes& planes) {
         const std::ptrdiff_t chroma = std::ptrdiff_t{row / 2} * planes.chroma_stride;
         chroma_row(red_blue, green, planes.cb + chroma, planes.cr + chroma, chroma_width);
     }
+}
+
+void to_yuva420(const PixelView& frame, std::uint32_t behind, const YuvPlanes& planes) {
+    assert(planes.alpha != nullptr);
+    std::vector<std::uint32_t> colors;
+    colors.reserve(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+    for (int row = 0; row < even_size(frame.height); ++row) {
+        const std::uint32_t* const pixels =
+            frame.data + std::ptrdiff_t{std::min(row, frame.height - 1)} * frame.stride;
+        std::uint8_t* const alpha = planes.alpha + std::ptrdiff_t{row} * planes.alpha_stride;
+        for (int x = 0; x < frame.width; ++x) {
+            if (row < frame.height) colors.push_back(without_alpha(pixels[x], behind));
+            alpha[x] = static_cast<std::uint8_t>(pixels[x] >> 24);
+        }
+        if (frame.width % 2 != 0) alpha[frame.width] = alpha[frame.width - 1];
+    }
+    to_yuv420({colors.data(), frame.width, frame.height, frame.width}, planes);
 }
 
 }  // namespace carom

@@ -14,6 +14,8 @@ struct YuvPlanes {
     std::uint8_t* cb = nullptr;
     std::uint8_t* cr = nullptr;
     int y_stride = 0, chroma_stride = 0;  ///< bytes from one row to the next
+    std::uint8_t* alpha = nullptr;        ///< of the size of luma, for frames that are not opaque
+    int alpha_stride = 0;
 };
 
 /// The next even number: sizes of 4:2:0 pictures.
@@ -24,5 +26,10 @@ constexpr int even_size(int size) { return size + size % 2; }
 /// the pixels filtered 1-2-1 about the left luma column and averaged over two rows (the siting of
 /// H.264, chroma_sample_loc_type 0). Integer arithmetic: the same bytes on every machine.
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes);
+
+/// The same of a frame with alpha, full range in a plane of its own. Colours are those before they
+/// were multiplied by alpha, so that edges have no fringes on any ground; where nothing is drawn
+/// they are `behind` (0xffRRGGBB).
+void to_yuva420(const PixelView& frame, std::uint32_t behind, const YuvPlanes& planes);
 
 }  // namespace carom

@@ -31,6 +31,8 @@ std::unique_ptr<Panel> make_gas_panel(const Cast& cast) {
 
 }  // namespace
 
+Color page_color(const Film& film) { return theme_of(film.theme).page; }
+
 Observers::Observers(const Scene& scene, const Particles& particles, const Sample& start)
     : particles_(particles), equilibrium_(equilibrium(scene.gas.box, particles, start)) {
     const Cast cast{scene, particles_, frame_count(scene.film), equilibrium_};
@@ -85,8 +87,8 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
       grid_(scene.film.layout, scene.film.size),
       unit_(grid_.unit()),
       captions_(caption_schedule(scene)),
-      ground_({scene.film.size.width, scene.film.size.height}),
-      canvas_({scene.film.size.width, scene.film.size.height}) {
+      ground_(blank(scene.film)),
+      canvas_(blank(scene.film)) {
     draw_ground(ground_);
     for (const Observers::Placed& placed : observers_.panels()) {
         const Rect area = grid_.place(placed.slot);
@@ -97,8 +99,13 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
     canvas_.copy_from(ground_);
 }
 
+Canvas FramePainter::blank(const Film& film) {
+    return Canvas({film.size.width, film.size.height},
+                  film.transparent ? Backdrop::transparent : Backdrop::black);
+}
+
 void FramePainter::draw_ground(Canvas& canvas) {
-    canvas.fill_all(theme_.page);
+    if (!scene_.film.transparent) canvas.fill_all(theme_.page);
     draw_title(canvas);
     for (const Observers::Placed& placed : observers_.panels())
         placed.panel->draw_ground(canvas, page(placed.slot));

@@ -50,11 +50,17 @@ class Observers {
     std::vector<Placed> panels_;
 };
 
+/// The theme's page, behind everything that is not transparent.
+Color page_color(const Film& film);
+
 /// Draws frames of one film on one thread. After settle(), any number of painters may share the
 /// observers.
 class FramePainter {
   public:
     FramePainter(const Scene& scene, const Observers& observers);
+
+    /// An empty raster such as the film's frames are drawn on.
+    static Canvas blank(const Film& film);
 
     /// The picture of a frame, a pure function of `frame`; valid until the next call.
     const Canvas& paint(const FrameData& frame);

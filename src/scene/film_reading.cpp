@@ -173,6 +173,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.fps = static_cast<int>(fields.integer("fps").value_or(30));
     film.size = read_size(fields);
     film.theme = read_theme(fields.text("theme").value());
+    film.transparent = fields.text("ground").value() == "none";
     film.color_by = read_color_by(fields.text("color_by").value());
     film.palette = fields.text("palette");
     film.labels = read_labels(fields.text("labels"));

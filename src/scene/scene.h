@@ -111,6 +111,7 @@ struct Film {
     int fps = 30;
     PictureSize size;
     ThemeName theme = ThemeName::dark;
+    bool transparent = false;  ///< nothing lies behind the box, the panels and the words
     ColorBy color_by = ColorBy::speed;
     std::optional<std::string> palette;  ///< none: the theme's
     Labels labels = Labels::none;

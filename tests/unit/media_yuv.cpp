@@ -204,3 +204,30 @@ TEST_CASE("swscale, told to use BT.709, agrees on flat patches") {
     CHECK(luma_error <= 1);
     CHECK(chroma_error <= 1);
 }
+
+TEST_CASE("colours that were multiplied by alpha are converted as they were before") {
+    // A letter of one ink on an odd picture: covered, half covered, and not at all on its right.
+    constexpr std::uint32_t ink = 0xffe9a040, page = 0xff101418;
+    Picture letter(9, 5, 3), whole(9, 5);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 9; ++x) {
+            const std::uint32_t alpha = x < 3 ? 255u : x < 6 ? 130u : 0u;
+            std::uint32_t multiplied = alpha;
+            for (const int shift : {16, 8, 0})
+                multiplied = multiplied << 8 | (((ink >> shift) & 255) * alpha + 127) / 255;
+            letter.pixels[std::size_t(y * letter.stride + x)] = multiplied;
+            whole.pixels[std::size_t(y * whole.stride + x)] = x < 6 ? ink : page;
+        }
+    std::array<std::vector<std::uint8_t>, 4> planes;
+    for (std::vector<std::uint8_t>& plane : planes) plane.assign(60, 0);
+    std::array<std::vector<std::uint8_t>, 3> expected{planes[0], planes[1], planes[2]};
+    to_yuv420(whole.view(), {expected[0].data(), expected[1].data(), expected[2].data(), 10, 5});
+    to_yuva420(letter.view(), page,
+               {planes[0].data(), planes[1].data(), planes[2].data(), 10, 5, planes[3].data(), 10});
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 60; ++i)
+            CHECK(std::abs(int(planes[k][i]) - int(expected[k][i])) <= 2);  // 8 bits, twice rounded
+    for (int y = 0; y < 6; ++y)
+        for (int x = 0; x < 10; ++x)
+            CHECK(planes[3][std::size_t(10 * y + x)] == (x < 3 ? 255 : x < 6 ? 130 : 0));
+}

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -45,17 +46,25 @@ Json species_json(const Gas& gas) {
     return list;
 }
 
+// Of an MP4, and of every format by its name.
+Json rough_json(const std::vector<FilmCost>& costs) {
+    Json formats = Json::object();
+    for (const FilmCost& cost : costs)
+        formats[cost.format] = {{"seconds", cost.seconds}, {"bytes", std::round(cost.bytes)}};
+    return {{"seconds", costs.front().seconds},
+            {"cores", costs.front().cores},
+            {"bytes", std::round(costs.front().bytes)},
+            {"formats", std::move(formats)}};
+}
+
 Json film_json(const Film& film, const SceneFacts& facts) {
-    if (!facts.cost) return nullptr;
+    if (facts.costs.empty()) return nullptr;
     return {{"template", film.template_name},
             {"frames", facts.frames},
             {"seconds", film.seconds},
             {"fps", film.fps},
             {"size", {film.size.width, film.size.height}},
-            {"rough",
-             {{"seconds", facts.cost->seconds},
-              {"cores", facts.cost->cores},
-              {"bytes", std::round(facts.cost->bytes)}}}};
+            {"rough", rough_json(facts.costs)}};
 }
 
 Json facts_json(const Scene& scene, const SceneFacts& facts) {

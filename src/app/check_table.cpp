@@ -78,16 +78,21 @@ std::string run(const Run& run) {
 }
 
 std::string film(const Film& film, const SceneFacts& facts) {
-    if (!facts.cost) return "none: for `carom run` only";
+    if (facts.costs.empty()) return "none: for `carom run` only";
     return fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(facts.frames),
                        clock_text(film.seconds), film.fps, film.size.width, film.size.height,
                        film.template_name);
 }
 
-std::string cost(const FilmCost& cost) {
-    return fmt::format("{} on {} {}, {} MB in quality standard (may be off by half)",
-                       cost.seconds < 1.0 ? "a second" : clock_text(cost.seconds), cost.cores,
-                       cost.cores == 1 ? "core" : "cores", about(1e-6 * cost.bytes));
+std::string costs(const std::vector<FilmCost>& costs) {
+    std::vector<std::string> words;
+    for (const FilmCost& cost : costs)
+        words.push_back(fmt::format("{} {}, {} MB", cost.format,
+                                    cost.seconds < 1.0 ? "0:01" : clock_text(cost.seconds),
+                                    about(1e-6 * cost.bytes)));
+    const int cores = costs.front().cores;
+    return fmt::format("{} (on {} {}, quality standard; half or twice as much is possible)",
+                       fmt::join(words, "; "), cores, cores == 1 ? "core" : "cores");
 }
 
 std::string table(const CheckedScene& checked) {
@@ -101,7 +106,7 @@ std::string table(const CheckedScene& checked) {
             row("species", species(scene.gas, facts.particles)) +
             row("packing", packing(scene, facts)) + row("run", run(scene.run)) +
             row("collisions", collisions(facts)) + row("film", film(scene.film, facts));
-    if (facts.cost) text += row("rough cost", cost(*facts.cost));
+    if (!facts.costs.empty()) text += row("rough cost", costs(facts.costs));
     return text;
 }
 

@@ -128,6 +128,31 @@ TEST_CASE("the rough cost of a film is that of the films that were measured") {
     }
 }
 
+TEST_CASE("the rough size of each kind of film is between half and twice it") {
+    const TemporaryFolder folder;
+    const std::string options =
+        " '" + library_scene("one-hot-particle") + "' --size 720p --set film.seconds=10 ";
+    const Outcome outcome = shell("'" + program + "' check --json" + options, folder.path());
+    const json formats = json::parse(outcome.out).at(0).at("film").at("rough").at("formats");
+    CHECK(formats.size() == 4);
+    for (const auto& [format, rough] : formats.items()) {
+        CAPTURE(format);
+        REQUIRE(
+            shell("'" + program + "' render --quiet --format " + format + options, folder.path())
+                .exit_code == 0);
+        double bytes = 0.0;
+        for (const auto& file : fs::recursive_directory_iterator(folder.path()))
+            if (file.is_regular_file()) bytes += double(file.file_size());
+        fs::remove_all(folder.path() / "out");
+        const double ratio = rough.at("bytes").get<double>() / bytes;
+        CHECK(ratio > 0.5);
+        CHECK(ratio < 2.0);
+        CHECK(rough.at("seconds").get<double>() > 0.0);
+    }
+    CHECK(formats["png"]["seconds"] > formats["webm"]["seconds"]);
+    CHECK(formats["webm"]["seconds"] > formats["mp4"]["seconds"]);
+}
+
 TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2") {
     const std::string good = library_scene("time-reversal");
     const std::vector<std::string> scenes{(root / "tests/scenes_bad/box_both.yaml").string(), good,
@@ -141,7 +166,7 @@ TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2
     CHECK(has(table.out,
               "\n  film         720 frames, 0:24 at 30 a second, 1920 by 1080, template "
               "lecture\n"));
-    CHECK(has(table.out, "(may be off by half)\n"));
+    CHECK(has(table.out, "quality standard; half or twice as much is possible)\n"));
     CHECK(has(table.out, scenes[2] + ": not valid, 2 errors\n"));
     CHECK(has(table.err, "box_both.yaml:2:21: error: `size` and `length` exclude one another"));
     CHECK(has(table.err, "run_times.yaml:5:14: error: "));

@@ -44,6 +44,7 @@ const char* const below_json = "YAML that no JSON can show";
 
 // Bad scenes that the schema takes, and why it cannot do otherwise.
 const std::map<std::string, const char*> beyond_the_schema{
+    {"captions_cut", several_places},  // times against the film's length
     {"count_missing", several_places},     // a count, or a list of positions
     {"event_at_the_end", several_places},  // `at` against `until`
     {"events_too_dense", several_places},
@@ -58,6 +59,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"panels_range", several_places},
     {"radius_too_large", several_places},
     {"sample_every", several_places},
+    {"template_caption", other_file},
     {"template_hidden", other_file},
     {"template_link", other_file},
     {"template_slots", other_file},

@@ -189,7 +189,27 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame) {
         placed.panel->draw(canvas, page(placed.slot), *frame.states[i]);
     }
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
+    draw_slowness(canvas, frame.tick);
     draw_caption(canvas, frame.tick);
+}
+
+// In a corner of the gas, where no clock says it.
+void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
+    if (tick.slow.share <= 0.0) return;
+    if (std::ranges::any_of(observers_.panels(), [](const Observers::Placed& placed) {
+            return placed.panel->shows_time();
+        }))
+        return;
+    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const std::string words = slow_words(tick.slow);
+    TextStyle style{.size = 1.5 * unit_,
+                    .weight = 600,
+                    .color = with_alpha(theme_.highlight, tick.slow.share),
+                    .align = Align::right};
+    const double width = measure_text(words, style).width + 1.2 * unit_;
+    canvas.fill({box.right() - width, box.y, width, 2.3 * unit_},
+                with_alpha(theme_.ground, plate_alpha * tick.slow.share));
+    draw_text(canvas, {box.right() - 0.6 * unit_, box.y + 1.7 * unit_}, words, style);
 }
 
 // One line, smaller if that keeps it whole; on the gas's axis where nothing stands beside the gas.

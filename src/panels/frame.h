@@ -77,6 +77,7 @@ class FramePainter {
                        double line) const;
     void draw_changing(Canvas& canvas, const FrameData& frame);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
+    void draw_slowness(Canvas& canvas, const Tick& tick) const;
     void draw_caption(Canvas& canvas, const Tick& tick) const;
 
     const Scene& scene_;

@@ -22,6 +22,7 @@ struct MonitorsState : PanelState {
     double mean_energy = 0.0;
     std::array<double, 3> shares{};
     std::optional<double> return_distance;
+    Slowness slow;
     double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
 };
 
@@ -188,6 +189,7 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observ
     if (way_home_)
         if (const auto apart = way_home_->at(observation.tick.frame))
             state->return_distance = apart->largest;
+    state->slow = observation.tick.slow;
     const bool turning = observation.tick.phase == Phase::reversing;
     const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
     const double turned = turning ? observation.tick.progress : 0.0;
@@ -231,6 +233,27 @@ std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
     return "";
 }
 
+bool MonitorsPanel::shows_time() const {
+    return std::ranges::find(numbers_, Monitor::time) != numbers_.end();
+}
+
+// Beside the word "time".
+void MonitorsPanel::draw_slowness(Canvas& canvas, const Page& page, const Row& rows,
+                                  const PanelState& state) const {
+    const Slowness& slow = static_cast<const MonitorsState&>(state).slow;
+    if (slow.share <= 0.0) return;
+    const auto index =
+        static_cast<std::size_t>(std::ranges::find(numbers_, Monitor::time) - numbers_.begin());
+    const Point at = place(rows, index);
+    TextStyle style = label_style(page);
+    style.size = 1.035 * rows.label_size() * page.unit;
+    const double right = measure_text(column(Monitor::time).label, style).width;
+    style.weight = 600;
+    style.color = with_alpha(page.theme.highlight, slow.share);
+    draw_text(canvas, {at.x + right + 0.5 * style.size, at.y + rows.label_baseline()},
+              slow_words(slow), style);
+}
+
 void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     const Row rows = row(page);
     TextStyle style = title_style(page);
@@ -239,7 +262,9 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();
         draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);
-        if (numbers_[i] != Monitor::time || cast_.scene.run.events.empty()) continue;
+        if (numbers_[i] != Monitor::time) continue;
+        draw_slowness(canvas, page, rows, state);
+        if (leg_count(cast_.scene.run) == 1) continue;
         const double size = rows.size * page.unit;
         draw_arrow(canvas, {at.x + arrow_place * rows.spacing * page.unit, baseline - 0.55 * size},
                    0.6 * size, static_cast<const MonitorsState&>(state).arrow, page.theme.accent);

@@ -23,12 +23,15 @@ class MonitorsPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    bool shows_time() const override;
 
   private:
     struct Row;
     Row row(const Page& page) const;
     Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  ///< its top left corner
+    void draw_slowness(Canvas& canvas, const Page& page, const Row& rows,
+                       const PanelState& state) const;
     std::string text(const PanelState& state, Monitor number) const;
     double width(Monitor number, double unit) const;  ///< of its column
 

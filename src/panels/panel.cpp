@@ -55,6 +55,8 @@ std::string colored(const std::string& text, Color color, const Theme& theme) {
                        to_pixel(legible(color, theme)) & 0xFFFFFF, escape_markup(text));
 }
 
+std::string slow_words(const Slowness& slow) { return fmt::format("\u00D7{:.3g}", slow.factor); }
+
 Color species_color(const Cast& cast, std::size_t species, const Theme& theme) {
     const std::optional<std::string>& own = cast.scene.looks[species].color;
     if (own)

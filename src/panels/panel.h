@@ -77,6 +77,9 @@ class Panel {
     /// Whether its survey needs them.
     virtual bool surveys_collisions() const { return false; }
 
+    /// Whether it shows the time, and beside it how slow the film is.
+    virtual bool shows_time() const { return false; }
+
     /// What the panel fills of its area.
     virtual Rect frame_in(const Rect& area) const { return area; }
 
@@ -94,6 +97,9 @@ AxisStyle axis_style(const Page& page);
 
 /// The part of a panel's area that data fill: under the title, left and above the axes' labels.
 Rect plot_area(const Page& page);
+
+/// How slow a film is, as a viewer reads it: ×0.1.
+std::string slow_words(const Slowness& slow);
 
 /// The panel's title at its top left (markup), smaller where it is too long.
 void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup);

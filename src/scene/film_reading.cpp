@@ -8,6 +8,7 @@
 
 #include "scene/captions.h"
 #include "scene/limits.h"
+#include "scene/pace.h"
 #include "scene/panel_reading.h"
 #include "scene/scalar.h"
 #include "scene/timeline.h"
@@ -93,9 +94,77 @@ void check_slots(const Fields& fields, Film& film, Errors& errors) {
                            film.template_name, slots, list->items.size()));
 }
 
-double read_seconds(const Fields& film, const Run& run) {
-    if (const auto seconds = film.number("seconds")) return *seconds;
-    return run.until / film.number("pace").value_or(1.0);
+/// A span of slow motion and where it is written.
+struct SlowDraft {
+    SlowSpan span;
+    const Node* node;
+};
+
+void check_spans(const std::vector<SlowDraft>& drafts, const Run& run, Errors& errors) {
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const SlowSpan& span = drafts[i].span;
+        if (span.from >= span.to)
+            errors.add(*drafts[i].node, fmt::format("expected `from` below `to`, found {} and {}",
+                                                    span.from, span.to));
+        else if (run.until > 0.0 && span.to > run.until)
+            errors.add(*drafts[i].node,
+                       fmt::format("slow motion from {} to {} goes beyond `until` ({})", span.from,
+                                   span.to, run.until));
+        else if (i > 0 && drafts[i - 1].span.to > span.from)
+            errors.add(
+                *drafts[i].node,
+                fmt::format("slow motion from {} to {} overlaps that from {} to {}", span.from,
+                            span.to, drafts[i - 1].span.from, drafts[i - 1].span.to));
+    }
+}
+
+std::vector<SlowDraft> read_slow(const Fields& film, const Run& run, Errors& errors) {
+    std::vector<SlowDraft> drafts;
+    const Node* list = film.given("slow");
+    if (list == nullptr) return drafts;
+    for (const Node& item : list->items) {
+        const Fields fields{item, section_of(film.section(), "slow")};
+        const auto from = fields.number("from"), factor = fields.number("factor");
+        const double to = fields.number("to").value_or(run.until);
+        if (from && factor && run.until > 0.0) drafts.push_back({{*from, to, *factor}, &item});
+    }
+    std::ranges::stable_sort(drafts, {}, [](const SlowDraft& draft) { return draft.span.from; });
+    check_spans(drafts, run, errors);
+    return drafts;
+}
+
+void check_easing(const Film& film, const Run& run, const std::vector<SlowDraft>& drafts,
+                  Errors& errors) {
+    const double seconds = static_cast<double>(moving_steps(film, run)) / film.fps;
+    const auto shortage = easing_shortage(film.slow, run.until, seconds);
+    if (!shortage) return;
+    const SlowSpan& span = film.slow[shortage->span];
+    const Node& place = *drafts[shortage->span].node;
+    const std::string longer = "a longer film (`film.seconds`) needs less";
+    if (!std::isfinite(shortage->needed))
+        return errors.add(
+            place,
+            fmt::format(
+                "the gas moves for {:.3g} seconds of this film, too short to ease in and out "
+                "of slow motion over {} seconds each time",
+                seconds, easing_seconds),
+            "give a longer film (`film.seconds`)");
+    errors.add(place,
+               fmt::format("slow motion from {} to {} eases {} over {} seconds of film, {:.3g} of "
+                           "simulated time; {} it there is {:.3g}",
+                           span.from, span.to, shortage->before ? "in" : "out", easing_seconds,
+                           shortage->needed, shortage->before ? "before" : "after",
+                           std::max(0.0, shortage->room)),
+               shortage->before && shortage->span == 0
+                   ? longer + ", one that begins with `from: 0` none"
+               : !shortage->before && shortage->span + 1 == film.slow.size()
+                   ? fmt::format("{}, one that ends with `to: {}` none", longer, run.until)
+                   : longer + "; or put the spans farther apart");
+}
+
+double read_seconds(const Fields& fields, const Film& film, const Run& run) {
+    if (const auto seconds = fields.number("seconds")) return *seconds;
+    return seconds_at_pace(film.slow, run.until, fields.number("pace").value_or(1.0));
 }
 
 // The place to mend a length: where it is given, or where the run's end is.
@@ -179,9 +248,13 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.labels = read_labels(fields.text("labels"));
     read_velocities(fields, film);
     film.monitors = read_monitors(fields.given("monitors"), {gas, run}, errors);
-    film.seconds = read_seconds(fields, run);
-    if (film.seconds > 0.0 && check_frames(film, fields, scene, errors))
+    const std::vector<SlowDraft> slow = read_slow(fields, run, errors);
+    for (const SlowDraft& draft : slow) film.slow.push_back(draft.span);
+    film.seconds = read_seconds(fields, film, run);
+    if (film.seconds > 0.0 && check_frames(film, fields, scene, errors)) {
         check_legs(film, run, scene, errors);
+        if (errors.empty()) check_easing(film, run, slow, errors);
+    }
     film.panels = read_panels(fields, {gas, run}, errors);
     if (layout) check_slots(fields, film, errors);
     return film;

@@ -311,6 +311,16 @@ Section panel() {
                                           {lines(1, most_words_letters)}}))}});
 }
 
+Section slow_span() {
+    return complete(
+        {.name = "an item of `slow`",
+         .keys = {otherwise("0", {"from", "Its first time.", {number(not_negative)}}),
+                  left_to("until", {"to", "Its last time, at most `until`.", {number(positive)}}),
+                  required({"factor",
+                            "The film's speed there, as a part of what it is elsewhere.",
+                            {number({0.001, 1.0, {}})}})}});
+}
+
 vector<Key> film_keys() {
     const Form side = integer(smallest_side.value, largest_side);
     return {
@@ -351,6 +361,15 @@ vector<Key> film_keys() {
                    "Arrows of velocity on disks and beads: whether there are any, or how much "
                    "simulated time they look ahead, so that an arrow is velocity * time long.",
                    {flag(), number(positive)}}),
+        left_to(
+            "none",
+            {"slow",
+             "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The "
+             "film eases in before the span and out after it, over half a second each, and says "
+             "×0.1 beside the clock. With `seconds` the rest is faster, with `pace` the "
+             "film is longer.",
+             {list_of({mapping(slow_span())}, 0, most_slow_spans,
+                      "a list of {from, to, factor}")}}),
         left_to(
             "all but all-collisions and return-distance",
             {"monitors",

@@ -43,6 +43,7 @@ inline constexpr Limit most_trail_seconds{3'600, "seconds of a trail"};
 inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at least"};
 inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
+inline constexpr Limit most_slow_spans{100, "spans of slow motion"};
 inline constexpr Limit most_monitors{8, "numbers in a row of monitors"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
@@ -74,6 +75,7 @@ inline constexpr std::array limits{most_file_bytes,
                                    smallest_side,
                                    largest_side,
                                    most_panels,
+                                   most_slow_spans,
                                    most_monitors,
                                    most_bins,
                                    most_chosen,

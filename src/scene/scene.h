@@ -104,6 +104,12 @@ struct PanelSpec {
     Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
 };
 
+/// A span of simulated time that a film shows slower.
+struct SlowSpan {
+    double from = 0.0, to = 0.0;
+    double factor = 1.0;  ///< 0.1: ten times slower
+};
+
 struct Film {
     std::string template_name = "lecture";
     LayoutSpec layout;
@@ -118,6 +124,7 @@ struct Film {
     bool velocities = false;  ///< whether arrows show them
     std::optional<double>
         velocity_scale;             ///< an arrow's length over its velocity, a time; none: by rule
+    std::vector<SlowSpan> slow;     ///< in order, apart, with room for the easing between them
     std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
 };

@@ -72,8 +72,10 @@ double common_step(const std::vector<double>& ends, int most) {
 
 class Reel {
   public:
+    explicit Reel(const Pace& pace) : pace_(pace) {}
     void add(double time, Phase phase, double progress, int reversals) {
-        ticks_.push_back({static_cast<int>(ticks_.size()), time, phase, progress, reversals});
+        ticks_.push_back({static_cast<int>(ticks_.size()), time, phase, progress,
+                          pace_.slowness(time), reversals});
     }
     void hold(int frames, double time, Phase phase, int reversals) {
         for (int i = 0; i < frames; ++i) add(time, phase, (i + 1.0) / frames, reversals);
@@ -86,6 +88,7 @@ class Reel {
     std::vector<Tick> take() { return std::move(ticks_); }
 
   private:
+    const Pace& pace_;
     std::vector<Tick> ticks_;
 };
 
@@ -112,20 +115,25 @@ std::vector<Tick> timeline(const Scene& scene) {
     ends.push_back(scene.run.until);
     const int most = moving_steps(scene.film, scene.run);
     assert(static_cast<int>(ends.size()) <= most);
-    const double step = common_step(ends, most);
+    // Equal steps of the film are equal steps of stretched time.
+    const Pace pace(scene.film.slow, scene.run.until, static_cast<double>(most) / scene.film.fps);
+    std::vector<double> stretched_ends;
+    for (const double end : ends) stretched_ends.push_back(pace.stretched(end));
+    const double step = common_step(stretched_ends, most);
 
-    Reel reel;
+    Reel reel(pace);
     reel.hold(pause.opening, 0.0, Phase::opening, 0);
     reel.add(0.0, Phase::moving, 0.0, 0);
     double start = 0.0;
     for (std::size_t leg = 0; leg < ends.size(); ++leg) {
-        const int steps = static_cast<int>(steps_of_leg(ends[leg] - start, step));
+        const double length = stretched_ends[leg] - start;
+        const int steps = static_cast<int>(steps_of_leg(length, step));
         const int reversals = static_cast<int>(leg);
         for (int i = 1; i < steps; ++i)
-            reel.add(start + i * ((ends[leg] - start) / steps), Phase::moving, 0.0, reversals);
+            reel.add(pace.time(start + i * (length / steps)), Phase::moving, 0.0, reversals);
         reel.add(ends[leg], Phase::moving, 0.0, reversals);
         if (leg + 1 < ends.size()) reel.pause_at_reversal(pause.reversal, ends[leg], reversals);
-        start = ends[leg];
+        start = stretched_ends[leg];
     }
     assert(reel.size() <= frames);
     reel.hold(frames - reel.size(), scene.run.until, Phase::closing,

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "scene/pace.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -18,14 +19,16 @@ struct Tick {
     Phase phase = Phase::moving;
     double progress =
         0.0;  ///< through the phase, from 0 to 1; of the reversal pause the share that has passed
-    int reversals = 0;  ///< reversals up to this frame; one that is just announced counts from the
-                        ///< middle of its pause
+    Slowness slow = {};  ///< of the motion
+    int reversals = 0;   ///< reversals up to this frame; one that is just announced counts from the
+                         ///< middle of its pause
 };
 
 /// All frames of the film of `scene`, round(seconds * fps) of them, times never falling; the first
 /// is at 0, the last at `until` (a single frame is at 0), and every reversal's time has one.
 /// Opening 1.5 s, closing 2 s, 1 s for each reversal; together at most a quarter of the film,
-/// scaled down in short ones. Needs leg_count <= moving_steps, as every loaded scene has it.
+/// scaled down in short ones. Slow motion takes more frames of the rest. Needs leg_count <=
+/// moving_steps, as every loaded scene has it.
 std::vector<Tick> timeline(const Scene& scene);
 
 /// Where `time` lies on an axis that turns back at every reversal: elapsed time until the first

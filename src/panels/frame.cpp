@@ -243,14 +243,16 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick) const {
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
     const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
-    const Rect plate{box.x, box.y + 0.5 * box.height - 2.0 * unit_, box.width, 4.0 * unit_};
-    canvas.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
+    const std::string words = "velocities reversed";
     const TextStyle style{.size = 2.2 * unit_,
                           .weight = 600,
                           .color = with_alpha(theme_.ink, alpha),
                           .align = Align::center};
-    draw_text(canvas, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, "velocities reversed",
-              style);
+    const double width = measure_text(words, style).width + 3.0 * unit_;
+    const Rect plate{box.x + 0.5 * (box.width - width), box.y + 0.5 * box.height - 2.0 * unit_,
+                     width, 4.0 * unit_};
+    canvas.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
+    draw_text(canvas, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, words, style);
 }
 
 }  // namespace carom

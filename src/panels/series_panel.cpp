@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "stats/histogram.h"
 #include "util/text.h"
@@ -18,6 +19,9 @@ struct SeriesState : PanelState {
 bool is_apart(const Point& a, const Point& b, double distance) {
     return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
 }
+
+// A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
+Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
 
 constexpr double row_height = 1.5;  // of the note under the title, in units
 
@@ -110,17 +114,48 @@ void SeriesPanel::draw_reference(Canvas& canvas, const Page& page) const {
     draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words, label_style(page));
 }
 
-// A thin line where the time axis turns back, with the word.
+// Whether a line or a label would cross a part of the plot.
+bool SeriesPanel::is_crossed(const Rect& part, const Page& page) const {
+    const Scales s = scales(page);
+    const double u = page.unit;
+    const auto meets = [&](double x, double low, double high) {
+        return x >= part.x && x <= part.right() && high >= part.y && low <= part.bottom();
+    };
+    if (reference_) {
+        const double level = s.height(reference_->value, logarithmic_);
+        if (meets(part.x, level, level) || part.y < s.area.y + u) return true;
+    }
+    for (const std::vector<double>& line : history_.lines)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            if (!std::isfinite(line[i]) || !std::isfinite(line[i - 1])) continue;
+            const double before = s.height(std::max(line[i - 1], 1e-300), logarithmic_);
+            const double now = s.height(std::max(line[i], 1e-300), logarithmic_);
+            if (meets(s.x(history_.time[i]), std::min(before, now), std::max(before, now)))
+                return true;
+        }
+    return false;
+}
+
+// A thin line where the time axis turns back, with the word as low as no line crosses it.
 void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
     const Scales s = scales(page);
+    const double u = page.unit;
+    TextStyle style = label_style(page);
+    const double width = measure_text("reversed", style).width;
     for (const RunEvent& event : cast_.scene.run.events) {
+        if (!std::holds_alternative<ReverseVelocities>(event.action)) continue;
         const double x = s.x(folded_time(cast_.scene.run, event.at));
-        canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * page.unit, page.theme.muted);
-        TextStyle style = label_style(page);
-        style.align = x > s.area.x + s.area.width / 2 ? Align::right : Align::left;
-        const double gap = style.align == Align::right ? -0.4 : 0.4;
-        draw_text(canvas, {x + gap * page.unit, s.area.bottom() - 0.5 * page.unit}, "reversed",
-                  style);
+        canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * u, page.theme.muted);
+        const bool on_left = x > s.area.x + s.area.width / 2;
+        const double left = on_left ? x - 0.4 * u - width : x + 0.4 * u;
+        const double lowest = s.area.bottom() - 0.5 * u;
+        double baseline = lowest;
+        const auto crossed = [&] {
+            return is_crossed({left, baseline - 1.1 * u, width, 1.5 * u}, page);
+        };
+        while (crossed() && baseline - 1.6 * u > s.area.y) baseline -= 0.5 * u;
+        if (crossed()) baseline = lowest;
+        draw_text(canvas, {left, baseline}, "reversed", style);
     }
 }
 
@@ -140,9 +175,10 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
             path.push_back(last);
         if (!leg_ends) continue;
         const bool way_back = history_.leg[i] % 2 == 1;
-        if (has_edge) canvas.stroke_path(path, 0.26 * page.unit, edge);
-        canvas.stroke_path(path, 0.16 * page.unit,
-                           way_back ? mix(color, page.theme.ink, 0.5) : color);
+        const double wider = way_back ? 0.1 * page.unit : 0.0;
+        if (has_edge) canvas.stroke_path(path, 0.26 * page.unit + wider, edge);
+        canvas.stroke_path(path, 0.16 * page.unit + wider, color);
+        if (way_back) canvas.stroke_path(path, 0.12 * page.unit, lighter(color));
         path = {last};
     }
     if (path.empty()) return;

@@ -54,6 +54,7 @@ class SeriesPanel : public Panel {
     Scales scales(const Page& page) const;
     double reference_value() const;
     void draw_reference(Canvas& canvas, const Page& page) const;
+    bool is_crossed(const Rect& part, const Page& page) const;
     void draw_reversals(Canvas& canvas, const Page& page) const;
     void draw_line(Canvas& canvas, const Page& page, std::size_t index, std::size_t shown) const;
 

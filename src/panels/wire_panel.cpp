@@ -300,9 +300,10 @@ void WirePanel::draw_reversals(Canvas& canvas, const Page& page, const PanelStat
         TextStyle style = label_style(page);
         style.align = Align::right;
         const double width = measure_text("reversed", style).width + page.unit;
-        canvas.fill({v.plot.right() - width, y - 1.35 * page.unit, width, 1.3 * page.unit},
+        // Under the line: there the word is whole as soon as the line is seen.
+        canvas.fill({v.plot.right() - width, y + 0.05 * page.unit, width, 1.35 * page.unit},
                     with_alpha(page.theme.ground, plate_alpha));
-        draw_text(canvas, {v.plot.right() - 0.5 * page.unit, y - 0.4 * page.unit}, "reversed",
+        draw_text(canvas, {v.plot.right() - 0.5 * page.unit, y + 1.05 * page.unit}, "reversed",
                   style);
     }
 }

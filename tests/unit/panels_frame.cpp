@@ -230,3 +230,81 @@ TEST_CASE("vector pictures hold no pixels, whatever they show") {
         CHECK(svg.find("<image") == std::string::npos);
     }
 }
+
+TEST_CASE(
+    "at a reversal everything but the words and the clock's arrow stands still for a second") {
+    for (const char* box : {"size: [40, 30]", "length: 40"}) {
+        CAPTURE(box);
+        const bool is_wire = std::string(box).starts_with("length");
+        const Shot film(load_scene_text(
+            "title: T\nbox: {" + std::string(box) +
+                "}\ngas: [{count: 12, speed: 1}]\n"
+                "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
+                "film: {seconds: 20, fps: 10, size: [320, 180], monitors: [time], panels: []}\n",
+            "test", templates));
+        std::vector<std::size_t> stopped;
+        for (std::size_t i = 0; i < film.frames.size(); ++i)
+            if (film.frames[i].tick.phase == Phase::reversing) stopped.push_back(i);
+        REQUIRE(stopped.size() == 10);
+        FramePainter painter(film.scene, *film.observers);
+        const auto before = pixels_of(painter.paint(film.frames[stopped.front() - 1]));
+        const LayoutSpec& layout = film.scene.film.layout;
+        const Grid grid(layout, {320, 180});
+        const Rect gas = grid.place(layout.gas), clock = grid.place(*layout.monitors);
+        for (const std::size_t i : {stopped[3], stopped[5]}) {
+            const auto now = pixels_of(painter.paint(film.frames[i]));
+            bool words = false, arrow = false, others = false;
+            for (std::size_t k = 0; k < now.size(); ++k) {
+                if (now[k] == before[k]) continue;
+                const Point at{double(k % 320), double(k / 320)};
+                if (at.y > clock.y)
+                    arrow = true;
+                else if (std::abs(at.y - gas.y - 0.5 * gas.height) < 10.0)
+                    words = true;
+                else if (is_wire && std::abs(at.y - gas.y - 33.0) < 6.0)
+                    words = true;  // above the world lines, with their mark of the reversal
+                else
+                    others = true;
+            }
+            CHECK(words);
+            CHECK(arrow);
+            CHECK_FALSE(others);
+        }
+    }
+}
+
+TEST_CASE("the way back is lighter than the way out, on every ground") {
+    for (const char* theme : {"light", "dark", "print"}) {
+        CAPTURE(theme);
+        const Shot film(load_scene_text(
+            "title: T\nbox: {size: [40, 30]}\n"
+            "gas: [{name: one, count: 12, speed: 1, color: \"#1f77b4\"}]\n"
+            "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
+            "film: {seconds: 8, fps: 10, size: [1280, 720], panels: [energy-by-species], theme: " +
+                std::string(theme) + "}\n",
+            "test", templates));
+        FramePainter painter(film.scene, *film.observers);
+        const Canvas& canvas = painter.paint(film.frames.back());
+        const auto back = pixels_of(canvas);
+        const auto pause = std::ranges::find_if(film.frames, [](const FrameData& frame) {
+            return frame.tick.phase == Phase::reversing;
+        });
+        const auto out = pixels_of(painter.paint(*pause));
+        // The mean energy stays as it is: the way back lies on the way out, along one row.
+        const LayoutSpec& layout = film.scene.film.layout;
+        const Rect panel = Grid(layout, {1280, 720}).place(layout.panels[0]);
+        int lighter = 0, darker = 0;
+        const auto x = static_cast<std::size_t>(panel.x + 0.6 * panel.width);
+        for (std::size_t y = static_cast<std::size_t>(panel.y); y < 700; ++y) {
+            const auto green = [&](const std::vector<std::uint32_t>& pixels) {
+                return int((pixels[y * 1280 + x] >> 8) & 0xFF);
+            };
+            const bool is_blue =
+                (out[y * 1280 + x] & 0xFF) > ((out[y * 1280 + x] >> 16) & 0xFF) + 60;
+            if (!is_blue) continue;
+            (green(back) > green(out) + 40 ? lighter : darker) += 1;
+        }
+        CHECK(lighter >= 1);
+        CHECK(lighter + darker <= 6);
+    }
+}

@@ -25,6 +25,8 @@ struct GasState : PanelState {
     std::vector<std::uint8_t> shades;  // index into the film's colours
     std::vector<Trail> trails;         // one for each chosen particle
     float label_alpha = 0.0F;
+    std::shared_ptr<const Ghosts> ghosts;  // may be null
+    double ghost_words = 0.0;
 
     std::size_t bytes() const override {
         std::size_t sum = x.size() * (2 * sizeof(float) + 1) + vx.size() * 2 * sizeof(float);
@@ -90,7 +92,8 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
 
 }  // namespace
 
-GasPanel::GasPanel(const Cast& cast) : cast_(cast), colors_(cast), arrows_(cast) {
+GasPanel::GasPanel(const Cast& cast)
+    : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene) {
     choose_particles();
     trails_.resize(chosen_.size());
 }
@@ -160,6 +163,9 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
         state->vx.push_back(static_cast<float>(observation.sample.velocity(i, 0)));
         state->vy.push_back(static_cast<float>(observation.sample.velocity(i, 1)));
     }
+    ghosts_.see(observation.tick, observation.sample.position);
+    state->ghosts = ghosts_.present();
+    state->ghost_words = ghosts_.words_alpha(observation.tick);
     extend_trails(observation);
     for (const std::deque<TrailPoint>& trail : trails_) {
         GasState::Trail& copy = state->trails.emplace_back();
@@ -197,6 +203,7 @@ void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
 
 void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     canvas.clip_to(frame_in(page.area));
+    draw_ghosts(canvas, page, state);
     draw_trails(canvas, page, state);
     draw_disks(canvas, page, state);
     if (cast_.scene.film.labels == Labels::none) draw_infinite(canvas, page, state);
@@ -205,6 +212,35 @@ void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) c
     draw_remark(canvas, page);
     canvas.release_clip();
     draw_arrows(canvas, page, state);
+    const auto& gas = static_cast<const GasState&>(state);
+    const Rect box = frame_in(page.area);
+    if (gas.ghosts)
+        draw_ghost_words(canvas, page, {box.x + 0.3 * page.unit, box.y + 1.6 * page.unit},
+                         box.width - 0.6 * page.unit, *gas.ghosts, gas.ghost_words);
+}
+
+void GasPanel::draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    if (!gas.ghosts) return;
+    const Box& box = cast_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, page, box);
+    const std::uint32_t outline = to_pixel(page.theme.muted) & 0xFFFFFF;
+    const std::uint32_t ground = to_pixel(page.theme.ground) & 0xFFFFFF;
+    std::vector<Disk> disks;
+    disks.reserve(2 * gas.ghosts->x.size());
+    for (std::size_t i = 0; i < gas.ghosts->x.size(); ++i) {
+        const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
+        const double shown = std::max(least_radius, radius * to_pixels.scale);
+        const Point place{double(gas.ghosts->x[i]), double(gas.ghosts->y[i])};
+        for_each_image(box, place, radius, [&](Point image) {
+            const Point at = to_pixels(image.x, image.y);
+            const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
+            disks.push_back({x, y, static_cast<float>(shown), outline});
+            const double inside = inside_ring(shown, ghost_line(page));
+            if (inside > 0.0) disks.push_back({x, y, static_cast<float>(inside), ground});
+        });
+    }
+    page.disks.draw(canvas, disks, to_pixels.box);
 }
 
 void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "panels/gas_colors.h"
+#include "panels/ghosts.h"
 #include "panels/panel.h"
 #include "panels/velocity_arrows.h"
 
@@ -44,6 +45,7 @@ class GasPanel : public Panel {
     void extend_trails(const Observation& observation);
     bool stands_alone() const;
     bool is_filled(std::size_t particle) const;
+    void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_infinite(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
@@ -55,6 +57,7 @@ class GasPanel : public Panel {
     Cast cast_;
     GasColors colors_;
     VelocityArrows arrows_;
+    GhostKeeper ghosts_;
     std::vector<Chosen> chosen_;
     std::vector<std::deque<TrailPoint>>
         trails_;                   ///< one for each chosen particle, as of the last state

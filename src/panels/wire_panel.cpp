@@ -31,6 +31,8 @@ struct WireState : PanelState {
     std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last
     std::vector<double> reversals;                     // simulated times in memory
     double label_alpha = 0.0;
+    std::shared_ptr<const Ghosts> ghosts;  // may be null
+    double ghost_words = 0.0;
 
     std::size_t bytes() const override {
         std::size_t sum = places.size() * (sizeof(float) + 1) + velocities.size() * sizeof(float);
@@ -147,6 +149,9 @@ std::shared_ptr<const PanelState> WirePanel::state(const Observation& observatio
         state->lines.push_back(
             lines_->line(line, {now, places[i], state->shades[static_cast<std::size_t>(i)]}));
     }
+    ghosts_.see(observation.tick, places);
+    state->ghosts = ghosts_.present();
+    state->ghost_words = ghosts_.words_alpha(observation.tick);
     state->reversals = lines_->reversals(now);
     const double seconds = static_cast<double>(observation.tick.frame) / cast_.scene.film.fps;
     state->label_alpha = std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0);
@@ -208,10 +213,46 @@ void WirePanel::draw(Canvas& canvas, const Page& page, const PanelState& state) 
     draw_reversals(canvas, page, state);
     canvas.release_clip();
     canvas.clip_to({v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
+    draw_ghosts(canvas, page, state);
     draw_beads(canvas, page, state);
     canvas.release_clip();
     draw_arrows(canvas, page, state);
     draw_words(canvas, page, state);
+    const auto& now = static_cast<const WireState&>(state);
+    if (now.ghosts)
+        draw_ghost_words(canvas, page, {v.plot.x + 0.3 * page.unit, page.area.y + 0.9 * page.unit},
+                         v.plot.width - 0.6 * page.unit, *now.ghosts, now.ghost_words);
+}
+
+// Where a bead is seen: on a ring more than once, where it reaches over the cut.
+std::vector<Point> WirePanel::seen_at(double place, double radius, const View& v) const {
+    double x = place * v.scale;
+    if (is_ring()) x -= v.plot.width * std::floor(x / v.plot.width);
+    std::vector<Point> seen;
+    for (const double shift : {0.0, -v.plot.width, v.plot.width}) {
+        const Point at{v.plot.x + x + shift, v.wire_y};
+        if (shift != 0.0 && !is_ring()) continue;
+        if (at.x + radius > v.plot.x && at.x - radius < v.plot.right()) seen.push_back(at);
+    }
+    return seen;
+}
+
+void WirePanel::draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const auto& now = static_cast<const WireState&>(state);
+    if (!now.ghosts) return;
+    const View v = view(page);
+    const double line = ghost_line(page);
+    for (std::size_t i = 0; i < now.ghosts->x.size(); ++i) {
+        const double radius = shown_radius(static_cast<Eigen::Index>(i), v);
+        for (const Point& at : seen_at(double(now.ghosts->x[i]), radius, v)) {
+            const double half = rod_half_height * page.unit;
+            if (radius > rod_from * page.unit)
+                canvas.stroke_rect({at.x - radius, at.y - half, 2.0 * radius, 2.0 * half}, line,
+                                   page.theme.muted);
+            else
+                canvas.stroke_circle(at, radius, line, page.theme.muted);
+        }
+    }
 }
 
 void WirePanel::draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const {
@@ -313,7 +354,6 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
     const View v = view(page);
     const double u = page.unit;
     const std::vector<Color> colors = colors_.of_shades(page.theme);
-    const bool ring = is_ring();
     std::vector<Disk> disks;
     std::vector<std::pair<Point, double>> rings;
     for (std::size_t i = 0; i < now.places.size(); ++i) {
@@ -321,13 +361,7 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
         const double radius = shown_radius(particle, v);
         const Color color = colors[now.shades[i] % colors.size()];
         const Color edge = edge_of(color, page.theme);
-        const double whole = v.plot.width;
-        double x = static_cast<double>(now.places[i]) * v.scale;
-        if (ring) x -= whole * std::floor(x / whole);
-        for (const double shift : {0.0, -whole, whole}) {
-            const Point at{v.plot.x + x + shift, v.wire_y};
-            const bool seen = at.x + radius > v.plot.x && at.x - radius < v.plot.right();
-            if (!seen || (shift != 0.0 && !ring)) continue;
+        for (const Point& at : seen_at(double(now.places[i]), radius, v)) {
             if (stands_out(cast_, particle)) rings.push_back({at, radius});
             if (radius > rod_from * u)
                 draw_rod(canvas, page, at, radius, color, is_filled(particle));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "panels/gas_colors.h"
+#include "panels/ghosts.h"
 #include "panels/panel.h"
 #include "panels/velocity_arrows.h"
 #include "panels/wire_map.h"
@@ -15,7 +16,8 @@ namespace carom {
 
 class WirePanel : public Panel {
   public:
-    explicit WirePanel(const Cast& cast) : cast_(cast), colors_(cast), arrows_(cast) {}
+    explicit WirePanel(const Cast& cast)
+        : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene) {}
 
     void survey(const Observation& observation) override;
     void settle() override;
@@ -39,6 +41,7 @@ class WirePanel : public Panel {
     bool is_ring() const;
     bool is_filled(Eigen::Index particle) const;
     Labels shown_labels() const;
+    std::vector<Point> seen_at(double place, double radius, const View& view) const;
     double shown_radius(Eigen::Index particle, const View& view) const;
     void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,
@@ -48,6 +51,7 @@ class WirePanel : public Panel {
     void draw_end(Canvas& canvas, const Page& page, double side) const;
     void draw_captions(Canvas& canvas, const Page& page) const;
     void draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
@@ -57,6 +61,7 @@ class WirePanel : public Panel {
     Cast cast_;
     GasColors colors_;
     VelocityArrows arrows_;
+    GhostKeeper ghosts_;
     std::optional<WireMap> map_;  ///< from the first frame on
     std::vector<Bends> bends_;    ///< at each frame of the first pass
     double memory_ = 1.0;

@@ -202,6 +202,10 @@ Section run() {
          .keys = {required(
                       {"at", "When, in simulated time, before `until`.", {number(not_negative)}}),
                   {"reverse", "Turns every velocity round.", {one_of({"velocities"})}},
+                  {"mark",
+                   "Keeps the places that the particles have then in sight, as outlines with these "
+                   "words, until the next mark.",
+                   {text(1, most_name_letters)}},
                   {"caption",
                    "Words under the gas, one line that is shown until the next; \"\" takes them "
                    "away.",
@@ -211,7 +215,7 @@ Section run() {
                            "How long the caption is shown at most, in seconds of film.",
                            {number({least_caption_seconds, most_seconds.value,
                                     most_seconds.meaning})}})},
-         .choices = {{{"reverse", "caption"}, true}}});
+         .choices = {{{"reverse", "mark", "caption"}, true}}});
     return complete(
         {.name = "`run`",
          .keys = {

@@ -149,6 +149,7 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     const std::vector<SpeciesDraft> drafts = read_species(fields, tree.dimension, errors);
     const RunDraft run = read_run(fields, errors);
     scene.run = run.run;
+    scene.marks = run.marks;
     for (const CaptionDraft& draft : run.captions) scene.captions.push_back(draft.caption);
     if (box) {
         scene.gas.box = *box;

@@ -33,6 +33,7 @@ void read_event(const Fields& fields, RunDraft& draft, Errors& errors) {
         errors.add(place, "expected a positive number for `at` of a reversal, found `0`",
                    "nothing has happened yet that could be undone");
     if (reverses) draft.run.events.push_back({*at, ReverseVelocities{}});
+    if (const auto words = fields.text("mark")) draft.marks.push_back({*at, *words});
     read_caption(fields, *at, draft, errors);
 }
 
@@ -71,6 +72,7 @@ RunDraft read_run(const Fields& scene, Errors& errors) {
             if (item.is_mapping())
                 read_event({item, section_of(fields->section(), "events")}, draft, errors);
     std::ranges::stable_sort(run.events, {}, &RunEvent::at);
+    std::ranges::stable_sort(draft.marks, {}, &Mark::at);
     std::ranges::stable_sort(draft.captions, {},
                              [](const CaptionDraft& one) { return one.caption.at; });
     return draft;

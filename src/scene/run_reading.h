@@ -18,6 +18,7 @@ struct CaptionDraft {
 /// All that `run` says. Refers to the scene's nodes.
 struct RunDraft {
     Run run;
+    std::vector<Mark> marks;             ///< in order of time; equal times in the order listed
     std::vector<CaptionDraft> captions;  ///< in order of time; equal times in the order listed
 };
 

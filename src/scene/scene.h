@@ -64,6 +64,12 @@ struct LayoutSpec {
     std::vector<Slot> panels;
 };
 
+/// The places of all particles at a moment, kept in sight until the next mark.
+struct Mark {
+    double at = 0.0;  ///< simulated time
+    std::string words;
+};
+
 /// Words under the gas, until the next caption or for a while.
 struct Caption {
     double at = 0.0;                     ///< simulated time
@@ -144,6 +150,7 @@ struct Scene {
     Gas gas;
     std::vector<SpeciesLook> looks;  ///< one for each species
     Run run;
+    std::vector<Mark> marks;        ///< in order of time; equal times in the order listed
     std::vector<Caption> captions;  ///< in order of time; equal times in the order listed
     Film film;
     SceneSource source;

@@ -43,7 +43,8 @@ TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any
         load_scene_text("title: T\nbox: {size: [40, 30], walls: periodic}\n"
                         "gas: [{name: a, count: 30, radius: 0.3, speed: 1}, {name: b, count: 1, "
                         "radius: 6, position: [3, 4], velocity: [-8, -6]}]\n"
-                        "run: {until: 4}\nfilm: {seconds: 2, size: [320, 180]}\n",
+                        "run: {until: 4, events: [{at: 1, mark: here}, {at: 0, caption: words}]}\n"
+                        "film: {seconds: 4, fps: 15, size: [320, 180], slow: [{factor: 0.5}]}\n",
                         "test", templates));
     FramePainter painter(film.scene, *film.observers);
     std::vector<std::vector<std::uint32_t>> forward;

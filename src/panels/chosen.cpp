@@ -21,6 +21,17 @@ std::vector<Eigen::Index> members(const Cast& cast, const Chosen& chosen) {
     return found;
 }
 
+std::optional<double> asked_trail(const Cast& cast, Eigen::Index particle) {
+    const auto species = static_cast<std::size_t>(cast.particles.species[particle]);
+    if (const std::optional<double>& own = cast.scene.looks[species].trail) return own;
+    const Trails& trails = cast.scene.film.trails;
+    const bool among = std::ranges::any_of(trails.of, [&](const Chosen& chosen) {
+        if (chosen.particle) return *chosen.particle == particle;
+        return !chosen.species || *chosen.species == species;
+    });
+    return among ? std::optional(trails.seconds) : std::nullopt;
+}
+
 std::string name_of(const Cast& cast, const Chosen& chosen) {
     if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
     return chosen.species ? cast.scene.gas.species[*chosen.species].name : "all";

@@ -1,6 +1,7 @@
 // The particles that a panel shows, as its scene chose them: which, their name, their colour.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ std::vector<Chosen> choices(const PanelSpec& spec);
 
 /// Numbers of the particles chosen, rising.
 std::vector<Eigen::Index> members(const Cast& cast, const Chosen& chosen);
+
+/// How long a trail the scene asks for, in seconds of film, by the particle's species or else for
+/// the film; nothing where it does not say.
+std::optional<double> asked_trail(const Cast& cast, Eigen::Index particle);
 
 /// "all", the species' name, "particle 3".
 std::string name_of(const Cast& cast, const Chosen& chosen);

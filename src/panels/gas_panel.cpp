@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "panels/bead_words.h"
+#include "panels/chosen.h"
 #include "util/text.h"
 
 namespace carom {
@@ -111,19 +112,15 @@ void GasPanel::settle() {
     arrows_.settle(std::clamp(4.0 * cast_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
 
-// A species that asks for a trail, and a single particle among many, which is what the film is
+// Those that should have a trail, and a single particle among many, which is what the film is
 // about.
 void GasPanel::choose_particles() {
-    const std::vector<Species>& species = cast_.scene.gas.species;
-    Eigen::Index first = 0;
-    for (std::size_t k = 0; k < species.size(); ++k) {
-        const bool single = species[k].count == 1 && cast_.particles.count() > 10;
-        const double trail =
-            cast_.scene.looks[k].trail.value_or(single ? default_trail_seconds : 0.0);
-        if (trail > 0.0)
-            for (Eigen::Index i = 0; i < species[k].count; ++i)
-                chosen_.push_back({first + i, trail});
-        first += species[k].count;
+    for (Eigen::Index i = 0; i < cast_.particles.count(); ++i) {
+        const auto species = static_cast<std::size_t>(cast_.particles.species[i]);
+        const bool single =
+            cast_.scene.gas.species[species].count == 1 && cast_.particles.count() > 10;
+        const double trail = asked_trail(cast_, i).value_or(single ? default_trail_seconds : 0.0);
+        if (trail > 0.0) chosen_.push_back({i, trail});
     }
 }
 

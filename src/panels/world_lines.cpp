@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "panels/chosen.h"
+
 namespace carom {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double finest = 1.0 / 2000.0;  // of the memory: bends closer than thi
 
 bool stands_out(const Cast& cast, Eigen::Index i) {
     const auto species = static_cast<std::size_t>(cast.particles.species[i]);
-    return cast.scene.looks[species].trail.value_or(0.0) > 0.0 ||
+    return asked_trail(cast, i).value_or(0.0) > 0.0 ||
            (cast.scene.gas.species[species].count == 1 && cast.particles.count() > 4);
 }
 

@@ -51,8 +51,7 @@ class WorldLines {
     std::vector<double> reversals_;        ///< simulated times
 };
 
-/// Whether a film is about this bead: a single one among many, or one whose species asks for a
-/// trail.
+/// Whether a film is about this bead: a single one among many, or one that should have a trail.
 bool stands_out(const Cast& cast, Eigen::Index particle);
 
 }  // namespace carom

@@ -94,6 +94,15 @@ void check_slots(const Fields& fields, Film& film, Errors& errors) {
                            film.template_name, slots, list->items.size()));
 }
 
+Trails read_trails(const Fields& film, const Gas& gas, Errors& errors) {
+    Trails trails;
+    const auto fields = film.inner("trails");
+    if (!fields || (fields->mentions("of") && fields->given("of") == nullptr)) return trails;
+    trails.of = read_of(*fields->value("of"), gas, errors);
+    trails.seconds = fields->number("seconds").value_or(0.0);
+    return trails;
+}
+
 /// A span of slow motion and where it is written.
 struct SlowDraft {
     SlowSpan span;
@@ -248,6 +257,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.labels = read_labels(fields.text("labels"));
     read_velocities(fields, film);
     film.monitors = read_monitors(fields.given("monitors"), {gas, run}, errors);
+    film.trails = read_trails(fields, gas, errors);
     const std::vector<SlowDraft> slow = read_slow(fields, run, errors);
     for (const SlowDraft& draft : slow) film.slow.push_back(draft.span);
     film.seconds = read_seconds(fields, film, run);

@@ -315,6 +315,20 @@ Section panel() {
                                           {lines(1, most_words_letters)}}))}});
 }
 
+Section trails() {
+    return complete(
+        {.name = "`trails`",
+         .keys = {
+             otherwise("all", {"of",
+                               "Whose: of all particles, a species, a particle by its number, or "
+                               "several of these.",
+                               chosen()}),
+             otherwise("1",
+                       {"seconds",
+                        "How long they are, in seconds of film.",
+                        {number({0.0, most_trail_seconds.value, most_trail_seconds.meaning})}})}});
+}
+
 Section slow_span() {
     return complete(
         {.name = "an item of `slow`",
@@ -365,6 +379,10 @@ vector<Key> film_keys() {
                    "Arrows of velocity on disks and beads: whether there are any, or how much "
                    "simulated time they look ahead, so that an arrow is velocity * time long.",
                    {flag(), number(positive)}}),
+        left_to("of single disks among many",
+                {"trails",
+                 "Trails that some of the particles leave; the `trail` of a species wins.",
+                 {mapping(trails(), "{of: whose, seconds: how long}")}}),
         left_to(
             "none",
             {"slow",

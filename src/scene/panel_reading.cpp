@@ -50,14 +50,6 @@ std::optional<Chosen> read_chosen(const Node& node, const Gas& gas, Errors& erro
     return std::nullopt;
 }
 
-std::vector<Chosen> read_of(const Node& node, const Gas& gas, Errors& errors) {
-    std::vector<Chosen> all;
-    const std::vector<Node> single{node};
-    for (const Node& item : node.is_list() ? node.items : single)
-        if (const auto chosen = read_chosen(item, gas, errors)) all.push_back(*chosen);
-    return all;
-}
-
 Over read_over(const Fields& fields, const Node& node) {
     if (!node.is_mapping())
         return {node.text == "start" ? Over::Since::start : Over::Since::now, 0.0};
@@ -194,6 +186,14 @@ PanelSpec read_options(const Fields& fields, const Shown& shown, Errors& errors)
 }
 
 }  // namespace
+
+std::vector<Chosen> read_of(const Node& node, const Gas& gas, Errors& errors) {
+    std::vector<Chosen> all;
+    const std::vector<Node> single{node};
+    for (const Node& item : node.is_list() ? node.items : single)
+        if (const auto chosen = read_chosen(item, gas, errors)) all.push_back(*chosen);
+    return all;
+}
 
 std::vector<Monitor> read_monitors(const Node* list, const Shown& shown, Errors& errors) {
     static const std::map<std::string, Monitor> numbers{

@@ -16,6 +16,9 @@ struct Shown {
     const Run& run;
 };
 
+/// The particles that `of` names, one or a list.
+std::vector<Chosen> read_of(const Node& of, const Gas& gas, Errors& errors);
+
 /// The numbers that a checked list of monitors names; none for no list.
 std::vector<Monitor> read_monitors(const Node* list, const Shown& shown, Errors& errors);
 

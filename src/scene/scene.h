@@ -110,6 +110,12 @@ struct PanelSpec {
     Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
 };
 
+/// Trails that a film asks for; a species' own `trail` wins.
+struct Trails {
+    std::vector<Chosen> of;  ///< empty: none
+    double seconds = 0.0;    ///< of film
+};
+
 /// A span of simulated time that a film shows slower.
 struct SlowSpan {
     double from = 0.0, to = 0.0;
@@ -129,7 +135,8 @@ struct Film {
     Labels labels = Labels::none;
     bool velocities = false;  ///< whether arrows show them
     std::optional<double>
-        velocity_scale;             ///< an arrow's length over its velocity, a time; none: by rule
+        velocity_scale;  ///< an arrow's length over its velocity, a time; none: by rule
+    Trails trails;
     std::vector<SlowSpan> slow;     ///< in order, apart, with room for the easing between them
     std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels

@@ -6,7 +6,8 @@ namespace carom {
 
 int frame_nearest_to(const std::vector<Tick>& ticks, double time) {
     std::size_t nearest = 0;
-    for (std::size_t i = 0; i < ticks.size(); ++i)
+    while (is_card(ticks[nearest].phase)) ++nearest;
+    for (std::size_t i = nearest; i < ticks.size() && !is_card(ticks[i].phase); ++i)
         if (std::abs(ticks[i].time - time) < std::abs(ticks[nearest].time - time)) nearest = i;
     return static_cast<int>(nearest);
 }
@@ -17,7 +18,9 @@ FrameSpan frames_between(const std::vector<Tick>& ticks, std::optional<double> f
     if (from) span.first = frame_nearest_to(ticks, *from);
     if (!to) return span;
     std::size_t last = static_cast<std::size_t>(frame_nearest_to(ticks, *to));
-    while (last + 1 < ticks.size() && ticks[last + 1].time == ticks[last].time) ++last;
+    while (last + 1 < ticks.size() && ticks[last + 1].time == ticks[last].time &&
+           !is_card(ticks[last + 1].phase))
+        ++last;
     span.end = static_cast<int>(last) + 1;
     return span;
 }

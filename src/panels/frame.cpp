@@ -58,6 +58,7 @@ bool Observers::surveys_collisions() const {
 }
 
 void Observers::survey(const Tick& tick, const Sample& sample, const Passage& passage) {
+    if (is_card(tick.phase)) return;
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
     const Observation observation{tick, sample, speed, energy, passage};
@@ -69,10 +70,11 @@ void Observers::settle() {
 }
 
 FrameData Observers::frame_data(const Tick& tick, const Sample& sample, const Passage& passage) {
+    FrameData frame{tick, {}, 0};
+    if (is_card(tick.phase)) return frame;
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
     const Observation observation{tick, sample, speed, energy, passage};
-    FrameData frame{tick, {}, 0};
     for (const Placed& placed : panels_) {
         frame.states.push_back(placed.panel->state(observation));
         frame.bytes += frame.states.back()->bytes();
@@ -173,6 +175,8 @@ void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std:
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
+    if (covered_) canvas_.copy_from(ground_);
+    covered_ = card_alpha(frame.tick) > 0.0;
     for (const Rect& rect : changing_) canvas_.copy_from(ground_, rect);
     draw_changing(canvas_, frame);
     return canvas_;
@@ -190,7 +194,55 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame) {
     }
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
-    draw_caption(canvas, frame.tick);
+    if (!is_card(frame.tick.phase)) draw_caption(canvas, frame.tick);
+    if (card_alpha(frame.tick) > 0.0) draw_card(canvas, frame.tick);
+}
+
+// The holds of the first and the last picture begin and end with half a second in which a card
+// gives way to the gas, or comes over it.
+double FramePainter::card_alpha(const Tick& tick) const {
+    if (is_card(tick.phase)) return 1.0;
+    constexpr double fade_seconds = 0.5;
+    const CardFrames cards = card_frames(scene_.film);
+    const int after = tick.frame - cards.title + 1;
+    const int before = frame_count(scene_.film) - cards.end - tick.frame;
+    const auto left = [&](int frames) { return 1.0 - frames / (fade_seconds * scene_.film.fps); };
+    return std::max(cards.title > 0 ? std::max(0.0, left(after)) : 0.0,
+                    cards.end > 0 ? std::max(0.0, left(before)) : 0.0);
+}
+
+// Title and subtitle, or the last words over the title.
+void FramePainter::draw_card(Canvas& canvas, const Tick& tick) const {
+    const double alpha = card_alpha(tick);
+    const Rect all{0.0, 0.0, double(scene_.film.size.width), double(scene_.film.size.height)};
+    canvas.fill(all, with_alpha(theme_.page, alpha));
+    const double words_alpha = std::max(0.0, 2.0 * alpha - 1.0);  // not over the gas's own words
+    const bool is_end = 2 * tick.frame > frame_count(scene_.film) || scene_.film.title_card <= 0.0;
+    const TextStyle large{.size = (is_end ? 2.6 : 3.4) * unit_,
+                          .weight = 600,
+                          .color = with_alpha(theme_.ink, words_alpha),
+                          .align = Align::center,
+                          .tabular = false,
+                          .max_width = 0.84 * all.width};
+    TextStyle small = large;
+    small.size = 1.6 * unit_;
+    small.weight = 400;
+    small.color = with_alpha(theme_.muted, words_alpha);
+    constexpr std::size_t most_lines = 6;
+    const auto heading = wrapped(is_end ? scene_.film.end_card : scene_.title, large, most_lines);
+    const auto rest = wrapped(is_end ? scene_.title : scene_.subtitle, small, most_lines);
+    const double height = 1.3 * large.size * static_cast<double>(heading.size()) +
+                          1.4 * small.size * static_cast<double>(rest.size());
+    Point at{0.5 * all.width, 0.5 * (all.height - height) + large.size};
+    for (const std::string& words : heading) {
+        draw_text(canvas, at, escape_markup(words), large);
+        at.y += 1.3 * large.size;
+    }
+    at.y += 0.9 * small.size - 0.4 * large.size;
+    for (const std::string& words : rest) {
+        draw_text(canvas, at, escape_markup(words), small);
+        at.y += 1.4 * small.size;
+    }
 }
 
 // In a corner of the gas, where no clock says it.

@@ -15,7 +15,7 @@ namespace carom {
 struct FrameData {
     Tick tick;
     std::vector<std::shared_ptr<const PanelState>>
-        states;  ///< one for each of Observers' panels, in order
+        states;  ///< one for each of Observers' panels, in order; none in a card
     std::size_t bytes = 0;
 };
 
@@ -29,6 +29,7 @@ class Observers {
     Observers(const Observers&) = delete;  // its panels refer to its particles
     Observers& operator=(const Observers&) = delete;
 
+    /// Cards show nothing of the gas: panels do not see them.
     void survey(const Tick& tick, const Sample& sample, const Passage& passage);
     void settle();
     FrameData frame_data(const Tick& tick, const Sample& sample, const Passage& passage);
@@ -78,6 +79,8 @@ class FramePainter {
     void draw_changing(Canvas& canvas, const FrameData& frame);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
+    double card_alpha(const Tick& tick) const;
+    void draw_card(Canvas& canvas, const Tick& tick) const;
     void draw_caption(Canvas& canvas, const Tick& tick) const;
 
     const Scene& scene_;
@@ -90,6 +93,7 @@ class FramePainter {
     std::vector<Rect> changing_;  ///< where frames differ from the ground: the reach of each panel
     Canvas ground_;               ///< what is the same in every frame
     Canvas canvas_;
+    bool covered_ = false;  ///< by a card, beyond what changes
 };
 
 }  // namespace carom

@@ -171,7 +171,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
             copy.ages.push_back(static_cast<float>(moving_seconds_ - point.film_time));
         }
     }
-    const double seconds = static_cast<double>(observation.tick.frame) / cast_.scene.film.fps;
+    const double seconds = observation.tick.seconds;
     state->label_alpha = static_cast<float>(std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0));
     return state;
 }

@@ -71,11 +71,12 @@ std::vector<CaptionSpan> caption_schedule(const Scene& scene) {
     const double fps = scene.film.fps;
     std::vector<CaptionSpan> spans;
     for (const Caption& caption : scene.captions) {
-        const auto begin =
-            std::ranges::find_if(ticks, [&](const Tick& tick) { return tick.time >= caption.at; });
+        const auto begin = std::ranges::find_if(ticks, [&](const Tick& tick) {
+            return tick.time >= caption.at && tick.phase != Phase::title_card;
+        });
         const int first = static_cast<int>(begin - ticks.begin());
         if (!spans.empty()) spans.back().last = std::min(spans.back().last, first - 1);
-        int last = static_cast<int>(ticks.size()) - 1;
+        int last = static_cast<int>(ticks.size()) - 1 - card_frames(scene.film).end;
         if (caption.seconds)
             last =
                 std::min(last, first - 1 + static_cast<int>(std::lround(*caption.seconds * fps)));
@@ -93,8 +94,11 @@ double caption_opacity(const CaptionSpan& span, const Film& film, int frame) {
     const auto fade = [&](int frames) {
         return std::min(1.0, (frames + 0.5) / film.fps / fade_seconds);
     };
-    const double coming = span.first == 0 ? 1.0 : fade(frame - span.first);
-    const double going = span.last + 1 == frame_count(film) ? 1.0 : fade(span.last - frame);
+    const CardFrames cards = card_frames(film);
+    const bool at_start = span.first == cards.title;
+    const bool at_end = span.last + 1 == frame_count(film) - cards.end;
+    const double coming = at_start ? 1.0 : fade(frame - span.first);
+    const double going = at_end ? 1.0 : fade(span.last - frame);
     return std::min(coming, going);
 }
 

@@ -27,7 +27,7 @@ struct CaptionSpan {
 std::vector<CaptionSpan> caption_schedule(const Scene& scene);
 
 /// How much of a caption is seen in a frame, from 0 to 1: it comes and goes within 0.2 s, but
-/// stands whole in the film's first frame and in its last one.
+/// stands whole in the first frame of the gas and in the last one.
 double caption_opacity(const CaptionSpan& span, const Film& film, int frame);
 
 /// The layout with room for the line of captions.

@@ -94,6 +94,13 @@ void check_slots(const Fields& fields, Film& film, Errors& errors) {
                            film.template_name, slots, list->items.size()));
 }
 
+void read_cards(const Fields& fields, Film& film) {
+    constexpr double usual_seconds = 3.0;
+    const bool asked = flag_in(*fields.value("title_card")).value_or(false);
+    film.title_card = fields.number("title_card").value_or(asked ? usual_seconds : 0.0);
+    film.end_card = fields.text("end_card").value_or("");
+}
+
 Trails read_trails(const Fields& film, const Gas& gas, Errors& errors) {
     Trails trails;
     const auto fields = film.inner("trails");
@@ -173,7 +180,8 @@ void check_easing(const Film& film, const Run& run, const std::vector<SlowDraft>
 
 double read_seconds(const Fields& fields, const Film& film, const Run& run) {
     if (const auto seconds = fields.number("seconds")) return *seconds;
-    return seconds_at_pace(film.slow, run.until, fields.number("pace").value_or(1.0));
+    return seconds_at_pace(film.slow, run.until, fields.number("pace").value_or(1.0)) +
+           card_seconds(film);
 }
 
 // The place to mend a length: where it is given, or where the run's end is.
@@ -207,7 +215,8 @@ void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& e
     const auto fields = scene.inner("run");
     if (legs <= steps || !fields || fields->given("events") == nullptr) return;
     const int enough = (4 * (legs + 1) + 2) / 3;  // pauses leave at least 3/4 of the frames, less 1
-    const double seconds = std::ceil(10.0 * enough / film.fps) / 10.0;
+    const double with_cards = card_seconds(film) > 0.0 ? 1.5 : 1.0;
+    const double seconds = std::ceil(10.0 * with_cards * enough / film.fps) / 10.0;
     errors.add(
         *fields->given("events"),
         fmt::format(
@@ -257,6 +266,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.labels = read_labels(fields.text("labels"));
     read_velocities(fields, film);
     film.monitors = read_monitors(fields.given("monitors"), {gas, run}, errors);
+    read_cards(fields, film);
     film.trails = read_trails(fields, gas, errors);
     const std::vector<SlowDraft> slow = read_slow(fields, run, errors);
     for (const SlowDraft& draft : slow) film.slow.push_back(draft.span);

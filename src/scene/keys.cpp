@@ -379,6 +379,16 @@ vector<Key> film_keys() {
                    "Arrows of velocity on disks and beads: whether there are any, or how much "
                    "simulated time they look ahead, so that an arrow is velocity * time long.",
                    {flag(), number(positive)}}),
+        otherwise("false",
+                  {"title_card",
+                   "A picture before the film with title and subtitle: whether there is one, of 3 "
+                   "seconds, or its seconds. It is part of the film's `seconds`; with `pace` it "
+                   "comes on top.",
+                   {flag(), number({0.5, most_seconds.value, most_seconds.meaning})}}),
+        left_to("none", {"end_card",
+                         "Words on a picture of 4 seconds after the film, which is part of its "
+                         "`seconds` too. Both cards together are a third of the film at most.",
+                         {text(1, most_title_letters)}}),
         left_to("of single disks among many",
                 {"trails",
                  "Trails that some of the particles leave; the `trail` of a species wins.",

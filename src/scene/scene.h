@@ -135,7 +135,9 @@ struct Film {
     Labels labels = Labels::none;
     bool velocities = false;  ///< whether arrows show them
     std::optional<double>
-        velocity_scale;  ///< an arrow's length over its velocity, a time; none: by rule
+        velocity_scale;       ///< an arrow's length over its velocity, a time; none: by rule
+    double title_card = 0.0;  ///< seconds; 0: none
+    std::string end_card;     ///< its words; empty: none
     Trails trails;
     std::vector<SlowSpan> slow;     ///< in order, apart, with room for the easing between them
     std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all

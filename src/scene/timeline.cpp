@@ -27,6 +27,12 @@ Pauses pauses(int frames, int fps, int reversals) {
     return {count(1.5), count(1.0), count(2.0)};
 }
 
+// Those that show the gas.
+int gas_frames(const Film& film) {
+    const CardFrames cards = card_frames(film);
+    return frame_count(film) - cards.title - cards.end;
+}
+
 // The film between two reversals: equal steps from its start; its end is always a frame. A whole
 // number, but of any size: a step of 1e-12 may be asked about a leg of 1e12.
 double steps_of_leg(double length, double step) {
@@ -72,10 +78,12 @@ double common_step(const std::vector<double>& ends, int most) {
 
 class Reel {
   public:
-    explicit Reel(const Pace& pace) : pace_(pace) {}
+    Reel(const Pace& pace, int fps) : pace_(pace), fps_(fps) {}
     void add(double time, Phase phase, double progress, int reversals) {
+        if (phase != Phase::title_card) ++shown_;
         ticks_.push_back({static_cast<int>(ticks_.size()), time, phase, progress,
-                          pace_.slowness(time), reversals});
+                          pace_.slowness(time), reversals,
+                          static_cast<double>(std::max(0, shown_ - 1)) / fps_});
     }
     void hold(int frames, double time, Phase phase, int reversals) {
         for (int i = 0; i < frames; ++i) add(time, phase, (i + 1.0) / frames, reversals);
@@ -89,6 +97,8 @@ class Reel {
 
   private:
     const Pace& pace_;
+    int fps_;
+    int shown_ = 0;
     std::vector<Tick> ticks_;
 };
 
@@ -98,10 +108,24 @@ int frame_count(const Film& film) {
     return std::max(1, static_cast<int>(std::lround(film.seconds * film.fps)));
 }
 
+double card_seconds(const Film& film) {
+    constexpr double end_card_seconds = 4.0;
+    return film.title_card + (film.end_card.empty() ? 0.0 : end_card_seconds);
+}
+
+CardFrames card_frames(const Film& film) {
+    const double wanted = card_seconds(film);
+    if (wanted == 0.0) return {};
+    const double third = frame_count(film) / 3.0;
+    const double scale = std::min(1.0, third / (wanted * film.fps));
+    const auto count = [&](double seconds) { return static_cast<int>(seconds * film.fps * scale); };
+    return {count(film.title_card), count(wanted - film.title_card)};
+}
+
 int leg_count(const Run& run) { return static_cast<int>(reversal_times(run).size()) + 1; }
 
 int moving_steps(const Film& film, const Run& run) {
-    const int frames = frame_count(film);
+    const int frames = gas_frames(film);
     const int reversals = leg_count(run) - 1;
     const Pauses pause = pauses(frames, film.fps, reversals);
     return frames - 1 - pause.opening - pause.closing - pause.reversal * reversals;
@@ -110,8 +134,9 @@ int moving_steps(const Film& film, const Run& run) {
 std::vector<Tick> timeline(const Scene& scene) {
     const int frames = frame_count(scene.film);
     if (frames == 1) return {Tick{}};
+    const CardFrames cards = card_frames(scene.film);
     std::vector<double> ends = reversal_times(scene.run);
-    const Pauses pause = pauses(frames, scene.film.fps, leg_count(scene.run) - 1);
+    const Pauses pause = pauses(gas_frames(scene.film), scene.film.fps, leg_count(scene.run) - 1);
     ends.push_back(scene.run.until);
     const int most = moving_steps(scene.film, scene.run);
     assert(static_cast<int>(ends.size()) <= most);
@@ -121,7 +146,8 @@ std::vector<Tick> timeline(const Scene& scene) {
     for (const double end : ends) stretched_ends.push_back(pace.stretched(end));
     const double step = common_step(stretched_ends, most);
 
-    Reel reel(pace);
+    Reel reel(pace, scene.film.fps);
+    reel.hold(cards.title, 0.0, Phase::title_card, 0);
     reel.hold(pause.opening, 0.0, Phase::opening, 0);
     reel.add(0.0, Phase::moving, 0.0, 0);
     double start = 0.0;
@@ -135,9 +161,10 @@ std::vector<Tick> timeline(const Scene& scene) {
         if (leg + 1 < ends.size()) reel.pause_at_reversal(pause.reversal, ends[leg], reversals);
         start = stretched_ends[leg];
     }
-    assert(reel.size() <= frames);
-    reel.hold(frames - reel.size(), scene.run.until, Phase::closing,
-              static_cast<int>(ends.size()) - 1);
+    assert(reel.size() <= frames - cards.end);
+    const int reversals = static_cast<int>(ends.size()) - 1;
+    reel.hold(frames - cards.end - reel.size(), scene.run.until, Phase::closing, reversals);
+    reel.hold(cards.end, scene.run.until, Phase::end_card, reversals);
     return reel.take();
 }
 

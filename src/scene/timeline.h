@@ -10,7 +10,7 @@
 
 namespace carom {
 
-enum class Phase { opening, moving, reversing, closing };
+enum class Phase { title_card, opening, moving, reversing, closing, end_card };
 
 /// One frame of a film.
 struct Tick {
@@ -22,6 +22,7 @@ struct Tick {
     Slowness slow = {};  ///< of the motion
     int reversals = 0;   ///< reversals up to this frame; one that is just announced counts from the
                          ///< middle of its pause
+    double seconds = 0.0;  ///< of film, since the gas is shown; 0 in a title card
 };
 
 /// All frames of the film of `scene`, round(seconds * fps) of them, times never falling; the first
@@ -35,14 +36,28 @@ std::vector<Tick> timeline(const Scene& scene);
 /// reversal, then running back.
 double folded_time(const Run& run, double time);
 
-/// The number of frames of a scene's film.
+/// Whether a frame shows words instead of the gas.
+constexpr bool is_card(Phase phase) {
+    return phase == Phase::title_card || phase == Phase::end_card;
+}
+
+/// Frames of the cards before and after a film, at most a third of it together.
+struct CardFrames {
+    int title = 0, end = 0;
+};
+CardFrames card_frames(const Film& film);
+
+/// Seconds of both cards that a film asks for.
+double card_seconds(const Film& film);
+
+/// The number of frames of a scene's film, cards included.
 int frame_count(const Film& film);
 
 /// The stretches of a run between its start, its reversals and its end.
 int leg_count(const Run& run);
 
-/// The steps from frame to frame in which the gas may move: the film without its pauses. At least
-/// 3/4 of the frames, less one.
+/// The steps from frame to frame in which the gas may move: the film without its cards and pauses.
+/// At least 3/4 of the frames that are no cards, less one.
 int moving_steps(const Film& film, const Run& run);
 
 /// First frames of the film's segments, and the number of frames as the last entry. A function of

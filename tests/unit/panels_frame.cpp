@@ -39,13 +39,14 @@ TEST_CASE("every panel kind of the scene language is registered, and no other") 
 TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any thread") {
     // A large chosen disk reaches over the periodic sides: its ring and name may leave nothing
     // behind.
-    const Shot film(
-        load_scene_text("title: T\nbox: {size: [40, 30], walls: periodic}\n"
-                        "gas: [{name: a, count: 30, radius: 0.3, speed: 1}, {name: b, count: 1, "
-                        "radius: 6, position: [3, 4], velocity: [-8, -6]}]\n"
-                        "run: {until: 4, events: [{at: 1, mark: here}, {at: 0, caption: words}]}\n"
-                        "film: {seconds: 4, fps: 15, size: [320, 180], slow: [{factor: 0.5}]}\n",
-                        "test", templates));
+    const Shot film(load_scene_text(
+        "title: T\nbox: {size: [40, 30], walls: periodic}\n"
+        "gas: [{name: a, count: 30, radius: 0.3, speed: 1}, {name: b, count: 1, "
+        "radius: 6, position: [3, 4], velocity: [-8, -6]}]\n"
+        "run: {until: 4, events: [{at: 1, mark: here}, {at: 0, caption: words}]}\n"
+        "film: {seconds: 4, fps: 15, size: [320, 180], slow: [{factor: 0.5}], title_card: 1, "
+        "end_card: The end}\n",
+        "test", templates));
     FramePainter painter(film.scene, *film.observers);
     std::vector<std::vector<std::uint32_t>> forward;
     for (const FrameData& frame : film.frames) forward.push_back(pixels_of(painter.paint(frame)));
@@ -308,4 +309,33 @@ TEST_CASE("the way back is lighter than the way out, on every ground") {
         CHECK(lighter >= 1);
         CHECK(lighter + darker <= 6);
     }
+}
+
+TEST_CASE("a card covers the whole picture and gives way to the gas without a jump") {
+    const std::string rest = "seconds: 30, fps: 10, size: [320, 180], panels: [speed-histogram]";
+    const Shot film(scene_of(rest + ", title_card: true, end_card: The end"));
+    const Shot plain(scene_of("seconds: 23, fps: 10, size: [320, 180], panels: [speed-histogram]"));
+    FramePainter painter(film.scene, *film.observers), other(plain.scene, *plain.observers);
+    const auto gas = pixels_of(other.paint(plain.frames.front()));
+    const auto apart = [](const std::vector<std::uint32_t>& a,
+                          const std::vector<std::uint32_t>& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            sum += std::abs(int((a[i] >> 8) & 0xFF) - int((b[i] >> 8) & 0xFF));
+        return sum / double(a.size());
+    };
+    const auto card = pixels_of(painter.paint(film.frames.front()));
+    const std::uint32_t page = card.front();
+    const auto bare = std::ranges::count(card, page);
+    CHECK(bare > 0.9 * double(card.size()));
+    CHECK(bare < double(card.size()));  // the words
+    double last = apart(card, gas);
+    for (std::size_t i = 1; i < 44; ++i) {
+        const double now = apart(pixels_of(painter.paint(film.frames[i])), gas);
+        CHECK(now <= last + 1e-9);
+        if (film.frames[i].tick.phase == Phase::title_card) CHECK(now == last);
+        last = now;
+    }
+    CHECK(last == 0.0);
+    CHECK(pixels_of(painter.paint(film.frames.back())) != card);
 }

@@ -93,6 +93,8 @@ TEST_CASE("small pictures of the scenes are as they were") {
     compare("time-reversal", "24", "print");
     compare("two-to-one", "6", "light");
     compare("tonks-gas", "40", "dark");
+    compare("words", "2.1", "light");
+    compare("words", "11", "dark");
     compare("wire", "9", "dark");
     compare("ring", "14", "light");
 }

@@ -59,6 +59,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 /// The commands: each declares itself and does its work when it is called.
 void add_render(CLI::App& app);
 void add_still(CLI::App& app);
+void add_figures(CLI::App& app);
 void add_run(CLI::App& app);
 void add_check(CLI::App& app);
 void add_new(CLI::App& app);

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "panels/gas_panel.h"
 #include "panels/layout.h"
 #include "panels/monitors_panel.h"
 #include "panels/registry.h"
 #include "panels/text_panel.h"
-#include "panels/wire_panel.h"
 
 namespace carom {
 namespace {
@@ -22,11 +20,6 @@ const Theme& theme_of(ThemeName name) {
         default:
             return theme(ThemeKind::dark);
     }
-}
-
-std::unique_ptr<Panel> make_gas_panel(const Cast& cast) {
-    if (cast.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(cast);
-    return std::make_unique<GasPanel>(cast);
 }
 
 }  // namespace

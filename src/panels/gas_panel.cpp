@@ -171,7 +171,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
             copy.ages.push_back(static_cast<float>(moving_seconds_ - point.film_time));
         }
     }
-    const double seconds = observation.tick.seconds;
+    const double seconds = cast_.fades ? observation.tick.seconds : 0.0;
     state->label_alpha = static_cast<float>(std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0));
     return state;
 }

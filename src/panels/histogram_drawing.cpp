@@ -127,6 +127,12 @@ Point HistogramPanel::row_above(const Page& page, int row) const {
 
 std::string HistogramPanel::time_words() const {
     const std::optional<double> back = window();
+    if (spec_.at) {
+        if (!back) return "until time " + plain_number(*spec_.at);
+        return *back > 0.0 ? fmt::format("time {} to {}", plain_number(*spec_.at - *back),
+                                         plain_number(*spec_.at))
+                           : "at time " + plain_number(*spec_.at);
+    }
     if (!back) return "so far";
     return *back > 0.0 ? fmt::format("last {:g}", *back) : "now";
 }

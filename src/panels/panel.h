@@ -25,6 +25,7 @@ struct Cast {
     const Particles& particles;
     int frames;                                        ///< of the film
     const std::optional<EquilibriumGas>& equilibrium;  ///< of all particles; none: draw no curve
+    bool fades = true;  ///< whether names fade after a while, as in a film
 };
 
 /// The gas at one frame, and what happened since the frame before.

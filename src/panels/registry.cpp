@@ -3,6 +3,9 @@
 #include <array>
 #include <cassert>
 
+#include "panels/gas_panel.h"
+#include "panels/wire_panel.h"
+
 namespace carom {
 namespace {
 
@@ -31,6 +34,11 @@ const std::array entries{
 };
 
 }  // namespace
+
+std::unique_ptr<Panel> make_gas_panel(const Cast& cast) {
+    if (cast.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(cast);
+    return std::make_unique<GasPanel>(cast);
+}
 
 std::unique_ptr<Panel> make_panel(const Cast& cast, const PanelSpec& spec) {
     for (const Entry& entry : entries)

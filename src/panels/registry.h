@@ -13,6 +13,9 @@ namespace carom {
 /// validated.
 std::unique_ptr<Panel> make_panel(const Cast& cast, const PanelSpec& spec);
 
+/// The box of a plane, or the wire.
+std::unique_ptr<Panel> make_gas_panel(const Cast& cast);
+
 /// The kinds that make_panel knows.
 std::span<const std::string> registered_panels();
 

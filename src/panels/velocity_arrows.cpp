@@ -25,10 +25,6 @@ double round_down(double most) {
     return power;
 }
 
-std::string round_number(double value) {
-    return value >= 1e-4 && value < 1e6 ? fmt::format("{:g}", value) : three_digits(value);
-}
-
 bool touches(const Rect& rect, Point from, Point to, double margin) {
     return std::max(from.x, to.x) > rect.x - margin &&
            std::min(from.x, to.x) < rect.right() + margin &&
@@ -108,7 +104,7 @@ Rect VelocityArrows::draw_key(Canvas& canvas, const Page& page, double scale) co
     const double y = page.area.bottom() - 0.6 * u;
     draw_arrow(canvas, {page.area.x, y}, {page.area.x + speed * reach_ * scale, y},
                style(page, scale, page.theme.page));
-    draw_text(canvas, {page.area.x, y - 0.9 * u}, "speed " + round_number(speed),
+    draw_text(canvas, {page.area.x, y - 0.9 * u}, "speed " + plain_number(speed),
               label_style(page));
     above.height = std::max(u, above.height - key_height * u);
     return above;

@@ -153,7 +153,7 @@ std::shared_ptr<const PanelState> WirePanel::state(const Observation& observatio
     state->ghosts = ghosts_.present();
     state->ghost_words = ghosts_.words_alpha(observation.tick);
     state->reversals = lines_->reversals(now);
-    const double seconds = observation.tick.seconds;
+    const double seconds = cast_.fades ? observation.tick.seconds : 0.0;
     state->label_alpha = std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0);
     return state;
 }

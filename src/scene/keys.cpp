@@ -248,71 +248,111 @@ Form panel_kind() {
     return kind;
 }
 
+// The keys of panels and figures alike; `kind` and `over` are each one's own.
+vector<Key> panel_keys(Form kind, Key over) {
+    return {
+        required({"kind", "What the panel shows.", {std::move(kind)}}),
+        left_to("by kind", {"title", "The words above the panel.", {text(1, most_title_letters)}}),
+        only_with(histograms(), left_to("by rule, from the whole run",
+                                        {"bins", "The number of bars.", {integer(1, most_bins)}})),
+        only_with(histograms(), left_to("by rule, from the whole run",
+                                        {"range",
+                                         "The first and the last edge of the bars.",
+                                         {list_of({number(any_number)}, 2, 2, "[low, high]")}})),
+        only_with(choosing(),
+                  otherwise("all", {"of",
+                                    "Whose numbers: of all particles, a species, a particle "
+                                    "by its number, or several of these drawn together. Of a "
+                                    "pair, its two numbers; none for the first that collides.",
+                                    chosen()})),
+        std::move(over),
+        only_with(directed(),
+                  left_to("both for velocities, x for positions",
+                          {"component",
+                           "Along which axis; `both` counts either component of a particle.",
+                           {one_of({"x", "y", "both"})}})),
+        only_with(
+            predicted(),
+            otherwise(
+                "true",
+                {"theory",
+                 "Whether to draw the curve that theory predicts for this finite mixture, if "
+                 "it comes to an equilibrium; an error where `true` is written and it cannot.",
+                 {flag()}})),
+        only_with(histograms(),
+                  otherwise("false", {"fit",
+                                      "Whether to draw the normal curve of the same mean and "
+                                      "deviation, which are written out.",
+                                      {flag()}})),
+        only_with(histograms(), left_to("true for speeds and energies",
+                                        {"mean_now", "Whether to mark the mean.", {flag()}})),
+        only_with(histograms(),
+                  left_to("true for speeds and energies",
+                          {"mean_start", "Whether to mark the mean at the start.", {flag()}})),
+        only_with({"speed-classes"},
+                  otherwise("now", {"reference",
+                                    "The mean speed that slow and fast are measured by: the "
+                                    "present one, or that at the start.",
+                                    {one_of({"now", "initial"})}})),
+        only_with({"monitors"}, left_to("all but all-collisions and return-distance",
+                                        {"numbers",
+                                         "Which numbers it shows; all-collisions counts those "
+                                         "with walls too, return-distance is the largest of a "
+                                         "particle from where it was on the way out.",
+                                         {monitors()}})),
+        only_with({"text"}, left_to("required for a text",
+                                    {"words",
+                                     "What the panel says, in lines as its place allows; an "
+                                     "empty line parts paragraphs.",
+                                     {lines(1, most_words_letters)}}))};
+}
+
+Key panel_over() {
+    return only_with(timed(), left_to("now; since the start for the pressure",
+                                      {"over",
+                                       "Numbers of the present, their mean since time 0, or "
+                                       "their mean over a while before the present.",
+                                       {one_of({"now", "start"}), window()}}));
+}
+
 Section panel() {
+    return complete({.name = "a panel", .keys = panel_keys(panel_kind(), panel_over())});
+}
+
+Section figure() {
+    vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
+    kinds.emplace_back("gas");
+    const Form time = number(not_negative);
+    const Form side = number({smallest_figure.value, largest_figure.value, largest_figure.meaning});
+    vector<Key> keys{required({"name",
+                               "The name of its files: small letters, digits and hyphens.",
+                               {text(1, most_name_letters)}})};
+    Key over = only_with(timed(), {"over",
+                                   "Instead of `at`: the time that its numbers are taken over.",
+                                   {list_of({time}, 2, 2, "[from, to]")}});
+    for (Key& key : panel_keys(one_of(std::move(kinds)), std::move(over)))
+        keys.push_back(std::move(key));
+    keys.push_back(
+        left_to("the end of the run", {"at", "The simulated time that it shows.", {time}}));
+    keys.push_back(only_with({"gas"}, {"strip",
+                                       "Instead of `at`: several times, shown side by side.",
+                                       {list_of({time}, 2, most_strip, "a list of times")}}));
+    keys.push_back(otherwise(
+        "column",
+        {"size",
+         "Of a text's column (8.9 cm wide), of its page (18.3 cm), of a slide "
+         "(33.9 cm by 19.1 cm, with large type), or width and height in centimetres.",
+         {one_of({"column", "page", "slide"}), list_of({side}, 2, 2, "[width, height]")}}));
+    keys.push_back(otherwise("print", {"theme",
+                                       "The colours of the ground and of the text.",
+                                       {one_of({"light", "dark", "print"})}}));
+    keys.push_back(left_to("made from what the figure shows",
+                           {"caption", "The words under the figure.", {lines(1, most_letters)}}));
+    keys.push_back(
+        left_to("made from what the figure shows",
+                {"alt", "What is seen, for those who cannot see it.", {lines(1, most_letters)}}));
     return complete(
-        {.name = "a panel",
-         .keys = {
-             required({"kind", "What the panel shows.", {panel_kind()}}),
-             left_to("by kind",
-                     {"title", "The words above the panel.", {text(1, most_title_letters)}}),
-             only_with(histograms(),
-                       left_to("by rule, from the whole run",
-                               {"bins", "The number of bars.", {integer(1, most_bins)}})),
-             only_with(histograms(),
-                       left_to("by rule, from the whole run",
-                               {"range",
-                                "The first and the last edge of the bars.",
-                                {list_of({number(any_number)}, 2, 2, "[low, high]")}})),
-             only_with(choosing(),
-                       otherwise("all", {"of",
-                                         "Whose numbers: of all particles, a species, a particle "
-                                         "by its number, or several of these drawn together. Of a "
-                                         "pair, its two numbers; none for the first that collides.",
-                                         chosen()})),
-             only_with(timed(), left_to("now; since the start for the pressure",
-                                        {"over",
-                                         "Numbers of the present, their mean since time 0, or "
-                                         "their mean over a while before the present.",
-                                         {one_of({"now", "start"}), window()}})),
-             only_with(directed(),
-                       left_to("both for velocities, x for positions",
-                               {"component",
-                                "Along which axis; `both` counts either component of a particle.",
-                                {one_of({"x", "y", "both"})}})),
-             only_with(
-                 predicted(),
-                 otherwise(
-                     "true",
-                     {"theory",
-                      "Whether to draw the curve that theory predicts for this finite mixture, if "
-                      "it comes to an equilibrium; an error where `true` is written and it cannot.",
-                      {flag()}})),
-             only_with(histograms(),
-                       otherwise("false", {"fit",
-                                           "Whether to draw the normal curve of the same mean and "
-                                           "deviation, which are written out.",
-                                           {flag()}})),
-             only_with(histograms(), left_to("true for speeds and energies",
-                                             {"mean_now", "Whether to mark the mean.", {flag()}})),
-             only_with(histograms(),
-                       left_to("true for speeds and energies",
-                               {"mean_start", "Whether to mark the mean at the start.", {flag()}})),
-             only_with({"speed-classes"},
-                       otherwise("now", {"reference",
-                                         "The mean speed that slow and fast are measured by: the "
-                                         "present one, or that at the start.",
-                                         {one_of({"now", "initial"})}})),
-             only_with({"monitors"}, left_to("all but all-collisions and return-distance",
-                                             {"numbers",
-                                              "Which numbers it shows; all-collisions counts those "
-                                              "with walls too, return-distance is the largest of a "
-                                              "particle from where it was on the way out.",
-                                              {monitors()}})),
-             only_with({"text"}, left_to("required for a text",
-                                         {"words",
-                                          "What the panel says, in lines as its place allows; an "
-                                          "empty line parts paragraphs.",
-                                          {lines(1, most_words_letters)}}))}});
+        {.name = "a figure", .keys = std::move(keys), .choices = {{{"at", "over", "strip"}}}});
 }
 
 Section trails() {
@@ -480,7 +520,11 @@ Section scene(int dimension) {
                   "What is in the box: a list of species.",
                   {list_of({mapping(gas_item(dimension))}, 1, most_species, "a list of species")}}),
              required({"run", "What happens to the gas.", {mapping(run())}}),
-             left_to("the template's", {"film", "What the viewer sees.", {mapping(film())}})}});
+             left_to("the template's", {"film", "What the viewer sees.", {mapping(film())}}),
+             left_to("none",
+                     {"figures",
+                      "Pictures of single moments for texts and slides.",
+                      {list_of({mapping(figure())}, 0, most_figures, "a list of figures")}})}});
 }
 
 }  // namespace

@@ -44,6 +44,10 @@ inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at leas
 inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
 inline constexpr Limit most_slow_spans{100, "spans of slow motion"};
+inline constexpr Limit most_figures{200, "figures of a scene"};
+inline constexpr Limit most_strip{12, "moments in a strip"};
+inline constexpr Limit largest_figure{100, "centimetres on a side of a figure"};
+inline constexpr Limit smallest_figure{2, "centimetres on a side of a figure, at least"};
 inline constexpr Limit most_monitors{8, "numbers in a row of monitors"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
@@ -79,6 +83,10 @@ inline constexpr std::array limits{most_file_bytes,
                                    most_monitors,
                                    most_bins,
                                    most_chosen,
-                                   largest_grid};
+                                   largest_grid,
+                                   most_figures,
+                                   most_strip,
+                                   largest_figure,
+                                   smallest_figure};
 
 }  // namespace carom

@@ -10,6 +10,7 @@
 
 #include "scene/captions.h"
 #include "scene/check.h"
+#include "scene/figure_reading.h"
 #include "scene/film_reading.h"
 #include "scene/gas_reading.h"
 #include "scene/limits.h"
@@ -170,6 +171,7 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
         if (errors.empty()) check_captions(scene, run.captions, fields, errors);
         if (!scene.captions.empty()) scene.film.layout = with_caption_line(scene.film.layout);
     }
+    scene.figures = read_figures(fields, {scene.gas, scene.run}, errors);
     errors.throw_if_any();
     if (scene.run.sample_every == 0.0) scene.run.sample_every = usual_sample_every(scene, has_film);
     scene.description = fields.text("description").value_or(describe(scene));

@@ -154,7 +154,9 @@ void check_way_home(const Node& place, const Shown& shown, Errors& errors) {
             fmt::format("the ceiling is {:.0f} {}", most_returning.value, most_returning.meaning));
 }
 
-PanelSpec read_options(const Fields& fields, const Shown& shown, Errors& errors) {
+}  // namespace
+
+PanelSpec read_panel(const Fields& fields, const Shown& shown, Errors& errors) {
     const Gas& gas = shown.gas;
     PanelSpec panel;
     panel.kind = fields.text("kind").value_or("");
@@ -164,7 +166,6 @@ PanelSpec read_options(const Fields& fields, const Shown& shown, Errors& errors)
     if (of != nullptr) panel.of = read_of(*of, gas, errors);
     const bool all_read =
         of == nullptr || panel.of.size() == (of->is_list() ? of->items.size() : 1);
-    if (const Node* over = fields.given("over")) panel.over = read_over(fields, *over);
     if (all_read && (of != nullptr || !fields.mentions("of")))
         check_two_particles(of != nullptr ? *of : fields.node(), panel, gas, errors);
     panel.component = read_component(fields, panel.kind, gas, errors);
@@ -184,8 +185,6 @@ PanelSpec read_options(const Fields& fields, const Shown& shown, Errors& errors)
         check_way_home(*find(fields.node(), "kind"), shown, errors);
     return panel;
 }
-
-}  // namespace
 
 std::vector<Chosen> read_of(const Node& node, const Gas& gas, Errors& errors) {
     std::vector<Chosen> all;
@@ -223,7 +222,10 @@ std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Error
     for (const Node& item : list->items) {
         if (!item.valid) continue;
         if (item.is_mapping()) {
-            panels.push_back(read_options({item, section}, shown, errors));
+            const Fields fields{item, section};
+            panels.push_back(read_panel(fields, shown, errors));
+            if (const Node* over = fields.given("over"))
+                panels.back().over = read_over(fields, *over);
         } else {
             panels.push_back({});
             panels.back().kind = item.text;

@@ -22,6 +22,9 @@ std::vector<Chosen> read_of(const Node& of, const Gas& gas, Errors& errors);
 /// The numbers that a checked list of monitors names; none for no list.
 std::vector<Monitor> read_monitors(const Node* list, const Shown& shown, Errors& errors);
 
+/// The options that panels and figures share; `over` is left to the caller.
+PanelSpec read_panel(const Fields& fields, const Shown& shown, Errors& errors);
+
 /// The panels that `film` lists.
 std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Errors& errors);
 

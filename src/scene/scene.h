@@ -104,6 +104,7 @@ struct PanelSpec {
     bool fit = false;
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
+    std::optional<double> at = {};   ///< of a figure: the time that it shows; none in films
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
     std::vector<Monitor> numbers = {};  ///< monitors: those shown; none: all
     std::string words = {};             ///< text
@@ -120,6 +121,18 @@ struct Trails {
 struct SlowSpan {
     double from = 0.0, to = 0.0;
     double factor = 1.0;  ///< 0.1: ten times slower
+};
+
+/// A picture of a moment, or of several side by side, for a text or a slide.
+struct FigureSpec {
+    std::string name;  ///< of its files
+    PanelSpec panel;   ///< its kind may be `gas` too; of numbers over a time, `over` is a window
+    std::vector<double> times;     ///< simulated, not falling; several: a strip
+    double width = 8.9;            ///< centimetres
+    std::optional<double> height;  ///< centimetres; none: by kind
+    bool slide = false;            ///< large type
+    ThemeName theme = ThemeName::print;
+    std::optional<std::string> caption, alt;  ///< none: made from what the figure shows
 };
 
 struct Film {
@@ -162,6 +175,7 @@ struct Scene {
     std::vector<Mark> marks;        ///< in order of time; equal times in the order listed
     std::vector<Caption> captions;  ///< in order of time; equal times in the order listed
     Film film;
+    std::vector<FigureSpec> figures;
     SceneSource source;
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
                                             ///< empty message, for errors found later

@@ -128,6 +128,12 @@ std::string three_digits(double value) {
     return value < 0 ? "\u2212" + text : text;
 }
 
+std::string plain_number(double value) {
+    const bool is_plain = std::abs(value) >= 1e-4 && std::abs(value) < 1e6;
+    if (value != 0.0 && !is_plain) return three_digits(value);
+    return (value < 0.0 ? "\u2212" : "") + fmt::format("{:g}", std::abs(value));
+}
+
 std::string grouped(long long value) {
     std::string digits = std::to_string(value < 0 ? -value : value);
     for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)

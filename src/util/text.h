@@ -43,6 +43,9 @@ std::string superscript(int value);
 /// minus.
 std::string three_digits(double value);
 
+/// A number as it would be given: 12, 0.25, with at most six digits.
+std::string plain_number(double value);
+
 /// An integer with thin spaces (U+2009) between groups of three digits: 12 345.
 std::string grouped(long long value);
 

@@ -21,7 +21,8 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
     {"draw", {"util"}},
     {"panels", {"util", "physics", "stats", "scene", "draw"}},
     {"media", {"util", "draw"}},
-    {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media"}},
+    {"figures", {"util", "physics", "stats", "scene", "draw", "panels"}},
+    {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media", "figures"}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
@@ -43,9 +44,9 @@ const std::vector<Door> doors{
      {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp"}},
     {std::regex("CLI/.*"), {"app/command.h"}},
     {std::regex("nlohmann/.*"), {"app/run_json.cpp", "app/check_json.cpp", "app/schema_json.cpp"}},
-    {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/"}},
+    {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "figures/"}},
     {std::regex("fmt/.*"),
-     {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "app/"}},
+     {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "figures/", "app/"}},
 };
 
 struct Include {

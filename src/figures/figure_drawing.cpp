@@ -1,0 +1,126 @@
+#include "figures/figure_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double print_type = 6.9, slide_type = 24.0;  // points; a title of 7.9 in print
+constexpr double vector_dots = 96.0, print_dots = 300.0, slide_dots = 144.0;  // to the inch
+constexpr double tallest = 17.0;  // centimetres: what a page of a text has room for
+constexpr double key_width = 6.4, key_gap = 0.8, margin = 0.8;  // units
+constexpr double strip_gap = 1.2, row_of_times = 2.2;           // units
+constexpr double shape_of_plots = 0.68;                         // height over width
+constexpr double shape_of_wires = 0.6;
+
+ThemeKind kind_of(ThemeName name) {
+    if (name == ThemeName::light) return ThemeKind::light;
+    return name == ThemeName::dark ? ThemeKind::dark : ThemeKind::print;
+}
+
+double centimetres(double points) { return points / 72.0 * 2.54; }
+
+bool is_gas(const FigureSpec& spec) { return spec.panel.kind == "gas"; }
+
+/// Lengths of a figure in units of its smallest type.
+struct Sheet {
+    double width, height;
+    double box_width = 0.0;  ///< of one box of a strip
+};
+
+Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
+    const double unit = centimetres(smallest_type(spec));
+    Sheet sheet{spec.width / unit, 0.0};
+    const double most = (spec.height ? *spec.height : tallest) / unit;
+    const double pictures = static_cast<double>(spec.times.size());
+    sheet.box_width = sheet.width - 2.0 * margin;
+    if (is_gas(spec))
+        sheet.box_width =
+            (sheet.box_width - key_gap - key_width - (pictures - 1.0) * strip_gap) / pictures;
+    const Box& box = scene.gas.box;
+    double shape = shape_of_plots;
+    if (is_gas(spec)) shape = box.dimension == 2 ? box.size[1] / box.size[0] : shape_of_wires;
+    const double times = pictures > 1.0 ? row_of_times : 0.0;
+    sheet.height =
+        spec.height ? most : std::min(most, 2.0 * margin + times + shape * sheet.box_width);
+    return sheet;
+}
+
+void draw_times(Canvas& canvas, const Page& page, double time) {
+    TextStyle style = label_style(page);
+    style.align = Align::center;
+    draw_text(canvas, {page.area.x + page.area.width / 2, page.area.bottom() + 1.6 * page.unit},
+              "<i>t</i> = " + plain_number(time), style);
+}
+
+void draw_gas(Canvas& canvas, const Page& whole, const Sheet& sheet, const Figure& figure) {
+    const double u = whole.unit;
+    const bool several = figure.moments.size() > 1;
+    Page page = whole;
+    page.area = {margin * u, margin * u, sheet.box_width * u,
+                 (sheet.height - 2.0 * margin - (several ? row_of_times : 0.0)) * u};
+    const Page first = page;
+    for (const FigureMoment& moment : figure.moments) {
+        figure.panel->draw_ground(canvas, page);
+        figure.panel->draw(canvas, page, *moment.state);
+        if (several)
+            draw_times(canvas, {figure.panel->frame_in(page.area), u, page.theme, page.disks},
+                       moment.time);
+        page.area.x += page.area.width + strip_gap * u;
+    }
+    const Rect box = figure.panel->frame_in(first.area);
+    const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
+    figure.panel->draw_key(
+        canvas, {{right, box.y, key_width * u, box.height}, u, page.theme, page.disks}, first);
+}
+
+void draw_plot(Canvas& canvas, const Page& whole, const Sheet& sheet, const Figure& figure) {
+    Page page = whole;
+    page.area = {margin * page.unit, margin * page.unit, (sheet.width - 2.0 * margin) * page.unit,
+                 (sheet.height - 2.0 * margin) * page.unit};
+    figure.panel->draw_ground(canvas, page);
+    figure.panel->draw(canvas, page, *figure.moments.front().state);
+}
+
+}  // namespace
+
+std::string name_of(FigureFormat format) {
+    if (format == FigureFormat::svg) return "svg";
+    return format == FigureFormat::pdf ? "pdf" : "png";
+}
+
+double smallest_type(const FigureSpec& spec) { return spec.slide ? slide_type : print_type; }
+
+Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
+                   const PictureWords& words) {
+    const FigureSpec& spec = *figure.spec;
+    const double raster = spec.slide ? slide_dots : print_dots;
+    const double dots = format == FigureFormat::png ? raster : vector_dots;
+    const double unit = smallest_type(spec) / 72.0 * dots;
+    const Sheet sheet = sheet_of(run.scene(), spec);
+    const PixelSize size{static_cast<int>(std::lround(sheet.width * unit)),
+                         static_cast<int>(std::lround(sheet.height * unit))};
+    Canvas canvas =
+        format == FigureFormat::png
+            ? Canvas(size)
+            : Canvas(size, format == FigureFormat::svg ? VectorFormat::svg : VectorFormat::pdf,
+                     words);
+    DiskPainter disks;
+    const Page page{{0.0, 0.0, double(size.width), double(size.height)},
+                    unit,
+                    theme(kind_of(spec.theme)),
+                    disks};
+    canvas.fill_all(page.theme.page);
+    if (is_gas(spec))
+        draw_gas(canvas, page, sheet, figure);
+    else
+        draw_plot(canvas, page, sheet, figure);
+    return canvas;
+}
+
+}  // namespace carom

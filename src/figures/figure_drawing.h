@@ -1,0 +1,26 @@
+// How a figure is drawn: as large as a text's column, its page or a slide asks, with type of the
+// size that is usual there, on pixels, as SVG or as PDF.
+#pragma once
+
+#include <string>
+
+#include "draw/canvas.h"
+#include "figures/figure_run.h"
+
+namespace carom {
+
+enum class FigureFormat { svg, pdf, png };
+
+/// svg, pdf, png: the ending of its files, too.
+std::string name_of(FigureFormat format);
+
+/// The smallest type, points: labels of axes. Titles are 1.15 times as large.
+double smallest_type(const FigureSpec& spec);
+
+/// The picture of a figure; `words` are its title and description. PNG has 300 pixels to the inch
+/// (a slide 144), vector pictures the same lengths in centimetres to a quarter of a millimetre.
+/// Throws SystemError.
+Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
+                   const PictureWords& words);
+
+}  // namespace carom

@@ -1,0 +1,104 @@
+// Figures: what they show, how large they are, and that they are the same every time.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
+#include "scene/load.h"
+
+using namespace carom;
+
+namespace {
+
+Scene scene_of(const std::string& figures) {
+    return load_scene_text(
+        "title: Ten disks\nbox: {size: [40, 30]}\n"
+        "gas: [{count: 10, radius: 1, speed: 2}]\nrun: {until: 10}\nfilm: {seconds: 2}\n"
+        "figures:\n" +
+            figures,
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+}
+
+FigureRun run_of(const Scene& scene) {
+    return {scene, [&] { return Simulation(scene.gas, scene.run); }};
+}
+
+Canvas drawn(const FigureRun& run, std::size_t index, FigureFormat format) {
+    return draw_figure(run, run.figures()[index], format, {"title", "words"});
+}
+
+}  // namespace
+
+TEST_CASE("a figure has the width of a column, a page or a slide, and type to match") {
+    const Scene scene = scene_of(
+        "  - {name: a, kind: speed-histogram}\n  - {name: b, kind: gas, size: page}\n"
+        "  - {name: c, kind: gas, size: slide}\n  - {name: d, kind: entropy, size: [10, 5]}\n");
+    const FigureRun run = run_of(scene);
+    const auto centimetres = [](int pixels, double dots) { return pixels / dots * 2.54; };
+    // Whole pixels: half of one is 0.04 mm in PNG, 0.13 mm in vector pictures.
+    CHECK(std::abs(centimetres(drawn(run, 0, FigureFormat::png).size().width, 300) - 8.9) < 0.005);
+    CHECK(std::abs(centimetres(drawn(run, 0, FigureFormat::svg).size().width, 96) - 8.9) < 0.014);
+    CHECK(std::abs(centimetres(drawn(run, 1, FigureFormat::pdf).size().width, 96) - 18.3) < 0.014);
+    const Canvas slide = drawn(run, 2, FigureFormat::png);
+    CHECK(slide.size().width == 1920);
+    CHECK(slide.size().height == 1080);
+    const PixelSize own = drawn(run, 3, FigureFormat::png).size();
+    CHECK(std::abs(centimetres(own.width, 300) - 10.0) < 0.005);
+    CHECK(std::abs(centimetres(own.height, 300) - 5.0) < 0.005);
+    // Type of 6 to 8 points in print, at least 24 on slides; titles are 1.15 times the smallest.
+    CHECK(smallest_type(scene.figures[0]) >= 6.0);
+    CHECK(1.15 * smallest_type(scene.figures[0]) <= 8.0);
+    CHECK(smallest_type(scene.figures[2]) >= 24.0);
+}
+
+TEST_CASE("no figure of a text is higher than its page") {
+    Scene scene = scene_of("  - {name: a, kind: gas, size: page}\n");
+    scene.gas.box.size = {40, 400};
+    const FigureRun run = run_of(scene);
+    CHECK(drawn(run, 0, FigureFormat::png).size().height <= std::lround(17.0 / 2.54 * 300));
+}
+
+TEST_CASE("a figure shows the gas at its very time, whatever frames the film has") {
+    const Scene scene = scene_of(
+        "  - {name: a, kind: gas, at: 3.14159}\n  - {name: b, kind: gas, strip: [0, 1.5, 10]}\n"
+        "  - {name: c, kind: speed-histogram, over: [2, 5.25]}\n  - {name: d, kind: entropy}\n");
+    const FigureRun run = run_of(scene);
+    Simulation simulation(scene.gas, scene.run);
+    const auto times = [&](std::size_t index) {
+        std::vector<double> all;
+        for (const FigureMoment& moment : run.figures()[index].moments) all.push_back(moment.time);
+        return all;
+    };
+    CHECK(times(0) == std::vector<double>{3.14159});
+    CHECK(times(1) == std::vector<double>{0.0, 1.5, 10.0});
+    CHECK(times(2) == std::vector<double>{5.25});
+    CHECK(times(3) == std::vector<double>{10.0});
+    CHECK(run.figures()[0].moments[0].collisions.particle ==
+          simulation.advance_to(3.14159).counts.particle);
+    CHECK(scene.figures[2].panel.over->window == 3.25);
+}
+
+TEST_CASE("two runs give the same bytes in every format") {
+    const Scene scene =
+        scene_of("  - {name: a, kind: gas, strip: [0, 5]}\n  - {name: b, kind: speed-histogram}\n");
+    const FigureRun one = run_of(scene), two = run_of(scene);
+    for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
+        for (const std::size_t index : {0U, 1U})
+            CHECK(drawn(one, index, format).file() == drawn(two, index, format).file());
+}
+
+TEST_CASE("captions are the scene's, or made of true numbers") {
+    const Scene scene = scene_of(
+        "  - {name: a, kind: gas, at: 5, caption: Mine, alt: \"Seen, in words\"}\n"
+        "  - {name: b, kind: speed-histogram, at: 5}\n");
+    const FigureRun run = run_of(scene);
+    CHECK(words_of(run, run.figures()[0]).caption == "Mine");
+    CHECK(words_of(run, run.figures()[0]).alt == "Seen, in words");
+    Simulation simulation(scene.gas, scene.run);
+    const auto count = simulation.advance_to(5.0).counts.particle;
+    CHECK(words_of(run, run.figures()[1]).caption ==
+          "Ten disks. Speed histogram at time 5: 10 disks, " + std::to_string(count) +
+              (count == 1 ? " collision" : " collisions") + " between them so far; reduced units.");
+}

@@ -24,8 +24,11 @@ namespace {
 struct Moment {
     int frame = 0;
     double time = 0.0;
-    bool reversed = false;     ///< just now
-    bool ends = false;         ///< the film
+    bool reversed = false;  ///< just now
+    bool ends = false;      ///< the film
+    bool is_title = false;  ///< the title card
+    std::string mark = {};  ///< the words of places that are marked just now
+    std::string end_card = {};
     std::string caption = {};  ///< that comes up just now
     std::int64_t collisions = 0;
     double mean_speed = 0.0, mean_energy = 0.0;
@@ -65,7 +68,19 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (!caption.words.empty() && caption.first <= caption.last && caption.last >= span.first &&
             caption.first < span.end)
             at(std::max(caption.first, span.first)).caption = caption.words;
-    at(span.first);
+    for (const Mark& mark : scene.marks) {
+        const auto shown = std::ranges::find_if(ticks, [&](const Tick& tick) {
+            return tick.frame >= span.first && tick.time >= mark.at && !is_card(tick.phase);
+        });
+        if (shown != ticks.end() && shown->frame < span.end) at(shown->frame).mark = mark.words;
+    }
+    const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
+    if (card != ticks.end() && card->frame < span.end)
+        at(card->frame).end_card = scene.film.end_card;
+    at(span.first).is_title = is_card(ticks[static_cast<std::size_t>(span.first)].phase);
+    const auto gas = std::ranges::find_if(
+        ticks, [&](const Tick& tick) { return tick.frame >= span.first && !is_card(tick.phase); });
+    if (gas != ticks.end() && gas->frame < span.end) at(gas->frame);
     at(when_it_stopped(ticks, span.end - 1, span.first)).ends = true;
     for (int quarter = 1; quarter < 4; ++quarter) {
         const int frame = span.first + quarter * span.frames() / 4;
@@ -148,11 +163,26 @@ std::string picture_words(const Scene& scene) {
     return text;
 }
 
+// What is seen or happens at a moment, for a description.
+std::string happening(const Moment& moment) {
+    std::string text;
+    if (moment.ends) text += "The film ends. ";
+    if (moment.reversed) text += "All velocities are reversed. ";
+    if (!moment.mark.empty())
+        text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
+                            moment.mark);
+    if (!moment.end_card.empty()) text += fmt::format("The last words: “{}”. ", moment.end_card);
+    return text;
+}
+
 // What begins at a moment.
-std::string heading(const Moment& moment, const Scene& scene, const FrameSpan& span) {
+std::string heading(const Moment& moment, const Scene& scene) {
     if (!moment.caption.empty()) return moment.caption;
+    if (!moment.end_card.empty()) return moment.end_card;
+    if (moment.is_title) return scene.title;
     if (moment.reversed) return "Velocities reversed";
-    if (moment.frame == span.first && span.first == 0) return "The start";
+    if (!moment.mark.empty()) return moment.mark;
+    if (moment.time == 0.0) return "The start";
     return "Time " + three_digits(folded_time(scene.run, moment.time));
 }
 
@@ -163,8 +193,8 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
         if (!scene.subtitle.empty()) text += sentence(scene.subtitle) + " ";
         text += sentence(scene.description) + " " + picture_words(scene) + " ";
     }
-    if (moment.reversed) text += "All velocities are reversed. ";
-    if (moment.ends) text += "The film ends. ";
+    text += happening(moment);
+    if (!moment.end_card.empty()) return text;
     return text + numbers_of(moment, scene);
 }
 
@@ -177,10 +207,11 @@ std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments
                         sentence(scene.description), picture_words(scene));
     for (const Moment& moment : moments) {
         text += fmt::format("\n{}  ", clock_text(seconds_at(moment.frame, scene, span)));
-        if (moment.ends) text += "The film ends. ";
-        if (moment.reversed) text += "All velocities are reversed. ";
+        text += happening(moment);
         if (!moment.caption.empty()) text += fmt::format("“{}” ", moment.caption);
-        text += numbers_of(moment, scene) + "\n";
+        if (moment.end_card.empty()) text += numbers_of(moment, scene);
+        while (text.ends_with(' ')) text.pop_back();
+        text += "\n";
     }
     return text;
 }
@@ -200,14 +231,19 @@ FilmWords words_of_film(const Scene& scene, const FrameSpan& span) {
     for (const CaptionSpan& caption : caption_schedule(scene))
         captions.push_back({std::max(0.0, caption.start - begin),
                             std::min(end, caption.end - begin), caption.words});
+    for (const Moment& moment : moments)
+        if (!moment.end_card.empty())
+            captions.push_back({seconds_at(moment.frame, scene, span), end, moment.end_card});
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const double start = seconds_at(moments[i].frame, scene, span);
         const bool last = i + 1 == moments.size();
         const double next = last ? end : seconds_at(moments[i + 1].frame, scene, span);
         descriptions.push_back({start, next, description_of(moments[i], scene, span)});
-        if (!last) chapters.push_back({start, next, heading(moments[i], scene, span)});
+        if (moments[i].ends && !chapters.empty())
+            chapters.back().end = next;
+        else
+            chapters.push_back({start, next, heading(moments[i], scene)});
     }
-    if (!chapters.empty()) chapters.back().end = end;
     return {webvtt(captions), webvtt(chapters), webvtt(descriptions),
             transcript_of(scene, moments, span)};
 }

@@ -83,3 +83,17 @@ TEST_CASE("captions and reversals are told when they come") {
     CHECK(contains(part.captions, "00:00:00.000 --> 00:00:02.000\nA bead"));
     CHECK(contains(part.transcript, "A silent film of 0:04."));
 }
+
+TEST_CASE("cards and marks are told too") {
+    const FilmWords words = words_of(row_of_beads(
+        "run: {until: 9, events: [{at: 3, mark: Where they were}]}\n"
+        "film: {seconds: 30, fps: 10, title_card: true, end_card: Who has the speed now!}\n"));
+    CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:03.000\nA row of beads\n"));
+    CHECK(contains(words.chapters, "\nWhere they were\n"));
+    CHECK(contains(words.chapters, "00:00:26.000 --> 00:00:30.000\nWho has the speed now!\n"));
+    CHECK(contains(words.captions, "00:00:26.000 --> 00:00:30.000\nWho has the speed now!\n"));
+    CHECK(contains(words.transcript,
+                   "The places of all particles stay in sight as outlines: “Where they were”. Time "
+                   "3.0"));
+    CHECK(contains(words.transcript, "\n0:26  The last words: “Who has the speed now!”.\n"));
+}

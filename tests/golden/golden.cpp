@@ -1,16 +1,18 @@
 // Small pictures of scenes, and of those here that show what the scenes do not, against those kept
-// here. On a difference of more than 2 in a
-// channel, the picture and a map of the difference are left in build/golden/. CAROM_UPDATE_GOLDEN=1
-// makes the kept ones anew.
+// here. On a difference of more than 2 in a channel the picture and a map of the difference are
+// left in build/golden/; a vector picture is compared as text, and the lines that differ are left
+// there. CAROM_UPDATE_GOLDEN=1 makes the kept ones anew.
 #include <cairo.h>
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "support/files.h"
 #include "support/process.h"
 
 using namespace carom::test;
@@ -58,22 +60,43 @@ int difference(const Picture& expected, const Picture& found, const fs::path& ma
     return largest;
 }
 
-void compare(const std::string& scene, const std::string& at, const std::string& theme) {
-    const std::string name = scene + "-" + at + "-" + theme + ".png";
+/// A picture as it is kept, and as it is drawn.
+struct Pair {
+    fs::path kept, drawn;
+};
+
+/// Draws a frame of a scene; where pictures are made anew it is the kept one too.
+Pair draw(const std::string& scene, const std::string& at, const std::string& theme,
+          const std::string& format) {
+    const std::string name = scene + "-" + at + "-" + theme + "." + format;
     CAPTURE(name);
-    const fs::path kept = fs::path(CAROM_TEST_ROOT) / "tests/golden" / name;
-    const fs::path drawn = fs::path(CAROM_GOLDEN_OUTPUT) / name;
+    const Pair pair{fs::path(CAROM_TEST_ROOT) / "tests/golden" / name,
+                    fs::path(CAROM_GOLDEN_OUTPUT) / name};
     fs::path file = fs::path(CAROM_TEST_ROOT) / "scenes" / (scene + ".yaml");
     if (!fs::exists(file)) file = fs::path(CAROM_TEST_ROOT) / "tests/golden" / (scene + ".yaml");
     const Outcome outcome = run({CAROM_PROGRAM, "still", file.string(), "--at", at, "--theme",
-                                 theme, "--size", "480x270", "-o", drawn.string(), "--quiet"});
+                                 theme, "--size", "480x270", "-o", pair.drawn.string(), "--quiet"});
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr) {
-        fs::copy_file(drawn, kept, fs::copy_options::overwrite_existing);
-        return;
-    }
-    REQUIRE(fs::exists(kept));
+    if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr)
+        fs::copy_file(pair.drawn, pair.kept, fs::copy_options::overwrite_existing);
+    REQUIRE(fs::exists(pair.kept));
+    return pair;
+}
+
+void compare_text(const std::string& scene, const std::string& at, const std::string& theme) {
+    const auto [kept, drawn] = draw(scene, at, theme, "svg");
+    CAPTURE(drawn.string());
+    const bool same = contents(kept) == contents(drawn);
+    const fs::path lines = drawn.string() + ".difference.txt";
+    if (!same) std::ofstream(lines) << run({"diff", "-u", kept.string(), drawn.string()}).out;
+    CHECK(same);
+    if (same) fs::remove(drawn);
+}
+
+void compare(const std::string& scene, const std::string& at, const std::string& theme) {
+    const auto [kept, drawn] = draw(scene, at, theme, "png");
+    CAPTURE(drawn.string());
     const Picture expected(kept);
     const Picture found(drawn);
     REQUIRE(expected.width == found.width);
@@ -97,4 +120,7 @@ TEST_CASE("small pictures of the scenes are as they were") {
     compare("words", "11", "dark");
     compare("wire", "9", "dark");
     compare("ring", "14", "light");
+    compare("single-collision", "7", "light");
 }
+
+TEST_CASE("a vector picture is as it was, line by line") { compare_text("vector", "2", "light"); }

@@ -28,6 +28,7 @@ struct GasState : PanelState {
     float label_alpha = 0.0F;
     std::shared_ptr<const Ghosts> ghosts;  // may be null
     double ghost_words = 0.0;
+    std::vector<Flash> flashes;
 
     std::size_t bytes() const override {
         std::size_t sum = x.size() * (2 * sizeof(float) + 1) + vx.size() * 2 * sizeof(float);
@@ -94,7 +95,7 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
 }  // namespace
 
 GasPanel::GasPanel(const Cast& cast)
-    : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene) {
+    : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene), flashes_(cast) {
     choose_particles();
     trails_.resize(chosen_.size());
 }
@@ -102,12 +103,24 @@ GasPanel::GasPanel(const Cast& cast)
 void GasPanel::survey(const Observation& observation) {
     colors_.survey(observation);
     arrows_.survey(observation);
+    flashes_.survey(observation, [this](const Collision& collision) {
+        const double first = cast_.particles.radius[collision.first];
+        const double share = first / (first + cast_.particles.radius[collision.second]);
+        Eigen::Array2d at = collision.first_position +
+                            share * (collision.second_position - collision.first_position);
+        const Box& box = cast_.scene.gas.box;
+        for (int axis = 0; axis < 2; ++axis)
+            if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+                at[axis] -= box.size[axis] * std::floor(at[axis] / box.size[axis]);
+        return Point{at[0], at[1]};
+    });
 }
 
 // A fast disk's arrow is twice as long as a disk is wide, unless that is hardly seen or fills the
 // box.
 void GasPanel::settle() {
     colors_.settle();
+    flashes_.settle();
     const double side = cast_.scene.gas.box.size.minCoeff();
     arrows_.settle(std::clamp(4.0 * cast_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
@@ -163,6 +176,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
     ghosts_.see(observation.tick, observation.sample.position);
     state->ghosts = ghosts_.present();
     state->ghost_words = ghosts_.words_alpha(observation.tick);
+    state->flashes = flashes_.at(observation.tick);
     extend_trails(observation);
     for (const std::deque<TrailPoint>& trail : trails_) {
         GasState::Trail& copy = state->trails.emplace_back();
@@ -206,7 +220,8 @@ void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) c
     if (cast_.scene.film.labels == Labels::none) draw_infinite(canvas, page, state);
     if (cast_.scene.film.labels != Labels::none) draw_labels(canvas, page, state);
     draw_chosen(canvas, page, state);
-    draw_remark(canvas, page);
+    draw_flashes(canvas, page, state);
+    draw_remarks(canvas, page);
     canvas.release_clip();
     draw_arrows(canvas, page, state);
     const auto& gas = static_cast<const GasState&>(state);
@@ -292,31 +307,35 @@ void GasPanel::draw_infinite(Canvas& canvas, const Page& page, const PanelState&
     }
 }
 
-// Disks that are drawn larger than they are make a gas look denser than it is.
-void GasPanel::draw_remark(Canvas& canvas, const Page& page) const {
+void GasPanel::draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const Box& box = cast_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, page, box);
+    const double reach = flash_reach * page.unit / to_pixels.scale;
+    for (const Flash& flash : static_cast<const GasState&>(state).flashes)
+        for_each_image(box, flash.place, reach, [&](Point image) {
+            draw_flash(canvas, page, to_pixels(image.x, image.y), flash.share);
+        });
+}
+
+// Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
+// left out make it look calmer.
+void GasPanel::draw_remarks(Canvas& canvas, const Page& page) const {
     const Rect box = frame_in(page.area);
+    double foot = box.bottom();
+    if (draw_remark(canvas, page, {box.right(), foot}, box.width, flashes_.remarks()))
+        foot -= 1.5 * page.unit;
     const double scale = mapping(*this, page, cast_.scene.gas.box).scale;
     const Eigen::ArrayXd& radius = cast_.particles.radius;
     const double smallest = radius.minCoeff();
     if (!(smallest * scale < least_radius)) return;
     const double largest = (radius * scale < least_radius).select(radius, smallest).maxCoeff();
-    const double u = page.unit;
-    TextStyle style = label_style(page);
-    style.align = Align::right;
     std::vector<std::string> words{"disks drawn larger than their radius of " +
                                    three_digits(smallest)};
     if (largest > smallest)
         words = {"disks drawn larger than their radii of " + three_digits(smallest) + " to " +
                  three_digits(largest)};
     words.emplace_back("disks drawn larger than they are");
-    const std::string& fitting = fitting_title(
-        {{box.x, box.y, box.width - 2.0 * u, box.height}, u, page.theme, page.disks}, words);
-    const double width = measure_text(fitting, style).width;
-    if (width > box.width - 2.0 * u) return;
-    const Point foot{box.right() - 0.6 * u, box.bottom() - 0.6 * u};
-    canvas.fill({foot.x - width - 0.4 * u, foot.y - 1.1 * u, width + 0.8 * u, 1.5 * u},
-                with_alpha(page.theme.ground, plate_alpha));
-    draw_text(canvas, foot, fitting, style);
+    draw_remark(canvas, page, {box.right(), foot}, box.width, words);
 }
 
 void GasPanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const {

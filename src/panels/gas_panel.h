@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "panels/flashes.h"
 #include "panels/gas_colors.h"
 #include "panels/ghosts.h"
 #include "panels/panel.h"
@@ -26,6 +27,7 @@ class GasPanel : public Panel {
 
     /// A trail needs the collisions on the way.
     bool wants_collisions() const override { return !chosen_.empty(); }
+    bool surveys_collisions() const override { return flashes_.asked(); }
 
     /// The box is as large as fits, at the area's left; in its middle where no panel stands right
     /// of it.
@@ -52,12 +54,14 @@ class GasPanel : public Panel {
     void draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_remark(Canvas& canvas, const Page& page) const;
+    void draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_remarks(Canvas& canvas, const Page& page) const;
 
     Cast cast_;
     GasColors colors_;
     VelocityArrows arrows_;
     GhostKeeper ghosts_;
+    Flashes flashes_;
     std::vector<Chosen> chosen_;
     std::vector<std::deque<TrailPoint>>
         trails_;                   ///< one for each chosen particle, as of the last state

@@ -50,6 +50,23 @@ std::string fitting_title(const Page& page, const std::vector<std::string>& titl
     return titles.back();
 }
 
+bool draw_remark(Canvas& canvas, const Page& page, Point corner, double width,
+                 const std::vector<std::string>& remarks) {
+    const double u = page.unit;
+    TextStyle style = label_style(page);
+    style.align = Align::right;
+    for (const std::string& words : remarks) {
+        const double wide = measure_text(words, style).width;
+        if (wide > width - 2.0 * u) continue;
+        const Point foot{corner.x - 0.6 * u, corner.y - 0.6 * u};
+        canvas.fill({foot.x - wide - 0.4 * u, foot.y - 1.1 * u, wide + 0.8 * u, 1.5 * u},
+                    with_alpha(page.theme.ground, plate_alpha));
+        draw_text(canvas, foot, words, style);
+        return true;
+    }
+    return false;
+}
+
 std::string colored(const std::string& text, Color color, const Theme& theme) {
     return fmt::format("<span foreground=\"#{:06x}\">{}</span>",
                        to_pixel(legible(color, theme)) & 0xFFFFFF, escape_markup(text));

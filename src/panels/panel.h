@@ -108,6 +108,11 @@ void draw_panel_title(Canvas& canvas, const Page& page, const std::string& marku
 /// The first of some titles (markup, from the longest on) that is not cut; if all are, the last.
 std::string fitting_title(const Page& page, const std::vector<std::string>& titles);
 
+/// The longest of some remarks (plain words) that fits into `width`, on a plate of the ground in
+/// the corner whose lower right is `corner`; whether any did.
+bool draw_remark(Canvas& canvas, const Page& page, Point corner, double width,
+                 const std::vector<std::string>& remarks);
+
 /// `text` in a colour, or the nearest to it that can be read, as markup.
 std::string colored(const std::string& text, Color color, const Theme& theme);
 

@@ -33,6 +33,7 @@ struct WireState : PanelState {
     double label_alpha = 0.0;
     std::shared_ptr<const Ghosts> ghosts;  // may be null
     double ghost_words = 0.0;
+    std::vector<Flash> flashes;
 
     std::size_t bytes() const override {
         std::size_t sum = places.size() * (sizeof(float) + 1) + velocities.size() * sizeof(float);
@@ -94,9 +95,25 @@ void WirePanel::survey(const Observation& observation) {
     if (!map_) map_.emplace(cast_, observation.sample);
     colors_.survey(observation);
     arrows_.survey(observation);
+    survey_flashes(observation);
     const CollisionCounts& counts = observation.passage.counts;
     bends_.push_back(
         {observation.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
+}
+
+// Between the two beads as they are drawn.
+void WirePanel::survey_flashes(const Observation& observation) {
+    if (!flashes_.asked()) return;
+    if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(observation.sample, {});
+    flashes_.survey(observation, [this](const Collision& collision) {
+        const Eigen::Index i = collision.first;
+        const double toward = collision.second_position[0] - collision.first_position[0];
+        const double now = map_->place(i, collision.first_position[0], surveyed_places_[i]);
+        const bool is_right =
+            toward != 0.0 ? toward > 0.0 : now < surveyed_places_[collision.second];
+        return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
+    });
+    surveyed_places_ = map_->places(observation.sample, surveyed_places_);
 }
 
 // The median over parts of the run, so that a short burst does not count.
@@ -116,6 +133,7 @@ double WirePanel::usual_rate() const {
 // fast nor too slow to be followed.
 void WirePanel::settle() {
     colors_.settle();
+    flashes_.settle();
     const double length = map_->length();
     const double spacing = length / static_cast<double>(cast_.particles.count());
     arrows_.settle(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
@@ -152,6 +170,7 @@ std::shared_ptr<const PanelState> WirePanel::state(const Observation& observatio
     ghosts_.see(observation.tick, places);
     state->ghosts = ghosts_.present();
     state->ghost_words = ghosts_.words_alpha(observation.tick);
+    state->flashes = flashes_.at(observation.tick);
     state->reversals = lines_->reversals(now);
     const double seconds = cast_.fades ? observation.tick.seconds : 0.0;
     state->label_alpha = std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0);
@@ -215,7 +234,9 @@ void WirePanel::draw(Canvas& canvas, const Page& page, const PanelState& state) 
     canvas.clip_to({v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
     draw_ghosts(canvas, page, state);
     draw_beads(canvas, page, state);
+    draw_flashes(canvas, page, state);
     canvas.release_clip();
+    draw_remark(canvas, page, {v.plot.right(), v.plot.bottom()}, v.plot.width, flashes_.remarks());
     draw_arrows(canvas, page, state);
     draw_words(canvas, page, state);
     const auto& now = static_cast<const WireState&>(state);
@@ -376,6 +397,13 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
         }
     }
     page.disks.draw(canvas, disks, {v.plot.x, page.area.y, v.plot.width, v.plot.y - page.area.y});
+}
+
+void WirePanel::draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const View v = view(page);
+    for (const Flash& flash : static_cast<const WireState&>(state).flashes)
+        for (const Point& at : seen_at(flash.place.x, flash_reach * page.unit, v))
+            draw_flash(canvas, page, at, flash.share);
 }
 
 // Under the beads, those to the right above those to the left: on the wire, or in one row, those of

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "panels/flashes.h"
 #include "panels/gas_colors.h"
 #include "panels/ghosts.h"
 #include "panels/panel.h"
@@ -17,7 +18,7 @@ namespace carom {
 class WirePanel : public Panel {
   public:
     explicit WirePanel(const Cast& cast)
-        : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene) {}
+        : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene), flashes_(cast) {}
 
     void survey(const Observation& observation) override;
     void settle() override;
@@ -26,6 +27,7 @@ class WirePanel : public Panel {
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
     void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
     bool wants_collisions() const override { return true; }
+    bool surveys_collisions() const override { return flashes_.asked(); }
 
     /// For tests: the simulated time that the world lines show.
     double memory() const { return memory_; }
@@ -36,6 +38,7 @@ class WirePanel : public Panel {
         double time;
         double count;  ///< of all world lines since the start
     };
+    void survey_flashes(const Observation& observation);
     double usual_rate() const;  ///< bends of one world line in a unit of time
     View view(const Page& page) const;
     bool is_ring() const;
@@ -53,6 +56,7 @@ class WirePanel : public Panel {
     void draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
                    double alpha) const;
@@ -62,11 +66,12 @@ class WirePanel : public Panel {
     GasColors colors_;
     VelocityArrows arrows_;
     GhostKeeper ghosts_;
+    Flashes flashes_;
     std::optional<WireMap> map_;  ///< from the first frame on
     std::vector<Bends> bends_;    ///< at each frame of the first pass
     double memory_ = 1.0;
     std::optional<WorldLines> lines_;  ///< after settle()
-    Eigen::ArrayXd last_places_;
+    Eigen::ArrayXd surveyed_places_, last_places_;
 };
 
 }  // namespace carom

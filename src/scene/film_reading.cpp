@@ -265,6 +265,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
     film.palette = fields.text("palette");
     film.labels = read_labels(fields.text("labels"));
     read_velocities(fields, film);
+    film.flashes = fields.flag("flashes").value_or(false);
     film.monitors = read_monitors(fields.given("monitors"), {gas, run}, errors);
     read_cards(fields, film);
     film.trails = read_trails(fields, gas, errors);

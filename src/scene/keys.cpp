@@ -419,6 +419,9 @@ vector<Key> film_keys() {
                    "Arrows of velocity on disks and beads: whether there are any, or how much "
                    "simulated time they look ahead, so that an arrow is velocity * time long.",
                    {flag(), number(positive)}}),
+        otherwise("false", {"flashes",
+                            "A short mark where two particles touch, three a second at most.",
+                            {flag()}}),
         otherwise("false",
                   {"title_card",
                    "A picture before the film with title and subtitle: whether there is one, of 3 "

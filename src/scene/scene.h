@@ -149,6 +149,7 @@ struct Film {
     bool velocities = false;  ///< whether arrows show them
     std::optional<double>
         velocity_scale;       ///< an arrow's length over its velocity, a time; none: by rule
+    bool flashes = false;     ///< whether a mark shows where two particles touch
     double title_card = 0.0;  ///< seconds; 0: none
     std::string end_card;     ///< its words; empty: none
     Trails trails;

@@ -33,6 +33,14 @@ void write_figure(const FigureRun& run, const Figure& figure, FigureFormat forma
     file.commit();
 }
 
+void write_table(const Figure& figure, const fs::path& folder) {
+    const Table table = table_of(figure);
+    if (table.columns.empty()) return;  // words
+    AtomicFile file(folder / (figure.spec->name + ".csv"));
+    file.write(csv(table));
+    file.commit();
+}
+
 void make_figures(const FiguresArguments& arguments, const std::string& name) {
     const Scene scene = load_scene(name, templates_folder(), overrides_of(arguments));
     require_letters(scene);
@@ -41,10 +49,12 @@ void make_figures(const FiguresArguments& arguments, const std::string& name) {
     const fs::path folder =
         arguments.output.empty() ? fs::path("out") / scene_stem(name) : fs::path(arguments.output);
     const FigureRun run(scene, [&] { return simulate(scene); });
-    for (const Figure& figure : run.figures())
+    for (const Figure& figure : run.figures()) {
         for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
             if (std::ranges::find(arguments.formats, name_of(format)) != arguments.formats.end())
                 write_figure(run, figure, format, folder);
+        write_table(figure, folder);
+    }
     if (!arguments.quiet) fmt::print("{}: {} figures\n", folder.string(), run.figures().size());
 }
 

@@ -4,24 +4,17 @@
 #include <iterator>
 
 #include "stats/mechanics.h"
+#include "util/csv.h"
 
 namespace carom {
 namespace {
 
 constexpr std::size_t most_buffered = 1 << 20;
 
-// RFC 4180: a field with a comma, a quote or a line break stands in quotes, its quotes doubled.
-std::string as_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string field = "\"";
-    for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-    return field + "\"";
-}
-
 }  // namespace
 
 SamplesCsv::SamplesCsv(const Gas& gas, Output& output) : output_(output) {
-    for (const Species& species : gas.species) species_.push_back(as_field(species.name));
+    for (const Species& species : gas.species) species_.push_back(csv_field(species.name));
     output_.write(gas.box.dimension == 1 ? "time,particle,species,mass,radius,x,vx\n"
                                          : "time,particle,species,mass,radius,x,y,vx,vy\n");
 }
@@ -36,7 +29,7 @@ void SamplesCsv::name_rows(const Particles& particles) {
 
 void SamplesCsv::add(const Particles& particles, const Sample& sample) {
     if (labels_.empty()) name_rows(particles);
-    const std::string time = fmt::format("{:.17g}", sample.time);
+    const std::string time = csv_number(sample.time);
     const auto out = std::back_inserter(buffer_);
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         fmt::format_to(out, "{}{}", time, labels_[static_cast<std::size_t>(i)]);

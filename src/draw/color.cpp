@@ -1,5 +1,7 @@
 #include "draw/color.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -45,5 +47,7 @@ double contrast(Color a, Color b) {
     const auto [darker, lighter] = std::minmax({relative_luminance(a), relative_luminance(b)});
     return (lighter + 0.05) / (darker + 0.05);
 }
+
+std::string hex_of(Color color) { return fmt::format("#{:06x}", to_pixel(color) & 0xFFFFFF); }
 
 }  // namespace carom

@@ -34,6 +34,9 @@ Color mix(Color a, Color b, double share);
 /// 0xAARRGGBB, opaque colours only (alpha is taken as 1), channels rounded to nearest.
 std::uint32_t to_pixel(Color color);
 
+/// #rrggbb, without the alpha.
+std::string hex_of(Color color);
+
 /// Relative luminance of WCAG 2.2, dimensionless in [0, 1].
 double relative_luminance(Color color);
 

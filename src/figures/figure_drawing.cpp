@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "util/text.h"
 
@@ -121,6 +122,24 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat form
     else
         draw_plot(canvas, page, sheet, figure);
     return canvas;
+}
+
+Table table_of(const Figure& figure) {
+    const Theme& colors = theme(kind_of(figure.spec->theme));
+    Table whole;
+    for (const FigureMoment& moment : figure.moments) {
+        Table table = figure.panel->table(*moment.state, colors);
+        if (figure.moments.size() == 1) return table;
+        for (std::vector<Cell>& row : table.rows) {
+            std::vector<Cell>& timed = whole.rows.emplace_back();
+            timed.reserve(row.size() + 1);
+            timed.emplace_back(moment.time);
+            std::ranges::move(row, std::back_inserter(timed));
+        }
+        whole.columns = std::move(table.columns);
+    }
+    whole.columns.insert(whole.columns.begin(), column_name("picture at", reduced::time));
+    return whole;
 }
 
 }  // namespace carom

@@ -23,4 +23,7 @@ double smallest_type(const FigureSpec& spec);
 Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
                    const PictureWords& words);
 
+/// What the picture shows, as numbers; of a strip with the time of each picture first.
+Table table_of(const Figure& figure);
+
 }  // namespace carom

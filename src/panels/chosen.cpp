@@ -57,4 +57,11 @@ std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, c
     return words;
 }
 
+std::string single_name(const Cast& cast, Eigen::Index particle) {
+    const auto species = static_cast<std::size_t>(cast.particles.species[particle]);
+    if (cast.scene.gas.species[species].count > 1) return "";
+    const std::string& label = cast.scene.looks[species].label;
+    return label.empty() ? cast.scene.gas.species[species].name : label;
+}
+
 }  // namespace carom

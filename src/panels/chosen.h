@@ -22,6 +22,10 @@ std::optional<double> asked_trail(const Cast& cast, Eigen::Index particle);
 /// "all", the species' name, "particle 3".
 std::string name_of(const Cast& cast, const Chosen& chosen);
 
+/// The label of a particle that is the only one of its species, or the species' name; empty for
+/// others.
+std::string single_name(const Cast& cast, Eigen::Index particle);
+
 /// The colour of a choice among several: the species', wherever it is told apart; single particles
 /// and all have colours that no species has by default. `place`: among the choices.
 Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme);

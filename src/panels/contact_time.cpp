@@ -33,6 +33,7 @@ class ContactTimePanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
   private:
     using Curve = std::function<double(double)>;
@@ -246,6 +247,32 @@ void ContactTimePanel::draw(Canvas& canvas, const Page& page, const PanelState& 
     canvas.stroke_dashed(at, {at.x, s.area.bottom()}, 0.07 * u, 0.25 * u, page.theme.ink);
     canvas.fill_circle(at, 0.5 * u, page.theme.page);
     canvas.fill_circle(at, 0.4 * u, edge_of(page.theme.highlight, page.theme));
+}
+
+Table ContactTimePanel::table(const PanelState& state, const Theme&) const {
+    Table table{{"part", "of", column_name("time", reduced::time),
+                 column_name("squared distance", "length^2")}};
+    const auto add_curve = [&](const char* of, const Curve& curve, double from, double to) {
+        for (int i = 0; i <= curve_points; ++i) {
+            const double time = from + (to - from) * i / curve_points;
+            table.rows.push_back({"curve", of, time, curve(time)});
+        }
+    };
+    const auto parabola = [this](double time) { return met_.free_square(time); };
+    const auto truth = [this](double time) { return met_.square(time); };
+    const double from = std::max(first_, met_.since), to = std::min(last_, met_.until);
+    if (from > first_) add_curve("without the collision before", parabola, first_, from);
+    add_curve("before", truth, from, met_.time);
+    add_curve("after", truth, met_.time, to);
+    add_curve("if they passed through each other", parabola, met_.time, last_);
+    if (contact_ > 0.0)
+        for (const double time : {first_, last_})
+            table.rows.push_back({"level", "contact", time, contact_});
+    table.rows.push_back({"mark", "contact", met_.time, contact_});
+    table.rows.push_back({"mark", "other root", met_.other_root(), contact_});
+    const double now = static_cast<const ContactState&>(state).time;
+    if (now >= from && now <= to) table.rows.push_back({"mark", "present", now, met_.square(now)});
+    return table;
 }
 
 }  // namespace

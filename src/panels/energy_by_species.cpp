@@ -37,7 +37,9 @@ std::unique_ptr<Panel> make_energy_by_species(const Cast& cast, const PanelSpec&
         .color = [cast](std::size_t k,
                         const Theme& theme) { return species_color(cast, k, theme); },
         .title = [cast, spec](const Theme& theme) { return title(cast, spec, theme); },
-        .spreads = true};
+        .spreads = true,
+        .column = column_name("mean energy", reduced::energy)};
+    for (const Species& species : cast.scene.gas.species) subject.names.push_back(species.name);
     if (cast.equilibrium && cast.scene.gas.species.size() > 1)
         subject.reference = [cast]() -> std::optional<ReferenceLevel> {
             return ReferenceLevel{"equal shares", mean_energy(*cast.equilibrium)};

@@ -10,7 +10,8 @@ std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& 
                              .quantity = "energy",
                              .beyond = "higher",
                              .values = [](const Observation& o) { return o.energy; },
-                             .density = energy_density};
+                             .density = energy_density,
+                             .unit = reduced::energy};
     if (cast.equilibrium && cast.equilibrium->alpha < 1.0) subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
 }

@@ -96,7 +96,9 @@ std::unique_ptr<Panel> make_entropy(const Cast& cast, const PanelSpec& spec) {
                                   : std::string("Entropy of the velocities, −<i>H</i>");
             },
         .notes = {"−Σ <i>p</i> ln <i>p</i> over cells of velocity; 0 if all move alike",
-                  "−Σ <i>p</i> ln <i>p</i> over cells of velocity"}};
+                  "−Σ <i>p</i> ln <i>p</i> over cells of velocity"},
+        .column = "entropy (1)",
+        .names = {"all"}};
     if (cast.equilibrium)
         subject.reference = [cells]() -> std::optional<ReferenceLevel> {
             if (!*cells) return std::nullopt;

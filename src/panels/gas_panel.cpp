@@ -417,15 +417,59 @@ void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& s
                                                 line, page.theme.ink);
                        });
 
-        const auto kind = static_cast<std::size_t>(cast_.particles.species[chosen.particle]);
-        const SpeciesLook& look = cast_.scene.looks[kind];
-        const std::string& name =
-            look.label.empty() ? cast_.scene.gas.species[kind].name : look.label;
-        if (gas.label_alpha <= 0.0F || cast_.scene.gas.species[kind].count > 1) continue;
+        const std::string name = single_name(cast_, chosen.particle);
+        if (gas.label_alpha <= 0.0F || name.empty()) continue;
         const Rect disk{at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius};
         draw_name(canvas, page, to_pixels.box, disk, escape_markup(name),
                   static_cast<double>(gas.label_alpha));
     }
+}
+
+std::string GasPanel::label(std::size_t particle, const PanelState& state) const {
+    const auto i = static_cast<Eigen::Index>(particle);
+    const std::string words = words_on(cast_, i, cast_.scene.film.labels);
+    const bool named =
+        static_cast<const GasState&>(state).label_alpha > 0.0F &&
+        std::ranges::any_of(chosen_, [i](const Chosen& c) { return c.particle == i; });
+    return words.empty() && named ? single_name(cast_, i) : words;
+}
+
+// Places are those of the picture, in single precision.
+Table GasPanel::table(const PanelState& state, const Theme& theme) const {
+    const auto& gas = static_cast<const GasState&>(state);
+    Table table{{"part", "particle", "species", column_name("x", reduced::length),
+                 column_name("y", reduced::length), column_name("radius", reduced::length),
+                 "colour", "label"}};
+    if (arrows_.shown())
+        for (const char* name : {"velocity x", "velocity y"})
+            table.columns.push_back(column_name(name, reduced::speed));
+    const std::vector<Color> colors = colors_.of_shades(theme);
+    const auto add = [&](const char* part, std::size_t i, Cell x, Cell y, Cell radius, Cell color,
+                         Cell label) {
+        const int species = cast_.particles.species[static_cast<Eigen::Index>(i)];
+        table.rows.push_back({part, static_cast<std::int64_t>(i),
+                              cast_.scene.gas.species[static_cast<std::size_t>(species)].name,
+                              std::move(x), std::move(y), std::move(radius), std::move(color),
+                              std::move(label)});
+        table.rows.back().resize(table.columns.size());
+    };
+    const Eigen::ArrayXd& radius = cast_.particles.radius;
+    for (std::size_t i = 0; i < gas.x.size(); ++i) {
+        add("disk", i, gas.x[i], gas.y[i], radius[static_cast<Eigen::Index>(i)],
+            hex_of(colors[gas.shades[i] % colors.size()]), label(i, state));
+        if (gas.vx.empty()) continue;
+        table.rows.back()[8] = gas.vx[i];
+        table.rows.back()[9] = gas.vy[i];
+    }
+    for (std::size_t k = 0; k < gas.trails.size(); ++k)
+        for (const Point& place : gas.trails[k].places)
+            add("trail", static_cast<std::size_t>(chosen_[k].particle), place.x, place.y, {},
+                hex_of(theme.ink), {});
+    if (gas.ghosts)
+        for (std::size_t i = 0; i < gas.ghosts->x.size(); ++i)
+            add("mark", i, gas.ghosts->x[i], gas.ghosts->y[i], radius[static_cast<Eigen::Index>(i)],
+                hex_of(theme.muted), gas.ghosts->words);
+    return table;
 }
 
 }  // namespace carom

@@ -22,6 +22,7 @@ class GasPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
     void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
 
@@ -47,6 +48,7 @@ class GasPanel : public Panel {
     void extend_trails(const Observation& observation);
     bool stands_alone() const;
     bool is_filled(std::size_t particle) const;
+    std::string label(std::size_t particle, const PanelState& state) const;
     void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_infinite(Canvas& canvas, const Page& page, const PanelState& state) const;

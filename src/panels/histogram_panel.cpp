@@ -207,4 +207,27 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const Observation& obser
     return state;
 }
 
+Table HistogramPanel::table(const PanelState& state, const Theme&) const {
+    Table table{{"part", "of", column_name(subject_.quantity + " from", subject_.unit),
+                 column_name(subject_.quantity + " to", subject_.unit), "value (count)"}};
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        const Series& one = series_[k];
+        const MeanHistogram& now = histograms(state)[k];
+        const auto add = [&, of = name_of(cast_, one.chosen)](const char* part, Cell from, Cell to,
+                                                              Cell value) {
+            table.rows.push_back({part, of, std::move(from), std::move(to), std::move(value)});
+        };
+        for (int i = 0; i < bins_.count; ++i)
+            add("bar", bins_.edge(i), bins_.edge(i + 1), now.counts[static_cast<std::size_t>(i)]);
+        add("below", {}, bins_.low, now.below);
+        add("above", bins_.high, {}, now.above);
+        for (const Point& point : one.curve) add("curve", point.x, {}, point.y);
+        if (spec_.fit)
+            for (const Point& point : fit_curve(k, now)) add("fit", point.x, {}, point.y);
+        if (marks_mean_now()) add("mean", now.mean, {}, {});
+        if (marks_mean_start()) add("mean at start", one.mean_start, {}, {});
+    }
+    return table;
+}
+
 }  // namespace carom

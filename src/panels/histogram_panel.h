@@ -25,8 +25,9 @@ struct HistogramSubject {
         {};                  ///< of a value in between; wanted where the density is not finite
     bool symmetric = false;  ///< about 0; else values are never negative
     std::optional<std::pair<double, double>> extent =
-        {};             ///< all values are in here; none: as the run shows
-    bool means = true;  ///< marked where the scene does not say
+        {};                             ///< all values are in here; none: as the run shows
+    bool means = true;                  ///< marked where the scene does not say
+    std::string unit = reduced::speed;  ///< of the numbers, in a table
 };
 
 class HistogramPanel : public Panel {
@@ -38,6 +39,7 @@ class HistogramPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
     /// For tests: the fixed bins and the top of the vertical axis.
     const Bins& bins() const { return bins_; }

@@ -271,6 +271,40 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
     }
 }
 
+Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    const auto number = [&](Monitor which) -> std::pair<Cell, const char*> {
+        switch (which) {
+            case Monitor::time:
+                return {now.time, reduced::time};
+            case Monitor::collisions:
+                return {now.collisions, "count"};
+            case Monitor::mean_speed:
+                return {now.mean_speed, reduced::speed};
+            case Monitor::mean_energy:
+                return {now.mean_energy, reduced::energy};
+            case Monitor::slow:
+                return {100.0 * now.shares[0], "per cent"};
+            case Monitor::medium:
+                return {100.0 * now.shares[1], "per cent"};
+            case Monitor::fast:
+                return {100.0 * now.shares[2], "per cent"};
+            case Monitor::all_collisions:
+                return {now.collisions + now.with_walls, "count"};
+            case Monitor::return_distance:
+                if (!now.return_distance) return {{}, reduced::length};
+                return {*now.return_distance, reduced::length};
+        }
+        return {};
+    };
+    Table table{{"part", "of", "value", "unit"}};
+    for (const Monitor which : numbers_) {
+        const auto [value, its_unit] = number(which);
+        table.rows.push_back({"number", column(which).label, value, its_unit});
+    }
+    return table;
+}
+
 std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec) {
     return std::make_unique<MonitorsPanel>(cast, spec.numbers, spec.title);
 }

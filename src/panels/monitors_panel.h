@@ -23,6 +23,7 @@ class MonitorsPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
     bool shows_time() const override;
 
   private:

@@ -12,6 +12,7 @@
 #include "draw/canvas.h"
 #include "draw/disks.h"
 #include "draw/style.h"
+#include "panels/table.h"
 #include "physics/simulation.h"
 #include "physics/theory.h"
 #include "scene/scene.h"
@@ -71,6 +72,10 @@ class Panel {
     /// Draws what changes, over the ground, at most one unit outside of the area. A pure function
     /// of the state.
     virtual void draw(Canvas& canvas, const Page& page, const PanelState& state) const = 0;
+
+    /// What draw_ground() and draw() show, as numbers; colours are those on a theme. No columns
+    /// where there are none.
+    virtual Table table(const PanelState& state, const Theme& theme) const = 0;
 
     /// Whether its states need the collisions on the way.
     virtual bool wants_collisions() const { return false; }

@@ -36,7 +36,10 @@ std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec) {
             [cast, chosen](std::size_t k, const Theme& theme) {
                 return chosen.size() == 1 ? theme.bar : choice_color(cast, chosen[k], k, theme);
             },
-        .breaks_across = 0.5 * box.size[axis]};
+        .breaks_across = 0.5 * box.size[axis],
+        .columns = {column_name("position" + along, reduced::length),
+                    column_name("velocity" + along, reduced::speed)}};
+    for (const Chosen& one : chosen) subject.names.push_back(name_of(cast, one));
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

@@ -21,6 +21,8 @@ struct PointsState : PanelState {
 constexpr std::size_t kept_a_frame = 200;   // numbers that the axis is fixed by
 constexpr std::size_t longest_path = 3000;  // frames: drawing must not grow with the film
 
+std::size_t first_of_path(std::size_t end) { return end > longest_path ? end - longest_path : 0; }
+
 }  // namespace
 
 struct PointsPanel::Scales {
@@ -85,6 +87,12 @@ void PointsPanel::draw_ground(Canvas& canvas, const Page& page) const {
               label_style(page));
 }
 
+// Whether a step goes around the box.
+bool PointsPanel::breaks_between(const Point& from, const Point& to) const {
+    return (subject_.breaks_across > 0.0 && std::abs(to.x - from.x) > subject_.breaks_across) ||
+           (subject_.breaks_up > 0.0 && std::abs(to.y - from.y) > subject_.breaks_up);
+}
+
 void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
                             std::size_t shown) const {
     const Scales s = scales(page);
@@ -92,13 +100,8 @@ void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
     const std::size_t end = std::min(shown, all.size());
     const Color color = edge_of(subject_.color(set, page.theme), page.theme);
     std::vector<Point> path;
-    for (std::size_t i = end > longest_path ? end - longest_path : 0; i < end; ++i) {
-        const bool breaks =
-            !path.empty() &&
-            ((subject_.breaks_across > 0.0 &&
-              std::abs(all[i].x - all[i - 1].x) > subject_.breaks_across) ||
-             (subject_.breaks_up > 0.0 && std::abs(all[i].y - all[i - 1].y) > subject_.breaks_up));
-        if (breaks) {
+    for (std::size_t i = first_of_path(end); i < end; ++i) {
+        if (!path.empty() && breaks_between(all[i - 1], all[i])) {
             canvas.stroke_path(path, 0.1 * page.unit, color);
             path.clear();
         }
@@ -117,6 +120,27 @@ void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state
             canvas.fill_circle(s(point), radius,
                                edge_of(subject_.color(k, page.theme), page.theme));
     }
+}
+
+// A path that goes around the box has several pieces.
+Table PointsPanel::table(const PanelState& state, const Theme&) const {
+    Table table{{"part", "of", "piece (number)", subject_.columns.first, subject_.columns.second}};
+    const auto& now = static_cast<const PointsState&>(state);
+    for (std::size_t k = 0; k < now.sets.size(); ++k) {
+        for (const Point& point : now.sets[k])
+            table.rows.push_back({"point", subject_.names.at(k), {}, point.x, point.y});
+        const std::size_t end = std::min(now.shown, paths_[k].size());
+        std::int64_t piece = 0;
+        for (std::size_t i = first_of_path(end); i < end; ++i) {
+            const Point& point = paths_[k][i];
+            const bool stands = i > first_of_path(end) && point.x == paths_[k][i - 1].x &&
+                                point.y == paths_[k][i - 1].y;
+            if (stands) continue;
+            if (i > first_of_path(end) && breaks_between(paths_[k][i - 1], point)) ++piece;
+            table.rows.push_back({"path", subject_.names.at(k), piece, point.x, point.y});
+        }
+    }
+    return table;
 }
 
 }  // namespace carom

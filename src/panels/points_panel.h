@@ -24,6 +24,8 @@ struct PointsSubject {
     std::function<Color(std::size_t set, const Theme&)> color;
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
     double breaks_up = 0.0;      ///< 0: none does
+    std::pair<std::string, std::string> columns = {};  ///< of a table, with their units
+    std::vector<std::string> names = {};               ///< of the sets, in a table
 };
 
 class PointsPanel : public Panel {
@@ -35,12 +37,14 @@ class PointsPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
     /// For tests: the points of a set in a state.
     static const std::vector<Point>& points(const PanelState& state, std::size_t set);
 
   private:
     struct Scales;
+    bool breaks_between(const Point& from, const Point& to) const;
     Scales scales(const Page& page) const;
     void draw_path(Canvas& canvas, const Page& page, std::size_t set, std::size_t shown) const;
 

@@ -15,7 +15,8 @@ std::unique_ptr<Panel> make_position_histogram(const Cast& cast, const PanelSpec
         .beyond = "",
         .values = [axis](const Observation& o) { return o.sample.position.col(axis); },
         .extent = std::pair{0.0, box.size[axis]},
-        .means = false};
+        .means = false,
+        .unit = reduced::length};
     return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
 }
 

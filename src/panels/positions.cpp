@@ -30,7 +30,10 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
             },
         .color = [](std::size_t, const Theme& theme) { return theme.bar; },
         .breaks_across = 0.5 * length,
-        .breaks_up = 0.5 * length};
+        .breaks_up = 0.5 * length,
+        .columns = {column_name("position of " + name_of(cast, spec.of[0]), reduced::length),
+                    column_name("position of " + name_of(cast, spec.of[1]), reduced::length)},
+        .names = {"both"}};
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

@@ -100,7 +100,10 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
                 return "Pressure " + colored("on the walls", line_color(0, theme), theme) +
                        " and " + virial;
             },
-        .notes = {time_words(over)}};
+        .notes = {time_words(over)},
+        .column =
+            column_name("pressure", box.dimension == 2 ? "mass/time^2" : "mass length/time^2"),
+        .names = {"on the walls", "from collisions"}};
     return std::make_unique<SeriesPanel>(cast, std::move(subject));
 }
 

@@ -25,6 +25,8 @@ bool is_apart(const Point& a, const Point& b, double distance) {
 
 enum class Line { largest, root_mean_square };
 
+const char* name_of(Line line) { return line == Line::largest ? "largest" : "root mean square"; }
+
 double value_of(const WayHome::Step& step, Line line) {
     return line == Line::largest ? step.apart.largest : step.apart.root_mean_square;
 }
@@ -45,6 +47,7 @@ class ReturnDistancePanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
   private:
     struct Scales {
@@ -133,9 +136,8 @@ void ReturnDistancePanel::draw_note(Canvas& canvas, const Page& page) const {
         const std::array sample{Point{x, baseline - 0.35 * u},
                                 Point{x + 1.8 * u, baseline - 0.35 * u}};
         canvas.stroke_path(sample, 0.18 * u, color_of(line, page.theme), dash_of(line, u));
-        const char* name = line == Line::largest ? "largest" : "root mean square";
         x += 2.3 * u;
-        x += draw_text(canvas, {x, baseline}, name, label_style(page)).width + 1.2 * u;
+        x += draw_text(canvas, {x, baseline}, name_of(line), label_style(page)).width + 1.2 * u;
     }
 }
 
@@ -236,6 +238,25 @@ void ReturnDistancePanel::draw(Canvas& canvas, const Page& page, const PanelStat
         for (const Line line : {Line::root_mean_square, Line::largest})
             draw_way(canvas, page, from, std::min(to, shown), line, reversal == present);
     }
+}
+
+Table ReturnDistancePanel::table(const PanelState& state, const Theme&) const {
+    Table table{{"part", "of", "reversal (number)",
+                 column_name("since the reversal", reduced::time),
+                 column_name("distance", reduced::length)}};
+    const std::size_t shown = static_cast<const HomeState&>(state).shown;
+    for (const Line line : {Line::largest, Line::root_mean_square})
+        for (std::size_t k = 0; k < shown; ++k) {
+            const WayHome::Step& step = way_home_.steps()[k];
+            if (step.is_known)
+                table.rows.push_back({"line", name_of(line),
+                                      static_cast<std::int64_t>(step.reversal) + 1, step.since,
+                                      value_of(step, line)});
+        }
+    if (radius_ > 0.0 && std::log10(radius_) >= low_)
+        for (const double since : {0.0, last_})
+            table.rows.push_back({"level", "mean radius", {}, since, radius_});
+    return table;
 }
 
 }  // namespace

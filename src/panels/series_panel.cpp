@@ -191,4 +191,28 @@ void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state
     for (std::size_t k = history_.lines.size(); k-- > 0;) draw_line(canvas, page, k, now.shown);
 }
 
+// Frames in which time stands show one point.
+Table SeriesPanel::table(const PanelState& state, const Theme&) const {
+    Table table{
+        {"part", "of", column_name("time", reduced::time), "reversals (count)", subject_.column}};
+    const std::size_t shown = static_cast<const SeriesState&>(state).shown;
+    for (std::size_t k = 0; k < history_.lines.size(); ++k) {
+        const std::vector<double>& line = history_.lines[k];
+        for (std::size_t i = 0; i < shown; ++i) {
+            const bool stands = i > 0 && history_.time[i] == history_.time[i - 1] &&
+                                history_.leg[i] == history_.leg[i - 1] && line[i] == line[i - 1];
+            if (std::isfinite(line[i]) && !stands)
+                table.rows.push_back({"line", subject_.names.at(k), history_.time[i],
+                                      std::int64_t{history_.leg[i]}, line[i]});
+        }
+    }
+    if (reference_)
+        for (const double time : {first_, last_})
+            table.rows.push_back({"reference", reference_->name, time, {}, reference_->value});
+    for (const RunEvent& event : cast_.scene.run.events)
+        if (std::holds_alternative<ReverseVelocities>(event.action))
+            table.rows.push_back({"reversal", {}, folded_time(cast_.scene.run, event.at), {}, {}});
+    return table;
+}
+
 }  // namespace carom

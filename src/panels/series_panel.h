@@ -26,8 +26,10 @@ struct SeriesSubject {
     std::vector<std::string> notes =
         {};  ///< markup under the title: the first that is not cut, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
-    std::optional<double> top = {};  ///< of the axis; none: as the run shows
-    bool spreads = false;            ///< over powers of ten, if need be
+    std::optional<double> top = {};       ///< of the axis; none: as the run shows
+    bool spreads = false;                 ///< over powers of ten, if need be
+    std::string column = {};              ///< of a table, with its unit: "entropy (1)"
+    std::vector<std::string> names = {};  ///< of the lines, in a table
 };
 
 class SeriesPanel : public Panel {
@@ -39,6 +41,7 @@ class SeriesPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
     /// For tests: the numbers of a line, one for each frame surveyed.
     const std::vector<double>& line(std::size_t index) const { return history_.lines[index]; }

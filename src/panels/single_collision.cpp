@@ -174,6 +174,7 @@ class SingleCollisionPanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
 
   private:
     CollisionStages stages(const Page& page) const;
@@ -370,6 +371,32 @@ void SingleCollisionPanel::draw(Canvas& canvas, const Page& page, const PanelSta
                                {at.x + width / 2, at.y + 0.35 * page.unit}, 0.12 * page.unit,
                                page.theme.ink);
     }
+}
+
+// Places from the centre of mass; arrows are velocities, at contact their changes.
+Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
+    Table table{{"part", "stage", "of", column_name("x", reduced::length),
+                 column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",
+                 column_name("arrow x", reduced::speed), column_name("arrow y", reduced::speed)}};
+    const Cause cause = cause_of(met_, cast_.particles);
+    const std::array<Pose, 3> all = poses(cause);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 2; ++k)
+            table.rows.push_back({"particle", names[i], std::int64_t{met_.particle[k]},
+                                  all[i].center[k][0], all[i].center[k][1], cause.radius[k],
+                                  i == 1 ? "change of velocity" : "velocity", all[i].arrow[k][0],
+                                  all[i].arrow[k][1]});
+        table.rows.push_back({"centre of mass",
+                              names[i],
+                              {},
+                              0.0,
+                              0.0,
+                              {},
+                              "velocity",
+                              cause.drift[0],
+                              cause.drift[1]});
+    }
+    return table;
 }
 
 }  // namespace

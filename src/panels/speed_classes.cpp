@@ -32,7 +32,9 @@ std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spe
                                            "below ½, above 1½ of the mean at the start"}
                 : std::vector<std::string>{"slow below ½, fast above 1½ of the mean speed now",
                                            "slow below ½, fast above 1½ of the mean"},
-        .top = 100.0};
+        .top = 100.0,
+        .column = "share (per cent)",
+        .names = {"slow", "medium", "fast"}};
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{},
                        spec](const Observation& o) mutable -> std::vector<double> {

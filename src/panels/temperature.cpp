@@ -46,7 +46,9 @@ std::unique_ptr<Panel> make_temperature(const Cast& cast, const PanelSpec& spec)
                 if (spec.title) return escape_markup(*spec.title);
                 if (spec.of.empty()) return std::string("Temperature");
                 return "Temperature of " + colored_names(cast, chosen, theme);
-            }};
+            },
+        .column = column_name("temperature", reduced::energy)};
+    for (const Chosen& one : chosen) subject.names.push_back(name_of(cast, one));
     return std::make_unique<SeriesPanel>(cast, std::move(subject));
 }
 

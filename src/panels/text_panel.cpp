@@ -87,6 +87,7 @@ class TextPanel : public Panel {
     }
 
     void draw(Canvas&, const Page&, const PanelState&) const override {}
+    Table table(const PanelState&, const Theme&) const override { return {}; }
 
   private:
     PanelSpec spec_;

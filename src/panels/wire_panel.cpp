@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "panels/bead_words.h"
+#include "panels/chosen.h"
 #include "stats/histogram.h"
 
 namespace carom {
@@ -438,10 +439,8 @@ void WirePanel::draw_key(Canvas& canvas, const Page& page, const Page& own) cons
 
 void WirePanel::draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
                           double alpha) const {
-    const auto species = static_cast<std::size_t>(cast_.particles.species[particle]);
-    if (cast_.scene.gas.species[species].count > 1) return;
-    const std::string& label = cast_.scene.looks[species].label;
-    const std::string& name = label.empty() ? cast_.scene.gas.species[species].name : label;
+    const std::string name = single_name(cast_, particle);
+    if (name.empty()) return;
     const View v = view(page);
     TextStyle style = title_style(page);
     style.align = Align::center;
@@ -484,6 +483,45 @@ void WirePanel::draw_words(Canvas& canvas, const Page& page, const PanelState& s
         if (now.label_alpha > 0.0 && stands_out(cast_, particle))
             draw_name(canvas, page, particle, place, now.label_alpha);
     }
+}
+
+// Places are as drawn: beads pushed apart where they are drawn larger than they are, and on a ring
+// going on beyond its length without jumps.
+Table WirePanel::table(const PanelState& state, const Theme& theme) const {
+    const auto& now = static_cast<const WireState&>(state);
+    Table table{{"part", "particle", "species", column_name("x as drawn", reduced::length),
+                 column_name("time", reduced::time),
+                 column_name("radius as drawn", reduced::length), "colour", "label"}};
+    if (arrows_.shown()) table.columns.push_back(column_name("velocity", reduced::speed));
+    const std::vector<Color> colors = colors_.of_shades(theme);
+    const auto add = [&](const char* part, Eigen::Index i, Cell x, double time, Cell radius,
+                         Cell color, Cell label) {
+        const auto species = static_cast<std::size_t>(cast_.particles.species[i]);
+        table.rows.push_back({part, std::int64_t{i}, cast_.scene.gas.species[species].name,
+                              std::move(x), time, std::move(radius), std::move(color),
+                              std::move(label)});
+        table.rows.back().resize(table.columns.size());
+    };
+    const auto color = [&](std::uint8_t shade) { return hex_of(colors[shade % colors.size()]); };
+    for (std::size_t k = 0; k < now.places.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        std::string label = words_on(cast_, i, shown_labels());
+        if (label.empty() && now.label_alpha > 0.0 && stands_out(cast_, i))
+            label = single_name(cast_, i);
+        add("bead", i, now.places[k], now.time, map_->radius(i), color(now.shades[k]), label);
+        if (!now.velocities.empty()) table.rows.back()[8] = now.velocities[k];
+    }
+    for (std::size_t line = 0; line < now.lines.size(); ++line)
+        for (const WorldLines::Bend& bend : now.lines[line])
+            add("world line", lines_->particle(line), bend.place, bend.time, {}, color(bend.shade),
+                {});
+    if (now.ghosts)
+        for (std::size_t k = 0; k < now.ghosts->x.size(); ++k) {
+            const auto i = static_cast<Eigen::Index>(k);
+            add("mark", i, now.ghosts->x[k], now.time, map_->radius(i), hex_of(theme.muted),
+                now.ghosts->words);
+        }
+    return table;
 }
 
 }  // namespace carom

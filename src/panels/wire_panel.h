@@ -25,6 +25,7 @@ class WirePanel : public Panel {
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
     void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
     bool wants_collisions() const override { return true; }
     bool surveys_collisions() const override { return flashes_.asked(); }

@@ -1,0 +1,342 @@
+#include "figures/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+using std::string;
+using std::string_view;
+
+struct Tag {
+    char sign = ' ';  ///< # ^ / ! or a blank
+    string name;
+    std::size_t begin = 0, end = 0;  ///< of the text that it replaces
+    std::size_t place = 0;           ///< where its braces begin
+};
+
+string_view trimmed(string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\n");
+    if (first == string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+// Where nothing but blanks stands beside a tag on its line, the whole line goes.
+void take_line(Tag& tag, const string& text) {
+    std::size_t begin = tag.begin, end = tag.end;
+    while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
+    while (end < text.size() && (text[end] == ' ' || text[end] == '\t' || text[end] == '\r')) ++end;
+    if ((begin > 0 && text[begin - 1] != '\n') || (end < text.size() && text[end] != '\n')) return;
+    tag.begin = begin;
+    tag.end = std::min(text.size(), end + 1);
+}
+
+// The next tag; of three braces the first is a text's own: \caption{{{caption}}}.
+std::optional<Tag> next_tag(const string& text, std::size_t from) {
+    std::size_t open = text.find("{{", from);
+    if (open == string::npos) return std::nullopt;
+    while (open + 2 < text.size() && text[open + 2] == '{') ++open;
+    Tag tag;
+    tag.begin = tag.place = open;
+    const std::size_t close = text.find("}}", open + 2);
+    if (close == string::npos) {
+        tag.end = string::npos;
+        return tag;
+    }
+    tag.end = close + 2;
+    string_view inside = string_view(text).substr(open + 2, close - open - 2);
+    if (!inside.empty() && string_view("#^/!").find(inside.front()) != string_view::npos) {
+        tag.sign = inside.front();
+        inside.remove_prefix(1);
+        take_line(tag, text);
+    }
+    tag.name = trimmed(inside);
+    return tag;
+}
+
+/// A template in parts: text, a placeholder, or a stretch between two tags.
+struct Part {
+    char sign = 't';  ///< t: text
+    string text;      ///< or name
+    std::vector<Part> inner = {};
+};
+
+class Parser {
+  public:
+    Parser(const Source& page, Errors& errors) : page_(page), errors_(errors) {}
+
+    std::vector<Part> parse() { return until(nullptr, {""}); }
+
+  private:
+    // Scopes from the innermost to the page.
+    using Scopes = std::vector<string>;
+
+    std::vector<string> names_in(const Scopes& scopes) const {
+        std::vector<string> names;
+        for (const string& scope : scopes) {
+            const auto& more = placeholders().at(scope);
+            names.insert(names.end(), more.begin(), more.end());
+        }
+        return names;
+    }
+
+    void check(const Tag& tag, const Scopes& scopes) {
+        const std::vector<string> names = names_in(scopes);
+        const bool lists =
+            tag.sign == ' ' && !tag.name.empty() && placeholders().contains(tag.name);
+        if (!lists && std::ranges::find(names, tag.name) != names.end()) return;
+        if (lists)
+            return errors_.add(page_, tag.place, fmt::format("`{}` is a list", tag.name),
+                               fmt::format("write {{{{#{0}}}}} … {{{{/{0}}}}}", tag.name));
+        const auto near = nearest_spelling(tag.name, names);
+        errors_.add(page_, tag.place,
+                    fmt::format("{} is no placeholder {}", in_quotes(tag.name),
+                                scopes.front().empty() ? string("of a page")
+                                                       : fmt::format("in `{}`", scopes.front())),
+                    near ? fmt::format("did you mean `{}`?", *near)
+                         : "there are " + listed(names, "and", "`"));
+    }
+
+    std::vector<Part> until(const Tag* opened, const Scopes& scopes) {
+        std::vector<Part> parts;
+        while (const auto tag = next_tag(page_.text, at_)) {
+            if (tag->end == string::npos) {
+                errors_.add(page_, tag->place, "a placeholder that is not closed",
+                            "it ends with `}}`; two braces of your own need a blank between them");
+                at_ = page_.text.size();
+                broken_ = true;
+                break;
+            }
+            parts.push_back({'t', page_.text.substr(at_, tag->begin - at_)});
+            at_ = tag->end;
+            if (tag->sign == '!') continue;
+            if (tag->sign == '/') {
+                if (opened != nullptr && tag->name == opened->name) return parts;
+                errors_.add(page_, tag->place,
+                            fmt::format("{} is closed, and is not open here", in_quotes(tag->name)),
+                            opened != nullptr ? fmt::format("`{}` is open", opened->name) : "");
+                continue;
+            }
+            check(*tag, scopes);
+            Part part{tag->sign, tag->name};
+            if (tag->sign != ' ') {
+                Scopes inside = scopes;
+                if (tag->sign == '#' && placeholders().contains(tag->name))
+                    inside.insert(inside.begin(), tag->name);
+                part.inner = until(&*tag, inside);
+            }
+            parts.push_back(std::move(part));
+        }
+        if (opened != nullptr && !broken_)
+            errors_.add(page_, opened->place, fmt::format("`{}` is not closed", opened->name),
+                        fmt::format("it ends with {{{{/{}}}}}", opened->name));
+        parts.push_back({'t', page_.text.substr(at_)});
+        at_ = page_.text.size();
+        return parts;
+    }
+
+    const Source& page_;
+    Errors& errors_;
+    std::size_t at_ = 0;
+    bool broken_ = false;  ///< reported, and nothing after it is read
+};
+
+bool is_plain_address(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           string_view("-._~/+=:;,").find(c) != string_view::npos;
+}
+
+string address(string_view file) {
+    string text;
+    for (const char c : file)
+        text += is_plain_address(c) ? string(1, c)
+                                    : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    return text;
+}
+
+class Filler {
+  public:
+    explicit Filler(PageKind kind) : kind_(kind) {}
+
+    string fill(const std::vector<Part>& parts, const std::vector<const PageFields*>& scopes) {
+        string text;
+        for (const Part& part : parts) {
+            if (part.sign == 't')
+                text += part.text;
+            else if (part.sign == ' ')
+                text += value(part.text, scopes).value_or("");
+            else
+                text += stretch(part, scopes);
+        }
+        return text;
+    }
+
+  private:
+    std::optional<string> value(const string& name,
+                                const std::vector<const PageFields*>& scopes) const {
+        for (const PageFields* scope : scopes) {
+            if (const auto words = scope->words.find(name); words != scope->words.end())
+                return escaped(words->second, kind_);
+            if (const auto file = scope->files.find(name); file != scope->files.end())
+                return kind_ == PageKind::latex ? file->second : address(file->second);
+        }
+        return std::nullopt;
+    }
+
+    string stretch(const Part& part, const std::vector<const PageFields*>& scopes) {
+        for (const PageFields* scope : scopes) {
+            const auto list = scope->lists.find(part.text);
+            if (list == scope->lists.end()) continue;
+            if (part.sign == '^') return list->second.empty() ? fill(part.inner, scopes) : "";
+            string text;
+            for (const PageFields& item : list->second) {
+                std::vector<const PageFields*> inside = scopes;
+                inside.insert(inside.begin(), &item);
+                text += fill(part.inner, inside);
+            }
+            return text;
+        }
+        const bool there = !value(part.text, scopes).value_or("").empty();
+        return there == (part.sign == '#') ? fill(part.inner, scopes) : "";
+    }
+
+    PageKind kind_;
+};
+
+string html(string_view letter) {
+    if (letter == "&") return "&amp;";
+    if (letter == "<") return "&lt;";
+    if (letter == ">") return "&gt;";
+    if (letter == "\"") return "&quot;";
+    return letter == "'" ? "&#39;" : string(letter);
+}
+
+// What begins a heading, a list or a quotation does so at the start of a line only.
+string markdown(string_view letter, string_view before) {
+    const bool number = before.find_first_not_of("0123456789") == string_view::npos;
+    if (string_view("\\`*_[]<>&|$~").find(letter) != string_view::npos ||
+        (before.empty() && string_view("#+-=!:").find(letter) != string_view::npos) ||
+        (!before.empty() && number && (letter == "." || letter == ")")))
+        return "\\" + string(letter);
+    return string(letter);
+}
+
+// The letters that pdfLaTeX does not know by itself, as it knows them.
+const std::map<string_view, string_view>& latex_letters() {
+    static const std::map<string_view, string_view> letters{
+        {"\\", "\\textbackslash{}"},
+        {"{", "\\{"},
+        {"}", "\\}"},
+        {"$", "\\$"},
+        {"&", "\\&"},
+        {"#", "\\#"},
+        {"_", "\\_"},
+        {"%", "\\%"},
+        {"~", "\\textasciitilde{}"},
+        {"^", "\\textasciicircum{}"},
+        {"\"", "\\textquotedbl{}"},
+        {"<", "\\(<\\)"},
+        {">", "\\(>\\)"},
+        {"|", "\\textbar{}"},
+        {"−", "\\(-\\)"},
+        {"×", "\\(\\times\\)"},
+        {"·", "\\(\\cdot\\)"},
+        {"±", "\\(\\pm\\)"},
+        {"≈", "\\(\\approx\\)"},
+        {"≤", "\\(\\leq\\)"},
+        {"≥", "\\(\\geq\\)"},
+        {"√", "\\(\\surd\\)"},
+        {"∞", "\\(\\infty\\)"},
+        {"→", "\\(\\to\\)"},
+        {"°", "\\(^\\circ\\)"},
+        {"\u2009", "\\,"},
+        {"\u00A0", "~"},
+        {"\u202F", "\\,"},
+        {"α", "\\(\\alpha\\)"},
+        {"β", "\\(\\beta\\)"},
+        {"γ", "\\(\\gamma\\)"},
+        {"δ", "\\(\\delta\\)"},
+        {"Δ", "\\(\\Delta\\)"},
+        {"ε", "\\(\\varepsilon\\)"},
+        {"η", "\\(\\eta\\)"},
+        {"θ", "\\(\\theta\\)"},
+        {"λ", "\\(\\lambda\\)"},
+        {"μ", "\\(\\mu\\)"},
+        {"µ", "\\(\\mu\\)"},
+        {"ν", "\\(\\nu\\)"},
+        {"π", "\\(\\pi\\)"},
+        {"ρ", "\\(\\rho\\)"},
+        {"σ", "\\(\\sigma\\)"},
+        {"τ", "\\(\\tau\\)"},
+        {"φ", "\\(\\varphi\\)"},
+        {"ω", "\\(\\omega\\)"},
+        {"Ω", "\\(\\Omega\\)"},
+    };
+    return letters;
+}
+
+string latex(string_view letter) {
+    if (const auto found = latex_letters().find(letter); found != latex_letters().end())
+        return string(found->second);
+    constexpr std::array raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
+    constexpr std::array lowered{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    for (std::size_t i = 0; i < raised.size(); ++i)
+        if (letter == raised.at(i))
+            return fmt::format("\\(^{{{}}}\\)", i < 10 ? string(1, char('0' + int(i))) : "-");
+    for (std::size_t i = 0; i < lowered.size(); ++i)
+        if (letter == lowered.at(i)) return fmt::format("\\(_{{{}}}\\)", i);
+    return string(letter);
+}
+
+}  // namespace
+
+const std::map<string, std::vector<string>>& placeholders() {
+    static const std::map<string, std::vector<string>> names{
+        {"", {"title", "description", "carom", "sections", "figures", "films"}},
+        {"sections", {"title", "subtitle", "description", "scene", "seed", "figures", "films"}},
+        {"figures",
+         {"name", "number", "caption", "alt", "kind", "time", "title", "scene", "seed", "width",
+          "height", "picture", "inline", "svg", "pdf", "png", "csv"}},
+        {"films",
+         {"title", "description", "scene", "film", "poster", "captions", "chapters", "descriptions",
+          "transcript"}}};
+    return names;
+}
+
+string escaped(string_view text, PageKind kind) {
+    string line, plain;
+    bool blank = false;
+    for (std::size_t i = 0, next = 0; i < text.size(); i = next) {
+        next = next_code_point(text, i);
+        const string_view letter = text.substr(i, next - i);
+        if (letter == " " || letter == "\n" || letter == "\t" || letter == "\r") {
+            blank = !line.empty();
+            continue;
+        }
+        if (std::exchange(blank, false)) {
+            line += ' ';
+            plain += ' ';
+        }
+        if (kind == PageKind::html) line += html(letter);
+        if (kind == PageKind::markdown) line += markdown(letter, plain);
+        if (kind == PageKind::latex) line += latex(letter);
+        plain += letter;
+    }
+    return line;
+}
+
+string filled_page(const Source& page, PageKind kind, const PageFields& fields) {
+    Errors errors;
+    const std::vector<Part> parts = Parser(page, errors).parse();
+    errors.throw_if_any();
+    return Filler(kind).fill(parts, {&fields});
+}
+
+}  // namespace carom

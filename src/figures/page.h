@@ -1,0 +1,37 @@
+// Pages that show figures: a template with placeholders, and what stands in for them, escaped for
+// the page's kind. Knows no files.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/node.h"
+
+namespace carom {
+
+enum class PageKind { markdown, html, latex };
+
+/// What stands in for the placeholders of a place: words, names of files (in LaTeX as they are,
+/// elsewhere as parts of an address), and lists of places.
+struct PageFields {
+    std::map<std::string, std::string> words = {};
+    std::map<std::string, std::string> files = {};
+    std::map<std::string, std::vector<PageFields>> lists = {};
+};
+
+/// `text` as a page of this kind shows it, on one line.
+std::string escaped(std::string_view text, PageKind kind);
+
+/// Fills a template. `{{name}}` is a text; `{{#name}}…{{/name}}` stays for each item of a list, or
+/// if there is such a text; `{{^name}}…{{/name}}` if there is none; `{{! words}}` is left out. A
+/// line that holds nothing but one of the last four leaves none. Throws SceneError with the places
+/// of names that mean nothing and of what is not closed.
+std::string filled_page(const Source& page, PageKind kind, const PageFields& fields);
+
+/// The placeholders that there are: those of the page itself, and by the name of a list those
+/// inside it.
+const std::map<std::string, std::vector<std::string>>& placeholders();
+
+}  // namespace carom

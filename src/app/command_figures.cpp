@@ -1,17 +1,18 @@
-// carom figures: the figures of scenes.
+// carom figures: the figures of scenes, each scene's in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "app/command.h"
+#include "app/figure_pages.h"
+#include "app/figure_set.h"
 #include "app/letters.h"
+#include "app/progress.h"
 #include "app/resources.h"
-#include "app/simulate.h"
-#include "figures/figure_drawing.h"
-#include "figures/figure_words.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -21,41 +22,115 @@ namespace fs = std::filesystem;
 struct FiguresArguments : SceneOptions {
     std::vector<std::string> scenes;
     std::string output;
-    std::vector<std::string> formats = {"svg", "pdf", "png"};
+    std::vector<std::string> formats;
+    std::vector<std::string> pages;
+    SetOptions options;
 };
 
-void write_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
-                  const fs::path& folder) {
-    const FigureWords words = words_of(run, figure);
-    Canvas canvas = draw_figure(run, figure, format, {run.scene().title, words.alt});
-    AtomicFile file(folder / (figure.spec->name + "." + name_of(format)));
-    file.write(canvas.file());
-    file.commit();
+// In one order, each once.
+std::vector<std::string> in_order(const std::vector<std::string>& asked) {
+    std::vector<std::string> formats;
+    for (const std::string& format : figure_formats)
+        if (asked.empty() || std::ranges::find(asked, format) != asked.end())
+            formats.push_back(format);
+    return formats;
 }
 
-void write_table(const Figure& figure, const fs::path& folder) {
-    const Table table = table_of(figure);
-    if (table.columns.empty()) return;  // words
-    AtomicFile file(folder / (figure.spec->name + ".csv"));
-    file.write(csv(table));
-    file.commit();
+fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
+    if (arguments.output.empty()) return fs::path("out") / scene_stem(name);
+    const fs::path output = arguments.output;
+    return arguments.scenes.size() > 1 ? output / scene_stem(name) : output;
 }
 
-void make_figures(const FiguresArguments& arguments, const std::string& name) {
-    const Scene scene = load_scene(name, templates_folder(), overrides_of(arguments));
-    require_letters(scene);
-    if (scene.figures.empty())
-        throw UsageError(fmt::format("{}: the scene lists no `figures`", scene.source.path));
-    const fs::path folder =
-        arguments.output.empty() ? fs::path("out") / scene_stem(name) : fs::path(arguments.output);
-    const FigureRun run(scene, [&] { return simulate(scene); });
-    for (const Figure& figure : run.figures()) {
-        for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
-            if (std::ranges::find(arguments.formats, name_of(format)) != arguments.formats.end())
-                write_figure(run, figure, format, folder);
-        write_table(figure, folder);
+std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
+    std::vector<PageTemplate> pages;
+    for (const std::string& page : asked) pages.push_back(page_template(page));
+    return pages;
+}
+
+FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& name) {
+    SetPart part;
+    part.scene = load_scene(name, templates_folder(), overrides_of(arguments));
+    part.stem = scene_stem(name);
+    require_letters(part.scene);
+    if (part.scene.figures.empty())
+        throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
+    part.title = part.scene.title;
+    for (const FigureSpec& figure : part.scene.figures) part.figures.push_back(figure.name);
+    FigureSet set{.of = name == standard_input ? "stdin" : fs::path(name).filename().string(),
+                  .stem = scene_stem(name),
+                  .folder = folder_of(arguments, name),
+                  .title = part.scene.title,
+                  .description = part.scene.description,
+                  .parts = {},
+                  .formats = in_order(arguments.formats),
+                  .pages = pages_of(arguments.pages)};
+    set.parts.push_back(std::move(part));
+    return set;
+}
+
+// All scenes before any work: a mistake in the last one must not cost the time of the first.
+std::vector<FigureSet> sets_of(const FiguresArguments& arguments) {
+    std::vector<FigureSet> sets;
+    std::vector<Diagnostic> diagnostics;
+    for (const std::string& name : arguments.scenes) {
+        try {
+            sets.push_back(set_of_scene(arguments, name));
+        } catch (const SceneError& error) {
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
+        }
     }
-    if (!arguments.quiet) fmt::print("{}: {} figures\n", folder.string(), run.figures().size());
+    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+    return sets;
+}
+
+void refuse_same_folders(const FiguresArguments& arguments) {
+    refuse_second_standard_input(arguments.scenes);
+    std::set<fs::path> folders;
+    for (const std::string& name : arguments.scenes)
+        if (const fs::path folder = folder_of(arguments, name).lexically_normal();
+            !folders.insert(folder).second)
+            throw UsageError(
+                fmt::format("the figures of two scenes would go into {}; make them one by one "
+                            "with -o",
+                            folder.string()));
+}
+
+std::string counted(int count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+void tell(const FigureSet& set, const SetReport& report) {
+    if (report.films > 0)
+        fmt::print("{}: {} rendered\n", set.folder.string(), counted(report.films, "film"));
+    if (report.made == 0)
+        return fmt::print("{}: up to date, {}\n", set.folder.string(),
+                          counted(report.up_to_date, "figure"));
+    fmt::print("{}: {} made{}\n", set.folder.string(), counted(report.made, "figure"),
+               report.up_to_date > 0 ? fmt::format(", {} up to date", report.up_to_date) : "");
+}
+
+void warn(const FigureSet& set, const SetReport& report) {
+    if (!report.replaced.empty())
+        say(fmt::format("carom: {}: replaced {}, which carom had not written so\n",
+                        set.folder.string(), listed(report.replaced)));
+    if (!report.gone.empty())
+        say(fmt::format("carom: {}: {} of figures that are no longer there; left as {}\n",
+                        set.folder.string(), listed(report.gone),
+                        report.gone.size() == 1 ? "it is" : "they are"));
+}
+
+void make_all(const FiguresArguments& arguments) {
+    refuse_same_folders(arguments);
+    SetOptions options = arguments.options;
+    options.threads = threads_of(arguments);
+    options.quiet = arguments.quiet;
+    for (const FigureSet& set : sets_of(arguments)) {
+        const SetReport report = make_figures(set, options);
+        warn(set, report);
+        if (!arguments.quiet) tell(set, report);
+    }
 }
 
 }  // namespace
@@ -63,15 +138,34 @@ void make_figures(const FiguresArguments& arguments, const std::string& name) {
 void add_figures(CLI::App& app) {
     CLI::App& command = *app.add_subcommand("figures", "draw the figures of scenes");
     const auto arguments = std::make_shared<FiguresArguments>();
-    command.add_option("scenes", arguments->scenes, "scene files")->required();
-    command.add_option("-o,--output", arguments->output, "a folder; out/SCENE if not given");
-    command.add_option("--formats", arguments->formats, "svg, pdf, png, with commas between them")
+    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
+        ->required();
+    command.add_option("-o,--output", arguments->output,
+                       "a folder, of several scenes one with a folder for each; out/SCENE if not "
+                       "given");
+    command
+        .add_option("--formats", arguments->formats,
+                    fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")))
         ->delimiter(',')
-        ->check(CLI::IsMember({"svg", "pdf", "png"}));
+        ->check(CLI::IsMember(figure_formats));
+    command
+        .add_option("--only", arguments->options.only, "names of figures, with commas between them")
+        ->delimiter(',');
+    command.add_flag("--force", arguments->options.force,
+                     "make all again, and replace files that carom did not write");
+    command
+        .add_option("--page", arguments->pages,
+                    "a page that shows them: markdown, html, latex, or a template of your own "
+                    "(.md, .html, .tex); several with commas between them")
+        ->delimiter(',');
+    command.add_flag("--films", arguments->options.films,
+                     "render the films of the scenes, too, which pages then show");
     add_scene_options(command, *arguments);
-    command.callback([arguments] {
-        for (const std::string& scene : arguments->scenes) make_figures(*arguments, scene);
-    });
+    command
+        .add_option("--threads", arguments->threads,
+                    "cores to use for films; the result is the same for any number")
+        ->check(CLI::Range(1, 1024));
+    command.callback([arguments] { make_all(*arguments); });
 }
 
 }  // namespace carom

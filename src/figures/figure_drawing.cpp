@@ -97,6 +97,12 @@ std::string name_of(FigureFormat format) {
 
 double smallest_type(const FigureSpec& spec) { return spec.slide ? slide_type : print_type; }
 
+std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
+    const double unit = centimetres(smallest_type(spec));
+    const Sheet sheet = sheet_of(scene, spec);
+    return {sheet.width * unit, sheet.height * unit};
+}
+
 Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
                    const PictureWords& words) {
     const FigureSpec& spec = *figure.spec;

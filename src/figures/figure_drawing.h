@@ -2,6 +2,7 @@
 // size that is usual there, on pixels, as SVG or as PDF.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "draw/canvas.h"
@@ -16,6 +17,9 @@ std::string name_of(FigureFormat format);
 
 /// The smallest type, points: labels of axes. Titles are 1.15 times as large.
 double smallest_type(const FigureSpec& spec);
+
+/// Width and height, centimetres.
+std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
 /// The picture of a figure; `words` are its title and description. PNG has 300 pixels to the inch
 /// (a slide 144), vector pictures the same lengths in centimetres to a quarter of a millimetre.

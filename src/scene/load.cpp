@@ -202,7 +202,8 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
     read_template(tree, path, templates, sources, errors);
     Scene scene = read_scene(tree, wanted, errors);
-    scene.source = {source.name, source.text, {}};
+    const Source* used = tree.template_file.source;
+    scene.source = {source.name, source.text, used != nullptr ? used->text : "", {}};
     for (const auto& [key, value] : overrides.values)
         scene.source.overrides.push_back(key + "=" + value);
     return scene;

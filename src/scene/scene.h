@@ -162,6 +162,7 @@ struct Film {
 struct SceneSource {
     std::string path;                    ///< as the user gave it
     std::string text;                    ///< the whole file, as read
+    std::string template_text;           ///< of its film, as read
     std::vector<std::string> overrides;  ///< what the command line laid over it, as KEY.PATH=VALUE
 };
 

@@ -1,0 +1,72 @@
+// A folder of figures: which of its files carom wrote, whether they are what it wrote, and from
+// what. Nothing that carom did not write is ever replaced unasked.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carom {
+
+/// A file as carom wrote it.
+struct WrittenFile {
+    std::string figure;   ///< whose; empty: of the whole folder
+    std::string inputs;   ///< fingerprint of all that it was made from
+    std::string content;  ///< fingerprint of its bytes
+};
+
+/// What a figure says, kept so that captions need no run of the physics.
+struct WrittenWords {
+    std::string inputs;
+    std::string caption, alt;
+};
+
+/// What figures.json holds.
+struct Manifest {
+    std::string of;  ///< the scene or set whose figures these are
+    std::map<std::string, WrittenFile> files;
+    std::map<std::string, WrittenWords> figures;
+};
+
+class FigureFolder {
+  public:
+    static constexpr std::string_view manifest_name = "figures.json";
+
+    /// Reads what is known of the folder, which need not exist. Throws UsageError when it holds
+    /// the figures of another scene or set, or a figures.json that is not carom's.
+    FigureFolder(std::filesystem::path path, std::string of);
+
+    const std::filesystem::path& path() const { return path_; }
+    const Manifest& manifest() const { return manifest_; }
+
+    /// Whether a file was made from these inputs and is what it was then.
+    bool is_current(const std::string& file, const std::string& inputs) const;
+
+    /// Those of `files` that are there and were not written by carom, or changed since.
+    std::vector<std::string> foreign(std::span<const std::string> files) const;
+
+    /// Writes a file, whole or not at all, unless these very bytes are there.
+    void write(const std::string& file, std::span<const std::uint8_t> bytes,
+               const std::string& figure, const std::string& inputs);
+    void write(const std::string& file, std::string_view text, const std::string& figure,
+               const std::string& inputs);
+
+    /// Notes a file that others have written into the folder.
+    void note(const std::string& file, const std::string& figure, const std::string& inputs);
+
+    void remember(const std::string& figure, WrittenWords words);
+
+    /// Writes figures.json, if it says anything new.
+    void save();
+
+  private:
+    std::filesystem::path path_;
+    std::string saved_;
+    Manifest manifest_;
+};
+
+}  // namespace carom

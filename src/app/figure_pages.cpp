@@ -1,0 +1,155 @@
+#include "app/figure_pages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "app/resources.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_template_bytes = 4 << 20, most_picture_bytes = 256 << 20;
+
+const std::array<std::pair<std::string, PageKind>, 3> kinds{
+    {{".md", PageKind::markdown}, {".html", PageKind::html}, {".tex", PageKind::latex}}};
+
+// RFC 4648.
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve(bytes.size() * 4 / 3 + 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
+    }
+    return text;
+}
+
+std::string file_of(const SetFigure& figure, const std::string& format) {
+    const std::string name = figure.name + "." + format;
+    return std::ranges::find(figure.files, name) != figure.files.end() ? name : "";
+}
+
+// What a page of this kind shows: vectors where it can.
+std::string picture_of(const SetFigure& figure, PageKind kind) {
+    const std::string vectors = file_of(figure, kind == PageKind::latex ? "pdf" : "svg");
+    return vectors.empty() ? file_of(figure, "png") : vectors;
+}
+
+std::string inlined(const fs::path& picture) {
+    const std::string type = picture.extension() == ".svg" ? "image/svg+xml" : "image/png";
+    return "data:" + type + ";base64," + base64(read_file(picture, most_picture_bytes));
+}
+
+std::string centimetres(double length) {
+    return fmt::format("{:g}", std::round(100.0 * length) / 100.0);
+}
+
+std::string time_of(const FigureSpec& spec) {
+    const auto& over = spec.panel.over;
+    if (over && over->since == Over::Since::window)
+        return fmt::format("{} to {}", plain_number(spec.times.back() - over->window),
+                           plain_number(spec.times.back()));
+    std::vector<std::string> times;
+    for (const double time : spec.times) times.push_back(plain_number(time));
+    return listed(times);
+}
+
+PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, PageKind kind) {
+    const std::string picture = picture_of(figure, kind);
+    if (picture.empty())
+        throw UsageError(fmt::format(
+            "{}: this page shows figures as {}, and there is no such file of `{}`; ask for more "
+            "--formats",
+            set.of, kind == PageKind::latex ? "pdf or png" : "svg or png", figure.name));
+    PageFields fields;
+    fields.words = {{"name", figure.name},
+                    {"number", std::to_string(number)},
+                    {"caption", figure.caption},
+                    {"alt", figure.alt},
+                    {"kind", figure.spec->panel.kind},
+                    {"time", time_of(*figure.spec)},
+                    {"title", figure.part->title},
+                    {"scene", figure.part->stem},
+                    {"seed", std::to_string(figure.part->scene.seed)},
+                    {"width", centimetres(figure.size[0])},
+                    {"height", centimetres(figure.size[1])}};
+    fields.files = {{"picture", picture}, {"csv", file_of(figure, "csv")}};
+    for (const std::string& format : figure_formats) fields.files[format] = file_of(figure, format);
+    if (kind == PageKind::html) fields.files["inline"] = inlined(set.folder / picture);
+    return fields;
+}
+
+PageFields fields_of(const SetFilm& film) {
+    PageFields fields;
+    fields.words = {{"title", film.part->title},
+                    {"description", film.part->scene.description},
+                    {"scene", film.part->stem}};
+    for (const auto& [name, file] : film.files) fields.files[name] = file;
+    return fields;
+}
+
+}  // namespace
+
+PageTemplate page_template(const std::string& asked) {
+    fs::path path = asked;
+    if (std::ranges::find(page_templates, asked) != page_templates.end()) {
+        const auto own = static_cast<std::size_t>(std::ranges::find(page_templates, asked) -
+                                                  page_templates.begin());
+        path = templates_folder() / "documents" / (asked + kinds.at(own).first);
+    }
+    for (const auto& [ending, kind] : kinds)
+        if (path.extension() == ending)
+            return {{path.string(), read_file(path, most_template_bytes)}, kind, ending};
+    throw UsageError(
+        fmt::format("--page {}: expected {} or a template of your own, whose name ends in .md, "
+                    ".html or .tex",
+                    asked, listed(page_templates, "or")));
+}
+
+std::string page_text(const FigureSet& set, const PageTemplate& page,
+                      std::span<const SetFigure> figures, std::span<const SetFilm> films) {
+    PageFields all;
+    all.words = {{"title", set.title}, {"description", set.description}, {"carom", CAROM_VERSION}};
+    std::vector<PageFields>&all_figures = all.lists["figures"], &all_films = all.lists["films"];
+    std::vector<PageFields> sections;
+    for (const SetPart& part : set.parts) {
+        PageFields section;
+        const bool alone = set.parts.size() == 1 && part.title == set.title;  // says it above
+        section.words = {{"title", alone ? "" : part.title},
+                         {"subtitle", part.scene.subtitle},
+                         {"description", alone ? "" : part.description},
+                         {"scene", part.stem},
+                         {"seed", std::to_string(part.scene.seed)}};
+        std::vector<PageFields>& shown = section.lists["figures"];
+        for (const SetFigure& figure : figures) {
+            if (figure.part != &part) continue;
+            shown.push_back(
+                fields_of(set, figure, static_cast<int>(all_figures.size()) + 1, page.kind));
+            all_figures.push_back(shown.back());
+        }
+        std::vector<PageFields>& played = section.lists["films"];
+        for (const SetFilm& film : films)
+            if (film.part == &part) played.push_back(fields_of(film));
+        all_films.insert(all_films.end(), played.begin(), played.end());
+        sections.push_back(std::move(section));
+    }
+    all.lists["sections"] = std::move(sections);
+    return filled_page(page.source, page.kind, all);
+}
+
+}  // namespace carom

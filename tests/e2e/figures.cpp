@@ -1,0 +1,252 @@
+// carom figures, by the program itself: the files of a folder, read by independent programs, and
+// which of them are made again.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "e2e/program.h"
+#include "support/process.h"
+
+using namespace carom::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string ten_disks =
+    "title: Ten disks\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
+    "run: {until: 10}\nfilm: {seconds: 2}\nfigures:\n"
+    "  - {name: start, kind: gas, at: 0, caption: \"Ten & more\", alt: Ten disks in a box}\n"
+    "  - {name: speeds, kind: speed-histogram, over: [2, 8], size: [10, 6]}\n";
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+Outcome figures(const TemporaryFolder& folder, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {program, "figures"});
+    return run(arguments, folder.path());
+}
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        files[entry.path().filename().string()] = contents(entry.path());
+    return files;
+}
+
+json captions(const TemporaryFolder& folder) {
+    return json::parse(contents(folder.path() / "out/scene/captions.json"));
+}
+
+// What headless Chromium says on its console, and of the pictures and films in a page.
+std::string seen_in_browser(const fs::path& page, const fs::path& profile) {
+    std::string text = contents(page);
+    text.replace(text.find("</body>"), 0,
+                 "<script>addEventListener('load', () => { document.title = [...document.images]"
+                 ".map(p => p.alt + ':' + (p.complete && p.naturalWidth > 0)).join(';') + '|' + "
+                 "[...document.querySelectorAll('video')].map(v => v.textTracks.length).join(); "
+                 "});</script>");
+    const fs::path copy = page.parent_path() / "copy.html";
+    std::ofstream(copy) << text;
+    const Outcome outcome =
+        run({"timeout", "90", "chromium", "--headless", "--no-sandbox", "--disable-gpu",
+             "--no-first-run", "--disable-background-networking", "--disable-component-update",
+             "--disable-sync", "--enable-logging=stderr", "--user-data-dir=" + profile.string(),
+             "--dump-dom", "file://" + copy.string()});
+    fs::remove(copy);
+    CHECK_FALSE(has(outcome.err, "CONSOLE"));
+    const std::size_t begin = outcome.out.find("<title>") + 7;
+    return outcome.out.substr(begin, outcome.out.find("</title>") - begin);
+}
+
+}  // namespace
+
+TEST_CASE("the files of figures are read by independent programs") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    const Outcome made = figures(folder, {"scene.yaml"});
+    CHECK(made.exit_code == 0);
+    CHECK(made.out == "out/scene: 2 figures made\n");
+    CHECK(made.err.empty());
+    const fs::path out = folder.path() / "out/scene";
+    const json words = captions(folder);
+    CHECK(words.at("title") == "Ten disks");
+    REQUIRE(words.at("figures").size() == 2);
+    for (const json& figure : words.at("figures")) {
+        CHECK(figure.at("files").size() == 3);
+        for (const std::string name : figure.at("files")) CHECK(fs::exists(out / name));
+        const std::string name = figure.at("name");
+        CHECK(run({"rsvg-convert", "-o", "picture.png", name + ".svg"}, out).exit_code == 0);
+        const Outcome text = run({"pdftotext", name + ".pdf", "-"}, out);
+        CHECK(text.exit_code == 0);
+        if (name == "speeds") CHECK(has(text.out, "speed"));
+    }
+    CHECK(words["figures"][0]["caption"] == "Ten & more");
+    CHECK(words["figures"][0]["alt"] == "Ten disks in a box");
+    CHECK(words["figures"][1]["over"] == json{2.0, 8.0});
+    CHECK(words["figures"][1]["size_cm"] == json{10.0, 6.0});
+}
+
+TEST_CASE("the same scene gives the same bytes in another folder") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    CHECK(figures(folder, {"scene.yaml", "-o", "a"}).exit_code == 0);
+    CHECK(figures(folder, {"scene.yaml", "-o", "b"}).exit_code == 0);
+    const auto a = files_in(folder.path() / "a");
+    CHECK(a.size() == 8);
+    CHECK(a == files_in(folder.path() / "b"));
+}
+
+TEST_CASE("only what has changed is made again") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    const fs::path svg = folder.path() / "out/scene/start.svg";
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).exit_code == 0);
+    const auto made = fs::last_write_time(svg);
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).out ==
+          "out/scene: up to date, 2 figures\n");
+    fs::remove(folder.path() / "out/scene/speeds.svg");
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).out ==
+          "out/scene: 1 figure made, 1 up to date\n");
+    CHECK(fs::last_write_time(svg) == made);
+    CHECK(figures(folder, {"scene.yaml", "--only", "start"}).out == "out/scene: 1 figure made\n");
+    CHECK(captions(folder)["figures"][0]["files"].size() == 3);
+    CHECK(captions(folder)["figures"][1]["files"] == json{"speeds.svg"});
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg", "--force"}).out ==
+          "out/scene: 2 figures made\n");
+    // Another seed is another picture.
+    const std::string before = contents(svg);
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg", "--seed", "2"}).out ==
+          "out/scene: 2 figures made\n");
+    CHECK(contents(svg) != before);
+    CHECK(captions(folder)["figures"][0]["seed"] == 2);
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).exit_code == 0);
+    CHECK(contents(svg) == before);
+}
+
+TEST_CASE("what carom did not write is never replaced unasked") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    const fs::path out = folder.path() / "out/scene";
+    fs::create_directories(out);
+    folder.write("out/scene/speeds.pdf", "mine");
+    const Outcome refused = figures(folder, {"scene.yaml"});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err ==
+          "carom: out/scene: carom did not write speeds.pdf, or it was changed since; nothing has "
+          "been written. Move it away, or replace it with --force\n");
+    CHECK(files_in(out).size() == 1);
+    const Outcome forced = figures(folder, {"scene.yaml", "--force"});
+    CHECK(forced.exit_code == 0);
+    CHECK(has(forced.err, "replaced speeds.pdf, which carom had not written so"));
+    CHECK(contents(out / "speeds.pdf").starts_with("%PDF"));
+    folder.write("out/scene/start.svg", "changed");
+    CHECK(figures(folder, {"scene.yaml"}).exit_code == 2);
+    CHECK(contents(out / "start.svg") == "changed");
+    CHECK(figures(folder, {"scene.yaml", "--only", "speeds"}).exit_code == 0);
+    folder.write("out/scene/figures.json", "{}");
+    CHECK(has(figures(folder, {"scene.yaml", "--force"}).err, "is not the list that carom keeps"));
+}
+
+TEST_CASE("files of figures that are gone stay, and are told") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).exit_code == 0);
+    std::string renamed = ten_disks;
+    renamed.replace(renamed.find("start"), 5, "begin");
+    folder.write("scene.yaml", renamed);
+    const Outcome outcome = figures(folder, {"scene.yaml", "--formats", "svg"});
+    CHECK(outcome.exit_code == 0);
+    CHECK(has(outcome.err, "start.svg of figures that are no longer there; left as it is"));
+    CHECK(fs::exists(folder.path() / "out/scene/start.svg"));
+    CHECK(captions(folder)["figures"][0]["name"] == "begin");
+}
+
+TEST_CASE("a folder is for one scene, and a figure must be there to be chosen") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "other");
+    for (const std::string name : {"scene.yaml", "two.yaml", "other/scene.yaml"})
+        folder.write(name, ten_disks);
+    CHECK(figures(folder, {"scene.yaml", "-o", "f", "--formats", "svg"}).exit_code == 0);
+    const Outcome shared = figures(folder, {"two.yaml", "-o", "f"});
+    CHECK(shared.exit_code == 2);
+    CHECK(has(shared.err, "f: this folder holds the figures of scene.yaml"));
+    CHECK(has(figures(folder, {"scene.yaml", "other/scene.yaml"}).err,
+              "the figures of two scenes would go into out/scene"));
+    CHECK(figures(folder, {"scene.yaml", "two.yaml", "-o", "g", "--formats", "svg"}).exit_code ==
+          0);
+    CHECK(fs::exists(folder.path() / "g/two/start.svg"));
+    const Outcome misspelt = figures(folder, {"scene.yaml", "--only", "strat"});
+    CHECK(misspelt.exit_code == 2);
+    CHECK(has(misspelt.err, "did you mean `start`?"));
+}
+
+TEST_CASE("pages show the figures, in words that are escaped") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    REQUIRE(figures(folder, {"scene.yaml", "--page", "markdown,html,latex"}).exit_code == 0);
+    const fs::path out = folder.path() / "out/scene";
+    CHECK(has(contents(out / "scene.md"), "![Ten disks in a box](start.svg)\n"));
+    CHECK(has(contents(out / "scene.md"), "**Figure 1.** Ten \\& more\n"));
+    const std::string html = contents(out / "scene.html");
+    CHECK(has(html, "<b>Figure 1.</b> Ten &amp; more</figcaption>"));
+    CHECK_FALSE(has(html, "http"));
+    if (is_installed("chromium"))
+        CHECK(seen_in_browser(out / "scene.html", folder.path() / "profile")
+                  .starts_with("Ten disks in a box:true;"));
+    if (!is_installed("pdflatex")) return;
+    folder.write("text.tex",
+                 "\\documentclass{article}\n\\usepackage{graphicx}\n"
+                 "\\newcommand{\\caromfolder}{out/scene/}\n\\begin{document}\n"
+                 "\\input{out/scene/scene}\nSee \\ref{fig:speeds}.\n\\end{document}\n");
+    for (int pass = 0; pass < 2; ++pass)
+        REQUIRE(run({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "text.tex"},
+                    folder.path())
+                    .exit_code == 0);
+    const Outcome text = run({"pdftotext", "text.pdf", "-"}, folder.path());
+    CHECK(has(text.out, "Figure 1: Ten & more"));
+    CHECK(has(text.out, "See 2."));
+}
+
+TEST_CASE("films stand beside their figures, and are rendered once") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    const std::vector<std::string> command{
+        "scene.yaml", "--page", "html", "--films", "--quiet", "--set", "film.size=[320, 180]"};
+    REQUIRE(figures(folder, command).exit_code == 0);
+    const fs::path out = folder.path() / "out/scene";
+    const auto made = fs::last_write_time(out / "scene.mp4");
+    for (const std::string ending :
+         {"captions.vtt", "descriptions.vtt", "chapters.vtt", "transcript.txt", "poster.png"})
+        CHECK(fs::exists(out / ("scene." + ending)));
+    if (is_installed("chromium"))
+        CHECK(has(seen_in_browser(out / "scene.html", folder.path() / "profile"), "|3"));
+    CHECK(figures(folder, command).exit_code == 0);
+    CHECK(fs::last_write_time(out / "scene.mp4") == made);
+    // A page does not show the film of another scene.
+    CHECK(figures(folder, {"scene.yaml", "--page", "html", "--seed", "5"}).exit_code == 0);
+    CHECK_FALSE(has(contents(out / "scene.html"), "<video"));
+}
+
+TEST_CASE("a template of one's own is told its mistakes before any work") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    folder.write("mine.md", "{{#figures}}\n{{name}}: {{picture}} at {{time}}\n{{/figures}}\n");
+    CHECK(figures(folder, {"scene.yaml", "--page", "mine.md"}).exit_code == 0);
+    CHECK(contents(folder.path() / "out/scene/scene.md") ==
+          "start: start.svg at 0\nspeeds: speeds.svg at 2 to 8\n");
+    folder.write("wrong.html", "<p>{{titel}}</p>\n");
+    const Outcome wrong = figures(folder, {"scene.yaml", "-o", "new", "--page", "wrong.html"});
+    CHECK(wrong.exit_code == 2);
+    CHECK(has(wrong.err, "wrong.html:1:4: error: `titel` is no placeholder of a page"));
+    CHECK(has(wrong.err, "did you mean `title`?"));
+    CHECK_FALSE(fs::exists(folder.path() / "new"));
+    CHECK(figures(folder, {"scene.yaml", "--page", "mine.doc"}).exit_code == 2);
+    CHECK(figures(folder, {"scene.yaml", "--page", "mine.md,markdown"}).exit_code == 2);
+}

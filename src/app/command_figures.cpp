@@ -1,4 +1,4 @@
-// carom figures: the figures of scenes, each scene's in a folder.
+// carom figures: the figures of scenes and of sets, those of each in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "app/letters.h"
 #include "app/progress.h"
 #include "app/resources.h"
+#include "scene/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -69,13 +70,72 @@ FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& nam
     return set;
 }
 
+[[noreturn]] void fail(Diagnostic place, std::string message, std::string hint) {
+    place.message = std::move(message);
+    place.hint = std::move(hint);
+    throw SceneError({std::move(place)});
+}
+
+SetPart part_of_set(const FiguresArguments& arguments, const SetScene& listed_scene) {
+    SetPart part;
+    const fs::path& path = listed_scene.path;
+    part.scene = load_scene(path, templates_folder(), overrides_of(arguments));
+    require_letters(part.scene);
+    part.stem = scene_stem(path.string());
+    part.title = listed_scene.title.value_or(part.scene.title);
+    part.description = listed_scene.description.value_or(part.scene.description);
+    std::vector<std::string> names;
+    for (const FigureSpec& figure : part.scene.figures) names.push_back(figure.name);
+    if (names.empty())
+        fail(listed_scene.place, fmt::format("the scene {} lists no figures", path.string()), "");
+    for (const auto& [name, place] : listed_scene.figures) {
+        const auto near = nearest_spelling(name, names);
+        if (std::ranges::find(names, name) == names.end())
+            fail(place, fmt::format("{} has no figure `{}`", path.string(), name),
+                 near ? fmt::format("did you mean `{}`?", *near)
+                      : "its figures: " + listed(names, "and", "`"));
+        part.figures.push_back(name);
+    }
+    if (part.figures.empty()) part.figures = names;
+    return part;
+}
+
+// What is said on the command line wins over the file.
+FigureSet set_of_file(const FiguresArguments& arguments, const std::string& name) {
+    const SetFile file = load_figure_set(name);
+    FigureSet set{.of = fs::path(name).filename().string(),
+                  .stem = scene_stem(name),
+                  .folder = folder_of(arguments, name),
+                  .title = file.title,
+                  .description = file.description,
+                  .parts = {},
+                  .formats = in_order(arguments.formats.empty() ? file.formats : arguments.formats),
+                  .pages = pages_of(arguments.pages.empty() ? file.templates : arguments.pages)};
+    std::vector<Diagnostic> diagnostics;
+    for (const SetScene& scene : file.scenes) {
+        try {
+            set.parts.push_back(part_of_set(arguments, scene));
+        } catch (const SceneError& error) {
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
+        }
+    }
+    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+    return set;
+}
+
+FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
+    const bool is_set = name != standard_input && is_figure_set(name);
+    return is_set ? set_of_file(arguments, name) : set_of_scene(arguments, name);
+}
+
 // All scenes before any work: a mistake in the last one must not cost the time of the first.
 std::vector<FigureSet> sets_of(const FiguresArguments& arguments) {
     std::vector<FigureSet> sets;
     std::vector<Diagnostic> diagnostics;
     for (const std::string& name : arguments.scenes) {
         try {
-            sets.push_back(set_of_scene(arguments, name));
+            sets.push_back(set_of(arguments, name));
         } catch (const SceneError& error) {
             diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
                                error.diagnostics().end());
@@ -136,9 +196,11 @@ void make_all(const FiguresArguments& arguments) {
 }  // namespace
 
 void add_figures(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("figures", "draw the figures of scenes");
+    CLI::App& command = *app.add_subcommand("figures", "draw the figures of scenes and sets");
     const auto arguments = std::make_shared<FiguresArguments>();
-    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
+    command
+        .add_option("scenes", arguments->scenes,
+                    "files of scenes and of figure sets; - for a scene from standard input")
         ->required();
     command.add_option("-o,--output", arguments->output,
                        "a folder, of several scenes one with a folder for each; out/SCENE if not "

@@ -86,6 +86,13 @@ void refuse_same_names(const FigureSet& set) {
                     "{}: {} and {} both have a figure `{}`, and all go into one folder; give one "
                     "of them another name",
                     set.of, first->second->scene.source.path, part.scene.source.path, name));
+    std::set<std::string> stems;
+    for (const SetPart& part : set.parts)
+        if (!stems.insert(part.stem).second)
+            throw UsageError(
+                fmt::format("{}: two of its scenes are called {}, and so would be "
+                            "their films; list it once, or copy it to another name",
+                            set.of, part.stem));
     std::set<std::string> endings;
     for (const PageTemplate& page : set.pages)
         if (!endings.insert(page.ending).second)

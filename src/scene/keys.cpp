@@ -501,6 +501,49 @@ Section template_file() {
         {.name = "a template", .keys = std::move(keys), .choices = {{{"seconds", "pace"}}}});
 }
 
+Section set_scene() {
+    return complete(
+        {.name = "an item of `scenes`",
+         .keys = {
+             required({"scene",
+                       "The scene's file, relative to the set; it may lie in the folder above the "
+                       "set's.",
+                       {text(1, most_title_letters)}}),
+             left_to("the scene's",
+                     {"title", "Its title in the set.", {text(1, most_title_letters)}}),
+             left_to("the scene's",
+                     {"description", "The words under it.", {lines(1, most_letters)}}),
+             left_to("all of the scene", {"figures",
+                                          "The names of the figures that are shown, in this order.",
+                                          {list_of({text(1, most_name_letters)}, 1, most_figures,
+                                                   "a list of names")}})}});
+}
+
+Section figure_set() {
+    const Form page = text(1, most_title_letters);
+    const Form format = one_of({"svg", "pdf", "png"});
+    Form file = text(1, most_title_letters);
+    file.phrase = "the path of a scene";
+    return complete(
+        {.name = "a figure set",
+         .keys = {
+             required({"title", "The title of its pages.", {text(1, most_title_letters)}}),
+             left_to("none",
+                     {"description", "What the set shows, in words.", {lines(1, most_letters)}}),
+             required(
+                 {"scenes",
+                  "The scenes whose figures it holds, in the order of the pages' sections.",
+                  {list_of({file, mapping(set_scene())}, 1, most_set_scenes, "a list of scenes")}}),
+             otherwise("html",
+                       {"template",
+                        "The pages: `markdown`, `html`, `latex`, or a template beside the set, a "
+                        "file that ends in .md, .html or .tex; or a list of these.",
+                        {page, list_of({page}, 1, 3, "a list of templates")}}),
+             left_to("all", {"formats",
+                             "The kinds of files of its figures.",
+                             {list_of({format}, 1, 3, "a list of formats")}})}});
+}
+
 Section scene(int dimension) {
     return complete(
         {.name = "a scene",
@@ -539,6 +582,11 @@ const Section& scene_section(int dimension) {
 
 const Section& template_section() {
     static const Section section = template_file();
+    return section;
+}
+
+const Section& set_section() {
+    static const Section section = figure_set();
     return section;
 }
 

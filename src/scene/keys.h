@@ -86,6 +86,9 @@ const Section& scene_section(int dimension = 2);
 /// A template: the keys of `film` but `template`, and `layout`.
 const Section& template_section();
 
+/// A figure set: a file that lists scenes.
+const Section& set_section();
+
 /// The sections inside one another by the name of their key: section_of(scene_section(), "film").
 const Section& section_of(const Section& parent, std::string_view key);
 

@@ -45,6 +45,7 @@ inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
 inline constexpr Limit most_slow_spans{100, "spans of slow motion"};
 inline constexpr Limit most_figures{200, "figures of a scene"};
+inline constexpr Limit most_set_scenes{100, "scenes of a figure set"};
 inline constexpr Limit most_strip{12, "moments in a strip"};
 inline constexpr Limit largest_figure{100, "centimetres on a side of a figure"};
 inline constexpr Limit smallest_figure{2, "centimetres on a side of a figure, at least"};
@@ -85,6 +86,7 @@ inline constexpr std::array limits{most_file_bytes,
                                    most_chosen,
                                    largest_grid,
                                    most_figures,
+                                   most_set_scenes,
                                    most_strip,
                                    largest_figure,
                                    smallest_figure};

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <memory>
-#include <system_error>
 
 #include "scene/captions.h"
 #include "scene/check.h"
 #include "scene/figure_reading.h"
+#include "scene/file_text.h"
 #include "scene/film_reading.h"
 #include "scene/gas_reading.h"
-#include "scene/limits.h"
 #include "scene/overrides.h"
 #include "scene/run_reading.h"
 #include "scene/scalar.h"
@@ -26,41 +23,6 @@ namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-std::string cause(int error) { return std::generic_category().message(error); }
-
-// Up to one byte over the ceiling, which the reader then refuses.
-std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
-    std::string text(most_file_bytes.count() + 1, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), &file));
-    if (std::ferror(&file) == 0) return text;
-    errors.add(name, "cannot be read: " + cause(errno));
-    return std::nullopt;
-}
-
-// Devices and pipes that are named are no scenes: they may never end.
-std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(path, failed);
-    if (fs::is_directory(status)) {
-        errors.add(name, "cannot be read: it is a folder");
-        return std::nullopt;
-    }
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        errors.add(name, "cannot be read: it is no ordinary file");
-        return std::nullopt;
-    }
-    const std::unique_ptr<std::FILE, CloseFile> file{std::fopen(path.c_str(), "rb")};
-    if (!file) {
-        errors.add(name, "cannot be read: " + cause(errno));
-        return std::nullopt;
-    }
-    return text_of(*file, name, errors);
-}
 
 // A scene of a newer format may hold anything: nothing else in it is looked at.
 void refuse_newer_format(const Node& root) {

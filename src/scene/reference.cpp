@@ -156,6 +156,10 @@ std::string scene_reference() {
     const Section& layout = section_of(template_section(), "layout");
     page.add(layout, layout);
     page.add(
+        "A figure set, a file given to `carom figures`, lists scenes whose figures belong "
+        "together ([figures.md](figures.md)):\n\n");
+    page.add(set_section(), set_section());
+    page.add(
         "## Ceilings\n\nWhat is over a ceiling is refused before memory is taken: "
         "[limits.md](limits.md) lists them all.\n");
     return page.text();

@@ -36,6 +36,7 @@ void visit_keys(const Visit& visit) {
     };
     for (const int dimension : {1, 2}) visit_sections(scene_section(dimension), each);
     visit_sections(template_section(), each);
+    visit_sections(set_section(), each);
 }
 
 bool passes(const Key& key, Node value) {

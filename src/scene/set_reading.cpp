@@ -1,0 +1,123 @@
+#include "scene/set_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "scene/check.h"
+#include "scene/fields.h"
+#include "scene/file_text.h"
+#include "scene/yaml.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array page_names{"markdown", "html", "latex"};
+
+std::optional<Node> tree_of(const fs::path& path, Source& source, Errors& errors) {
+    source.name = path.string();
+    auto text = file_text(path, source, errors);
+    if (!text) return std::nullopt;
+    source.text = std::move(*text);
+    return read_yaml(source, errors);
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    return end == folder.end() && rest != file.end();
+}
+
+// A set and its scenes may be moved together, and lead nowhere else.
+fs::path scene_path(const Node& written, const fs::path& set, Errors& errors) {
+    const fs::path path = folder_of(set) / written.text;
+    std::error_code failed;
+    const fs::path above = fs::weakly_canonical(folder_of(set) / "..", failed);
+    if (fs::path(written.text).is_absolute() ||
+        !is_inside(fs::weakly_canonical(path, failed), above) || failed)
+        errors.add(written,
+                   fmt::format("the scene {} is neither in the set's folder nor in the one above",
+                               in_quotes(written.text)),
+                   "give its path from the set: ../one-hot-particle.yaml");
+    return path.lexically_normal();
+}
+
+SetScene read_scene(const Node& item, const fs::path& set, Errors& errors) {
+    SetScene scene;
+    scene.place = place_of(item);
+    if (item.is_scalar()) {
+        scene.path = scene_path(item, set, errors);
+        return scene;
+    }
+    const Section& section = section_of(set_section(), "scenes");
+    const Fields fields{item, section};
+    if (const Node* path = fields.given("scene")) {
+        scene.path = scene_path(*path, set, errors);
+        scene.place = place_of(*path);
+    }
+    scene.title = fields.text("title");
+    scene.description = fields.text("description");
+    if (const Node* figures = fields.given("figures"))
+        for (const Node& name : figures->items)
+            scene.figures.emplace_back(name.text, place_of(name));
+    return scene;
+}
+
+std::string template_of(const Node& written, const fs::path& set, Errors& errors) {
+    const std::string& name = written.text;
+    if (std::ranges::find(page_names, name) != page_names.end()) return name;
+    const std::string ending = fs::path(name).extension().string();
+    const bool page = ending == ".md" || ending == ".html" || ending == ".tex";
+    if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.') || !page)
+        errors.add(written, fmt::format("expected a template of pages, found {}", in_quotes(name)),
+                   "`markdown`, `html`, `latex`, or a file beside the set that ends in .md, .html "
+                   "or .tex");
+    return (folder_of(set) / name).lexically_normal().string();
+}
+
+}  // namespace
+
+bool is_figure_set(const fs::path& path) {
+    Errors errors;
+    Source source;
+    const auto root = tree_of(path, source, errors);
+    return root && root->is_mapping() && find(*root, "scenes") != nullptr &&
+           find(*root, "box") == nullptr;
+}
+
+SetFile load_figure_set(const fs::path& path) {
+    Errors errors;
+    Source source;
+    auto root = tree_of(path, source, errors);
+    if (root && !root->is_mapping())
+        errors.add(source, root->kind == Node::Kind::null ? "the set is empty"
+                                                          : "expected a set (a mapping with "
+                                                            "`title` and `scenes`)");
+    errors.throw_if_any();
+    check_mapping(root.value(), set_section(), errors);
+    const Fields fields{*root, set_section()};
+    SetFile set;
+    set.title = fields.text("title").value_or("");
+    set.description = fields.text("description").value_or("");
+    if (const Node* scenes = fields.given("scenes"))
+        for (const Node& item : scenes->items)
+            if (item.valid) set.scenes.push_back(read_scene(item, path, errors));
+    if (const Node* asked = fields.value("template")) {
+        if (asked->is_scalar()) set.templates.push_back(template_of(*asked, path, errors));
+        for (const Node& one : asked->items)
+            set.templates.push_back(template_of(one, path, errors));
+    }
+    if (const Node* formats = fields.given("formats"))
+        for (const Node& one : formats->items) set.formats.push_back(one.text);
+    errors.throw_if_any();
+    return set;
+}
+
+}  // namespace carom

@@ -250,3 +250,56 @@ TEST_CASE("a template of one's own is told its mistakes before any work") {
     CHECK(figures(folder, {"scene.yaml", "--page", "mine.doc"}).exit_code == 2);
     CHECK(figures(folder, {"scene.yaml", "--page", "mine.md,markdown"}).exit_code == 2);
 }
+
+TEST_CASE("the sets of the library make their pages, and the same bytes twice") {
+    for (const std::string name : {"kinetic-theory", "collisions"}) {
+        CAPTURE(name);
+        const TemporaryFolder folder;
+        const std::string set = (root / "scenes/sets" / (name + ".yaml")).string();
+        const Outcome made = figures(folder, {set});
+        CAPTURE(made.err);
+        REQUIRE(made.exit_code == 0);
+        CHECK(made.err.empty());
+        const fs::path out = folder.path() / "out" / name;
+        const json words = json::parse(contents(out / "captions.json"));
+        CHECK(words.at("figures").size() >= 7);
+        for (const std::string ending : {".html", ".tex", ".md"})
+            for (const json& figure : words.at("figures"))
+                CHECK(has(contents(out / (name + ending)), figure.at("name").get<std::string>()));
+        CHECK(has(figures(folder, {set}).out, "up to date"));
+        CHECK(figures(folder, {set, "-o", "again"}).exit_code == 0);
+        CHECK(files_in(out) == files_in(folder.path() / "again"));
+        if (is_installed("chromium"))
+            CHECK_FALSE(
+                has(seen_in_browser(out / (name + ".html"), folder.path() / "profile"), ":false"));
+    }
+}
+
+TEST_CASE("what a set asks of its scenes must be there, and be told apart") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    folder.write("other.yaml", ten_disks);
+    folder.write("set.yaml", "title: T\nscenes: [{scene: scene.yaml, figures: [speed]}]\n");
+    const Outcome unknown = figures(folder, {"set.yaml"});
+    CHECK(unknown.exit_code == 2);
+    CHECK(has(unknown.err, "set.yaml:2:40: error: scene.yaml has no figure `speed`"));
+    CHECK(has(unknown.err, "did you mean `speeds`?"));
+    folder.write("set.yaml", "title: T\nscenes: [scene.yaml, other.yaml]\n");
+    const Outcome same = figures(folder, {"set.yaml"});
+    CHECK(same.exit_code == 2);
+    CHECK(has(same.err, "scene.yaml and other.yaml both have a figure `start`"));
+    folder.write("set.yaml", "title: T\nscenes: [nowhere.yaml]\n");
+    CHECK(figures(folder, {"set.yaml"}).exit_code == 2);
+    folder.write("set.yaml",
+                 "title: Both\nformats: [svg]\ntemplate: markdown\nscenes:\n"
+                 "  - {scene: other.yaml, figures: [speeds], title: First}\n"
+                 "  - {scene: scene.yaml, figures: [start], description: Words.}\n");
+    CHECK(figures(folder, {"set.yaml"}).exit_code == 0);
+    CHECK(folder.names() ==
+          std::vector<std::string>{"other.yaml", "out", "scene.yaml", "set.yaml"});
+    const std::string page = contents(folder.path() / "out/set/set.md");
+    CHECK(page.starts_with("# Both\n"));
+    CHECK(page.find("## First") < page.find("(speeds.svg)"));
+    CHECK(page.find("(speeds.svg)") < page.find("## Ten disks"));
+    CHECK(page.find("Words.") < page.find("(start.svg)"));
+}

@@ -49,6 +49,8 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     FigureWords words;
     words.caption =
         figure.spec->caption.value_or(made_caption(scene, figure, run.particles().count()));
+    const std::string finding = figure.panel->finding(*figure.moments.back().state);
+    if (!finding.empty()) words.caption += " " + finding;
     words.alt = figure.spec->alt.value_or(fmt::format("{} {}. {}", kind_words(scene, *figure.spec),
                                                       time_words(figure), scene.description));
     return words;

@@ -11,7 +11,8 @@ std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& 
                              .beyond = "higher",
                              .values = [](const Observation& o) { return o.energy; },
                              .density = energy_density,
-                             .unit = reduced::energy};
+                             .unit = reduced::energy,
+                             .law = Law::energy};
     if (cast.equilibrium && cast.equilibrium->alpha < 1.0) subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
 }

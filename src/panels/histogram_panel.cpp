@@ -2,11 +2,15 @@
 // histogram_drawing.cpp.
 #include "panels/histogram_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "panels/chosen.h"
 #include "stats/histogram.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -105,6 +109,8 @@ void HistogramPanel::settle() {
     choose_bins();
     choose_curves();
     choose_height();
+    for (const Series& one : series_)
+        if (spec_.test) require_testable(one);
     pool_ = {};
     for (Series& one : series_) {
         one.probes = {};
@@ -228,6 +234,58 @@ Table HistogramPanel::table(const PanelState& state, const Theme&) const {
         if (marks_mean_start()) add("mean at start", one.mean_start, {}, {});
     }
     return table;
+}
+
+Expected HistogramPanel::expected(const Series& series) const {
+    std::vector<double> edges;
+    for (int i = 0; i <= bins_.count; ++i) edges.push_back(bins_.edge(i));
+    return expected_counts(*series.equilibrium, *subject_.law, edges,
+                           static_cast<double>(series.members.size()), numbers_each_);
+}
+
+// Particles of several masses, with so many of each, do not make counts of one law; and fixed ones
+// have no part in the energy.
+void HistogramPanel::require_testable(const Series& series) const {
+    Diagnostic error = spec_.place;
+    if (!series.equilibrium) {
+        error.message = "there is no equilibrium that these bars could be tested against";
+        error.hint = "leave out `test`, or change the gas so that it comes to one";
+        throw SceneError({error});
+    }
+    const std::vector<MassGroup>& groups = series.equilibrium->groups;
+    if (groups.size() > 1 || groups.front().count < static_cast<double>(series.members.size())) {
+        error.message = "the test is for particles of one finite mass";
+        error.hint = "choose them in `of`: the name of one species";
+        throw SceneError({error});
+    }
+    const Expected law = expected(series);
+    if (pearson(law.count, law)) return;
+    error.message = "too few particles for the test: not three bars have 5 expected in each";
+    error.hint = "leave out `test`, or give the gas more particles";
+    throw SceneError({error});
+}
+
+std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::size_t series) const {
+    const MeanHistogram& now = histograms(state)[series];
+    std::vector<double> observed{now.below};
+    observed.insert(observed.end(), now.counts.begin(), now.counts.end());
+    observed.push_back(now.above);
+    return pearson(observed, expected(series_[series]));
+}
+
+std::string HistogramPanel::finding(const PanelState& state) const {
+    if (!spec_.test) return "";
+    std::string words = "Pearson\u2019s chi-squared test against equilibrium";
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        const ChiSquared found = test(state, k).value();
+        words += fmt::format(
+            "{}{} \u03C7\u00B2 = {} for {} degrees of freedom, p = {}", k == 0 ? ":" : ";",
+            series_.size() > 1 ? " " + name_of(cast_, series_[k].chosen) + "," : "",
+            three_digits(found.statistic), three_digits(found.freedom), three_digits(found.p));
+    }
+    return words +
+           " (bars pooled until 5 are expected in each; what is conserved lowers the degrees of "
+           "freedom).";
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/panel.h"
+#include "stats/goodness.h"
 #include "stats/running_histogram.h"
 
 namespace carom {
@@ -28,6 +29,7 @@ struct HistogramSubject {
         {};                             ///< all values are in here; none: as the run shows
     bool means = true;                  ///< marked where the scene does not say
     std::string unit = reduced::speed;  ///< of the numbers, in a table
+    std::optional<Law> law = {};        ///< that they follow at equilibrium, for a test
 };
 
 class HistogramPanel : public Panel {
@@ -40,6 +42,10 @@ class HistogramPanel : public Panel {
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
+    std::string finding(const PanelState& state) const override;
+
+    /// For tests: of the bars of a choice against its curve, where the scene asks for it.
+    std::optional<ChiSquared> test(const PanelState& state, std::size_t series) const;
 
     /// For tests: the fixed bins and the top of the vertical axis.
     const Bins& bins() const { return bins_; }
@@ -77,6 +83,8 @@ class HistogramPanel : public Panel {
     void choose_bins();
     void choose_curves();
     void choose_height();
+    Expected expected(const Series& series) const;
+    void require_testable(const Series& series) const;
     bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
     bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means); }
     bool marks_mean_start() const { return spec_.mean_start.value_or(subject_.means); }

@@ -77,6 +77,9 @@ class Panel {
     /// where there are none.
     virtual Table table(const PanelState& state, const Theme& theme) const = 0;
 
+    /// What a caption says of a state beyond what it shows, in whole sentences; mostly nothing.
+    virtual std::string finding(const PanelState&) const { return ""; }
+
     /// Whether its states need the collisions on the way.
     virtual bool wants_collisions() const { return false; }
 

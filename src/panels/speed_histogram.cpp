@@ -10,7 +10,8 @@ std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& s
                              .quantity = "speed",
                              .beyond = "faster",
                              .values = [](const Observation& o) { return o.speed; },
-                             .density = speed_density};
+                             .density = speed_density,
+                             .law = Law::speed};
     return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
 }
 

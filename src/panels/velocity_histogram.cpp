@@ -18,7 +18,8 @@ std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec
                              .values = {},
                              .density = velocity_density,
                              .symmetric = true,
-                             .means = false};
+                             .means = false,
+                             .law = Law::velocity};
     subject.values = [both, first](const Observation& o) -> Eigen::ArrayXXd {
         return both ? o.sample.velocity : o.sample.velocity.col(first);
     };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "scene/mixing.h"
+
 namespace carom {
 namespace {
 
@@ -77,6 +79,24 @@ void check_name(const Node& node, const std::vector<FigureSpec>& others, const s
                    "each writes files of its own: give one of them another name");
 }
 
+// Of what the test supposes, as much as is known before the run.
+void check_test(const Fields& fields, const Gas& gas, Errors& errors) {
+    const Node* asked = fields.given("test");
+    if (asked == nullptr || fields.flag("test") != true) return;
+    if (fields.mentions("over"))
+        errors.add(*asked,
+                   "`test` is for one time: over a while the same particles are counted again and "
+                   "again, and values are not independent",
+                   "give a time in `at` instead of `over`");
+    if (fields.flag("theory") == false)
+        errors.add(*asked, "`test` compares the bars with the theory, which `theory: false` hides",
+                   "leave out one of them");
+    if (const auto reason = why_no_equilibrium(gas))
+        errors.add(*asked,
+                   "there is no equilibrium that this gas could be tested against: " + *reason,
+                   "leave out `test`");
+}
+
 FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors) {
     FigureSpec figure;
     figure.name = fields.text("name").value_or("");
@@ -84,6 +104,8 @@ FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors)
     read_times(fields, figure, shown.run, errors);
     figure.panel.at = figure.times.back();
     read_size(fields, figure);
+    figure.panel.test = fields.flag("test").value_or(false);
+    check_test(fields, shown.gas, errors);
     figure.theme = theme_of(fields.text("theme").value_or("print"));
     figure.caption = fields.text("caption");
     figure.alt = fields.text("alt");

@@ -332,6 +332,13 @@ Section figure() {
                                    {list_of({time}, 2, 2, "[from, to]")}});
     for (Key& key : panel_keys(one_of(std::move(kinds)), std::move(over)))
         keys.push_back(std::move(key));
+    keys.push_back(only_with(
+        predicted(),
+        otherwise("false", {"test",
+                            "Whether the caption tells how well the bars fit the theory, by "
+                            "Pearson's chi-squared test: for one time `at`, where the values are "
+                            "independent but for what is conserved, and particles of one mass.",
+                            {flag()}})));
     keys.push_back(
         left_to("the end of the run", {"at", "The simulated time that it shows.", {time}}));
     keys.push_back(only_with({"gas"}, {"strip",

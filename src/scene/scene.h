@@ -104,7 +104,8 @@ struct PanelSpec {
     bool fit = false;
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
-    std::optional<double> at = {};   ///< of a figure: the time that it shows; none in films
+    bool test = false;              ///< of a figure: whether the bars are tested against the theory
+    std::optional<double> at = {};  ///< of a figure: the time that it shows; none in films
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
     std::vector<Monitor> numbers = {};  ///< monitors: those shown; none: all
     std::string words = {};             ///< text

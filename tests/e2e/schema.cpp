@@ -48,6 +48,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"count_missing", several_places},     // a count, or a list of positions
     {"event_at_the_end", several_places},  // `at` against `until`
     {"events_too_dense", several_places},
+    {"figure_test_over", several_places},
     {"film_slow_between", several_places},  // spans against one another and the film's length
     {"film_slow_in", several_places},
     {"film_slow_out", several_places},

@@ -47,6 +47,7 @@ const std::vector<Door> doors{
     {std::regex("nlohmann/.*"),
      {"app/run_json.cpp", "app/check_json.cpp", "app/schema_json.cpp", "app/figures_json.cpp"}},
     {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "figures/"}},
+    {std::regex("unsupported/Eigen/.*"), {"stats/goodness.cpp"}},
     {std::regex("fmt/.*"),
      {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "figures/", "app/"}},
 };

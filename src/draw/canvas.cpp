@@ -226,9 +226,14 @@ void Canvas::stroke_line(Point from, Point to, double width, Color color) {
 }
 
 void Canvas::stroke_path(std::span<const Point> points, double width, Color color, double dash) {
-    cairo_set_line_cap(handle(), dash > 0.0 ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+    stroke_path(points, width, color, std::span(&dash, dash > 0.0 ? 1 : 0));
+}
+
+void Canvas::stroke_path(std::span<const Point> points, double width, Color color,
+                         std::span<const double> dashes) {
+    cairo_set_line_cap(handle(), dashes.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
     cairo_set_line_join(handle(), CAIRO_LINE_JOIN_ROUND);
-    if (dash > 0.0) cairo_set_dash(handle(), &dash, 1, 0.0);
+    cairo_set_dash(handle(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
     trace(handle(), points);
     stroke(handle(), width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);

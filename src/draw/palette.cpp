@@ -100,9 +100,10 @@ constexpr std::array on_dark = {sky_blue, yellow, bluish_green, reddish_purple,
                                 white,    orange, vermilion,    blue};
 constexpr std::array on_light = {blue,      bluish_green, darker_purple, black,
                                  vermilion, orange,       sky_blue,      yellow};
-// Lightness of the first four: 0, 70, 46 and 89 of 100, so that a grey copy keeps them apart.
-constexpr std::array in_print = {black,     sky_blue,     blue,          yellow,
-                                 vermilion, bluish_green, darker_purple, orange};
+// Greys as far apart as eight can be (CIEDE2000); the first four are far apart in lightness: 0, 83,
+// 45 and 68 of 100.
+constexpr std::array in_print = {black,         rgb(0xCFCFCF), rgb(0x6A6A6A), rgb(0xA5A5A5),
+                                 rgb(0x2B2B2B), white,         rgb(0x858585), rgb(0x4C4C4C)};
 
 }  // namespace
 
@@ -155,6 +156,20 @@ std::span<const std::string> color_map_names() {
 ColorMap netlogo_map(bool dark_ground) {
     if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x74CA50), rgb(0xE5483F)});
     return ColorMap({rgb(0x345DA9), rgb(0x4C9A30), rgb(0xB5201A)});
+}
+
+// Even in CIE's lightness: from 61, which has a contrast of 3 with white, to 14, which is no black.
+ColorMap grey_map() {
+    constexpr double light = 61.0, dark = 14.0;
+    constexpr int steps = 64;
+    std::vector<Color> greys;
+    for (int i = 0; i <= steps; ++i) {
+        const double luminance =
+            std::pow((std::lerp(light, dark, double(i) / steps) + 16) / 116, 3);
+        const double grey = 1.055 * std::pow(luminance, 1.0 / 2.4) - 0.055;
+        greys.push_back({grey, grey, grey, 1.0});
+    }
+    return ColorMap(std::move(greys));
 }
 
 Color kind_color(std::size_t index, const Theme& theme) {

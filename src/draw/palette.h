@@ -41,9 +41,11 @@ ColorMap color_map_on(std::string_view name, const Theme& theme);
 /// kinds are told apart by all viewers; between them the map is no scale for the colour-blind.
 ColorMap netlogo_map(bool dark_ground);
 
-/// Okabe and Ito's colours for kinds, in a fixed order for each theme; repeats after eight. In
-/// print the first four are as far apart without colour. The last ones on light grounds need an
-/// edge (see edge_of).
+/// Greys from light to dark by even steps, for print.
+ColorMap grey_map();
+
+/// Okabe and Ito's colours for kinds, in a fixed order for each theme, greys in print; repeats
+/// after eight. The last ones on light grounds, and pale greys, need an edge (see edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
 
 }  // namespace carom

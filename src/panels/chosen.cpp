@@ -43,7 +43,7 @@ Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, co
 }
 
 std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme,
-                          const std::string& last) {
+                          const std::string& last, NameMark mark) {
     if (chosen.size() == 1) return escape_markup(name_of(cast, chosen.front()));
     const bool numbers =
         std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
@@ -52,7 +52,9 @@ std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, c
         if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
         const std::string name =
             numbers ? std::to_string(*chosen[k].particle) : name_of(cast, chosen[k]);
-        words += colored(name, choice_color(cast, chosen[k], k, theme), theme);
+        const Color color = choice_color(cast, chosen[k], k, theme);
+        words += mark == NameMark::line ? line_sample(k, color, theme) : disk_sample(color, theme);
+        words += colored(name, color, theme);
     }
     return words;
 }

@@ -30,9 +30,12 @@ std::string single_name(const Cast& cast, Eigen::Index particle);
 /// and all have colours that no species has by default. `place`: among the choices.
 Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme);
 
+/// What stands before names in print.
+enum class NameMark { line, disk };
+
 /// Names in their colours, as markup: "light and heavy", the last joined by `last`; uncoloured
 /// where there is one.
 std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme,
-                          const std::string& last = " and ");
+                          const std::string& last = " and ", NameMark mark = NameMark::line);
 
 }  // namespace carom

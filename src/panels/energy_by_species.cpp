@@ -24,7 +24,8 @@ std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
     std::string words;
     for (std::size_t k = 0; k < species.size(); ++k) {
         if (k > 0) words += k + 1 == species.size() ? " and " : ", ";
-        words += colored(species[k].name, species_color(cast, k, theme), theme);
+        const Color color = species_color(cast, k, theme);
+        words += line_sample(k, color, theme) + colored(species[k].name, color, theme);
     }
     return "Mean energy: " + words;
 }

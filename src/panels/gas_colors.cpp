@@ -23,6 +23,7 @@ bool by_kind(ColorBy color_by) {
 }
 
 ColorMap scale_colors(const Scene& scene, const Theme& theme) {
+    if (!scene.film.palette && theme.kind == ThemeKind::print) return grey_map();
     const std::string name = scene.film.palette.value_or("viridis");
     return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
 }

@@ -186,7 +186,7 @@ void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& st
     if (series_.size() == 1) draw_casings(canvas, page, now.front());
     for (std::size_t k = 0; k < series_.size(); ++k) {
         canvas.stroke_path(path_of(page, series_[k].curve), curve_width * page.unit,
-                           ink(k, page).curve);
+                           ink(k, page).curve, line_dashes(k, series_.size(), page));
         if (spec_.fit) draw_fit(canvas, page, k, now[k]);
     }
     draw_means(canvas, page, now);
@@ -223,7 +223,8 @@ void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t 
         path.push_back({s.x(bins_.edge(i)), y});
         path.push_back({s.x(bins_.edge(i + 1)), y});
     }
-    canvas.stroke_path(path, 0.1 * page.unit, edge_of(ink(series, page).bar, page.theme));
+    canvas.stroke_path(path, 0.1 * page.unit, edge_of(ink(series, page).bar, page.theme),
+                       line_dashes(series, series_.size(), page));
 }
 
 // What the axes cannot hold is said: a bar that is cut, with its count.
@@ -383,14 +384,18 @@ void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t seri
                               const MeanHistogram& now) const {
     const Color color = ink(series, page).fit;
     const bool dashed = !series_[series].curve.empty();
-    const std::vector<Point> curve = path_of(page, fit_curve(series, now));
-    canvas.stroke_path(curve, curve_width * page.unit, color, dashed ? 0.8 * page.unit : 0.0);
+    std::vector<double> dashes;
+    if (dashed) dashes = {0.8 * page.unit};
+    if (page.theme.kind == ThemeKind::print && series_.size() > 1)  // other than the bars' own
+        dashes = line_dashes(series_.size() + series, 2 * series_.size(), page);
+    canvas.stroke_path(path_of(page, fit_curve(series, now)), curve_width * page.unit, color,
+                       dashes);
     if (series >= most_fit_rows) return;
     const Point row = row_above(page, static_cast<int>(series));
-    if (dashed)  // a sample of it, left of the words
+    if (!dashes.empty())  // a sample of it, left of the words
         canvas.stroke_path(std::array{Point{row.x - 2.9 * page.unit, row.y - 0.35 * page.unit},
                                       Point{row.x - 0.5 * page.unit, row.y - 0.35 * page.unit}},
-                           curve_width * page.unit, color, 0.8 * page.unit);
+                           curve_width * page.unit, color, dashes);
     TextStyle style = label_style(page);
     style.color = legible(color, page.theme);
     style.max_width = plot_area(page).width;

@@ -130,8 +130,9 @@ Color color_of(const Cast& cast, const Meeting& meeting, std::size_t k, const Th
 
 std::string names_of(const Cast& cast, const Meeting& meeting, const Theme& theme) {
     const auto name = [&](std::size_t k) {
-        return colored(std::to_string(meeting.particle[k]), color_of(cast, meeting, k, theme),
-                       theme);
+        const Color color = color_of(cast, meeting, k, theme);
+        return disk_sample(color, theme) +
+               colored(std::to_string(meeting.particle[k]), color, theme);
     };
     return "particles " + name(0) + " and " + name(1);
 }

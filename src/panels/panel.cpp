@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "draw/palette.h"
 
@@ -70,6 +71,40 @@ bool draw_remark(Canvas& canvas, const Page& page, Point corner, double width,
 std::string colored(const std::string& text, Color color, const Theme& theme) {
     return fmt::format("<span foreground=\"#{:06x}\">{}</span>",
                        to_pixel(legible(color, theme)) & 0xFFFFFF, escape_markup(text));
+}
+
+std::vector<double> line_dashes(std::size_t line, std::size_t lines, const Page& page) {
+    if (page.theme.kind != ThemeKind::print || lines < 2) return {};
+    const double u = page.unit;
+    switch (line % 4) {
+        case 0:
+            return {};
+        case 1:
+            return {0.8 * u, 0.4 * u};
+        case 2:
+            return {0.2 * u, 0.25 * u};
+        default:
+            return {0.9 * u, 0.3 * u, 0.2 * u, 0.3 * u};
+    }
+}
+
+std::string line_sample(std::size_t line, Color color, const Theme& theme) {
+    if (theme.kind != ThemeKind::print) return "";
+    constexpr std::array<const char*, 4> samples = {"—", "- - -", "···", "–·–"};
+    return fmt::format("<span foreground=\"#{:06x}\" weight=\"900\">{}</span> ",
+                       to_pixel(edge_of(color, theme)) & 0xFFFFFF, samples[line % samples.size()]);
+}
+
+bool looks_hollow(Color color, const Theme& theme) {
+    const bool is_grey = color.red == color.green && color.green == color.blue;
+    return is_grey && contrast(color, theme.page) < least_contrast_of_marks;
+}
+
+std::string disk_sample(Color color, const Theme& theme) {
+    if (theme.kind != ThemeKind::print) return "";
+    return fmt::format("<span foreground=\"#{:06x}\">{}</span> ",
+                       to_pixel(edge_of(color, theme)) & 0xFFFFFF,
+                       looks_hollow(color, theme) ? "○" : "●");
 }
 
 std::string slow_words(const Slowness& slow) { return fmt::format("\u00D7{:.3g}", slow.factor); }

@@ -124,6 +124,17 @@ bool draw_remark(Canvas& canvas, const Page& page, Point corner, double width,
 /// `text` in a colour, or the nearest to it that can be read, as markup.
 std::string colored(const std::string& text, Color color, const Theme& theme);
 
+/// How one of several lines is dashed where greys tell them apart, in print; empty: it is solid.
+std::vector<double> line_dashes(std::size_t line, std::size_t lines, const Page& page);
+
+/// In print, a sample of a line or a disk to stand before the words about it, as markup with a
+/// space after it; elsewhere nothing, as the words have the colour.
+std::string line_sample(std::size_t line, Color color, const Theme& theme);
+std::string disk_sample(Color color, const Theme& theme);
+
+/// Whether a disk is of a grey that hardly differs from the paper, so that it looks like a ring.
+bool looks_hollow(Color color, const Theme& theme);
+
 /// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
 Color species_color(const Cast& cast, std::size_t species, const Theme& theme);
 

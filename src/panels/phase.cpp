@@ -17,7 +17,7 @@ std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec) {
             if (spec.title) return {escape_markup(*spec.title)};
             const std::string words = "Position and velocity";
             if (spec.of.empty()) return {words};
-            const std::string names = colored_names(cast, chosen, theme);
+            const std::string names = colored_names(cast, chosen, theme, " and ", NameMark::disk);
             return {words + " of " + names, names};  // the axes say the rest
         },
         .across = "position" + along,

@@ -116,9 +116,12 @@ void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state
     for (std::size_t k = 0; k < now.sets.size(); ++k) {
         draw_path(canvas, page, k, now.shown);
         const double radius = (now.sets[k].size() == 1 ? 0.35 : 0.16) * page.unit;
-        for (const Point& point : now.sets[k])
-            canvas.fill_circle(s(point), radius,
-                               edge_of(subject_.color(k, page.theme), page.theme));
+        const Color color = subject_.color(k, page.theme);
+        const bool hollow = page.theme.kind == ThemeKind::print && looks_hollow(color, page.theme);
+        for (const Point& point : now.sets[k]) {
+            canvas.fill_circle(s(point), radius, edge_of(color, page.theme));
+            if (hollow) canvas.fill_circle(s(point), 0.6 * radius, page.theme.page);
+        }
     }
 }
 

@@ -95,10 +95,13 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
         .title =
             [spec, walls](const Theme& theme) {
                 if (spec.title) return escape_markup(*spec.title);
-                const std::string virial = colored("from collisions", line_color(1, theme), theme);
+                const auto name = [&](std::size_t line, const std::string& words) {
+                    const Color color = line_color(line, theme);
+                    return line_sample(line, color, theme) + colored(words, color, theme);
+                };
+                const std::string virial = name(1, "from collisions");
                 if (!walls) return "Pressure " + virial;
-                return "Pressure " + colored("on the walls", line_color(0, theme), theme) +
-                       " and " + virial;
+                return "Pressure " + name(0, "on the walls") + " and " + virial;
             },
         .notes = {time_words(over)},
         .column =

@@ -166,6 +166,7 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
     const Color color = subject_.color(index, page.theme);
     const Color edge = edge_of(color, page.theme);
     const bool has_edge = to_pixel(edge) != to_pixel(color);
+    const std::vector<double> dashes = line_dashes(index, history_.lines.size(), page);
     std::vector<Point> path;
     for (std::size_t i = 0; i < shown; ++i) {
         if (!std::isfinite(line[i])) continue;
@@ -176,9 +177,10 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
         if (!leg_ends) continue;
         const bool way_back = history_.leg[i] % 2 == 1;
         const double wider = way_back ? 0.1 * page.unit : 0.0;
-        if (has_edge) canvas.stroke_path(path, 0.26 * page.unit + wider, edge);
-        canvas.stroke_path(path, 0.16 * page.unit + wider, color);
-        if (way_back) canvas.stroke_path(path, 0.12 * page.unit, lighter(color));
+        const bool dashed = !dashes.empty();
+        if (has_edge && !dashed) canvas.stroke_path(path, 0.26 * page.unit + wider, edge);
+        canvas.stroke_path(path, 0.16 * page.unit + wider, dashed ? edge : color, dashes);
+        if (way_back) canvas.stroke_path(path, 0.12 * page.unit, lighter(color), dashes);
         path = {last};
     }
     if (path.empty()) return;

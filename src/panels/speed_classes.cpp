@@ -14,8 +14,13 @@ namespace {
 std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
     if (spec.title) return escape_markup(*spec.title);
     const std::vector<Color> colors = speed_class_colors(cast.scene, theme);
-    return fmt::format("{}, {} and {}, in per cent", colored("Slow", colors[0], theme),
-                       colored("medium", colors[1], theme), colored("fast", colors[2], theme));
+    const auto name = [&](std::size_t k, const std::string& words) {
+        return line_sample(k, colors[k], theme) + colored(words, colors[k], theme);
+    };
+    const std::string slow = name(0, "Slow"), medium = name(1, "medium"), fast = name(2, "fast");
+    if (theme.kind == ThemeKind::print)  // samples take the room of words
+        return fmt::format("{}, {}, {} (per cent)", slow, medium, fast);
+    return fmt::format("{}, {} and {}, in per cent", slow, medium, fast);
 }
 
 }  // namespace

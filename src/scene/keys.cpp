@@ -350,9 +350,11 @@ Section figure() {
          "Of a text's column (8.9 cm wide), of its page (18.3 cm), of a slide "
          "(33.9 cm by 19.1 cm, with large type), or width and height in centimetres.",
          {one_of({"column", "page", "slide"}), list_of({side}, 2, 2, "[width, height]")}}));
-    keys.push_back(otherwise("print", {"theme",
-                                       "The colours of the ground and of the text.",
-                                       {one_of({"light", "dark", "print"})}}));
+    keys.push_back(
+        otherwise("print", {"theme",
+                            "The colours of the ground and of the text; `print` is "
+                            "black, white and greys, but for what the scene colours itself.",
+                            {one_of({"light", "dark", "print"})}}));
     keys.push_back(left_to("made from what the figure shows",
                            {"caption", "The words under the figure.", {lines(1, most_letters)}}));
     keys.push_back(
@@ -403,7 +405,8 @@ vector<Key> film_keys() {
              "column to odd ones.",
              {one_of({"2160p", "1080p", "720p"}), list_of({side}, 2, 2, "[width, height]")}}),
         otherwise("dark", {"theme",
-                           "The colours of the ground and of the text.",
+                           "The colours of the ground and of the text; `print` is black, white and "
+                           "greys, but for what the scene colours itself.",
                            {one_of({"light", "dark", "print"})}}),
         otherwise("theme",
                   {"ground",

@@ -56,7 +56,15 @@ TEST_CASE("the colours of kinds differ for every viewer, in every theme") {
     }
 }
 
-TEST_CASE("the first four kinds differ in a grey copy of a print") {
+TEST_CASE("a print needs no colour, and its first four kinds differ much in lightness") {
+    const auto is_grey = [](Color color) {
+        return color.red == color.green && color.green == color.blue;
+    };
+    for (std::size_t i = 0; i < 8; ++i) CHECK(is_grey(kind_color(i, theme(ThemeKind::print))));
+    const Theme& print = theme(ThemeKind::print);
+    for (const Color& color : {print.page, print.ground, print.ink, print.muted, print.accent,
+                               print.bar, print.wall, print.trail, print.highlight})
+        CHECK(is_grey(color));
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < i; ++k)
             CHECK(std::abs(lightness(kind_color(i, theme(ThemeKind::print))) -
@@ -117,6 +125,22 @@ TEST_CASE("NetLogo's three colours differ for every viewer") {
 // Lightness carries a scale when colour does not, so it has to change by even steps. The maps are
 // even in CAM02-UCS; by CIEDE2000, which weighs otherwise, their parts used here are even to within
 // a factor: 2 for viridis, which is the default.
+TEST_CASE("the scale of a print is grey, stands out from the paper and falls by equal steps") {
+    const ColorMap map = grey_map();
+    constexpr int steps = 16;
+    for (int i = 0; i <= steps; ++i) {
+        const Color here = map.at(double(i) / steps);
+        CHECK((here.red == here.green && here.green == here.blue));
+        CHECK(contrast(here, theme(ThemeKind::print).page) >= 3.0);
+        if (i == 0) continue;
+        CHECK(lightness(map.at((i - 1.0) / steps)) - lightness(here) ==
+              relative(lightness(map.at(0.0)) / steps - lightness(map.at(1.0)) / steps, 0.01));
+    }
+    // Infinite masses have the ink.
+    CHECK(distance(visions[0], map.at(1.0), theme(ThemeKind::print).ink) >= 8.0);
+    check_apart({map.at(0.0), map.at(0.5), map.at(1.0)});
+}
+
 TEST_CASE("scales stand out from their ground, and rise by even steps") {
     constexpr int steps = 16;
     for (const ThemeKind kind : all_themes)

@@ -9,7 +9,10 @@
 #include "panels/frame.h"
 #include "panels/gas_colors.h"
 #include "scene/load.h"
+#include "support/files.h"
 #include "support/first_frame.h"
+#include "support/pixels.h"
+#include "support/shot.h"
 #include "support/vision.h"
 
 using namespace carom;
@@ -203,4 +206,65 @@ TEST_CASE("words on plates, and on captions, can be read over anything that move
         CHECK(contrast(colors.bar, colors.page) >= 4.5);  // words about bars have their colour
         CHECK(contrast(colors.accent, colors.page) >= 4.5);
     }
+}
+
+TEST_CASE("a print of a scene that names no colours has none") {
+    const std::filesystem::path root{CAROM_TEST_ROOT};
+    int scenes = 0;
+    for (const std::filesystem::path& file : yaml_files(root / "scenes")) {
+        CAPTURE(file.stem().string());
+        Scene scene =
+            load_scene(file, root / "templates", {{{"film.theme", "print"}, {"film.fps", "1"}}});
+        const bool has_own =
+            scene.film.palette || std::ranges::any_of(scene.looks, [](const SpeciesLook& look) {
+                return look.color.has_value();
+            });
+        if (has_own) continue;
+        ++scenes;
+        const Shot film(std::move(scene));
+        FramePainter painter(film.scene, *film.observers);
+        int coloured = 0;
+        for (const std::size_t frame : {film.frames.size() / 3, film.frames.size() - 2})
+            for (const std::uint32_t pixel : pixels_of(painter.paint(film.frames[frame]))) {
+                const int red = (pixel >> 16) & 0xFF, green = (pixel >> 8) & 0xFF,
+                          blue = pixel & 0xFF;
+                coloured += std::max({red, green, blue}) - std::min({red, green, blue}) > 2;
+            }
+        CHECK(coloured == 0);
+    }
+    CHECK(scenes >= 10);
+}
+
+TEST_CASE("lines and disks of a print are told apart without colour, and words show how") {
+    Scene scene = scene_of(
+        "{name: a, count: 3, radius: 1}, {name: b, count: 3, radius: 1}, "
+        "{name: c, count: 3, radius: 1}, {name: d, count: 3, radius: 1}",
+        "theme: print, template: data, panels: [energy-by-species]");
+    const FirstFrame picture(scene);
+    const Theme& print = theme(ThemeKind::print);
+    DiskPainter disks;
+    const Page page{{0, 0, 100, 100}, 20.0, print, disks};
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(line_dashes(i, 1, page).empty());
+        CHECK_FALSE(line_sample(i, print.ink, print).empty());
+        for (std::size_t k = 0; k < i; ++k) {
+            CHECK(line_dashes(i, 4, page) != line_dashes(k, 4, page));
+            CHECK(line_sample(i, print.ink, print) != line_sample(k, print.ink, print));
+        }
+    }
+    for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+        const Page other{{0, 0, 100, 100}, 20.0, theme(kind), disks};
+        CHECK(line_dashes(1, 4, other).empty());
+        CHECK(line_sample(1, theme(kind).ink, theme(kind)).empty());
+        CHECK(disk_sample(theme(kind).ink, theme(kind)).empty());
+    }
+    CHECK(disk_sample(kind_color(0, print), print).find("●") != std::string::npos);
+    CHECK(disk_sample(kind_color(1, print), print).find("○") != std::string::npos);
+    TextLog log;
+    FramePainter painter(picture.scene, picture.observers);
+    const bool has_samples = std::ranges::any_of(log.lines, [](const DrawnLine& line) {
+        return line.markup.find("–·–") != std::string::npos &&
+               line.markup.find("- - -") != std::string::npos;
+    });
+    CHECK(has_samples);
 }

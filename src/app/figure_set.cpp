@@ -192,7 +192,7 @@ class Maker {
                 return of_part(figure) && is_due(figure);
             }))
             return;
-        const FigureRun run(part.scene, [&] { return simulate(part.scene); });
+        const FigureRun run(part.scene, simulate);
         for (const PlannedFigure& figure : figures_)
             if (of_part(figure) && is_due(figure)) draw(run, figure);
     }

@@ -1,6 +1,9 @@
 #include "figures/figure_run.h"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
 
 #include "panels/registry.h"
 #include "util/interrupt.h"
@@ -24,8 +27,9 @@ std::vector<Tick> ticks_of(const Scene& scene) {
 }
 
 // Nothing stands beside a figure.
-Scene alone(Scene scene) {
+Scene alone(Scene scene, int later) {
     scene.film.layout.panels.clear();
+    scene.gas.seed = scene.seed += static_cast<std::uint64_t>(later);
     return scene;
 }
 
@@ -34,53 +38,155 @@ bool shows(const Figure& figure, double time) {
     return next < figure.spec->times.size() && figure.spec->times[next] == time;
 }
 
-}  // namespace
-
-FigureRun::FigureRun(const Scene& scene, const std::function<Simulation()>& fresh)
-    : scene_(alone(scene)) {
-    Simulation start = fresh();
-    particles_ = start.particles();
-    equilibrium_ = equilibrium(scene_.gas.box, particles_, start.sample());
-    const std::vector<Tick> ticks = ticks_of(scene_);
-    const Cast cast{scene_, particles_, static_cast<int>(ticks.size()), equilibrium_, false};
-    for (const FigureSpec& spec : scene_.figures)
-        figures_.push_back({&spec, spec.panel.kind == "gas" ? make_gas_panel(cast)
-                                                            : make_panel(cast, spec.panel)});
-    survey(fresh(), ticks);
-    look(std::move(start), ticks);
+// Calls `work` with 0 to count - 1, on as many threads as there are cores. What the first of them
+// throws, in this order, is thrown.
+void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::vector<std::exception_ptr> errors(count);
+    std::atomic<std::size_t> next = 0;
+    const auto help = [&] {
+        for (std::size_t i = next++; i < count; i = next++) try {
+                work(i);
+            } catch (...) {
+                errors[i] = std::current_exception();
+            }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+        for (std::size_t i = 1; i < std::min(count, cores); ++i) helpers.emplace_back(help);
+        help();
+    }
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
 }
 
-Observation FigureRun::observe(const Tick& tick, const Sample& sample, const Passage& passage) {
+}  // namespace
+
+// The figures of one seed.
+class FigureRun::OfSeed {
+  public:
+    // Of the figures that show more than `later` seeds.
+    OfSeed(const Scene& scene, int later, const Fresh& fresh)
+        : scene_(alone(scene, later)),
+          fresh_(fresh),
+          ticks_(ticks_of(scene_)),
+          start_(fresh(scene_)) {
+        particles_ = start_->particles();
+        equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
+        const Cast cast{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_, false};
+        for (const FigureSpec& spec : scene_.figures)
+            if (spec.panel.seeds > later)
+                figures.push_back({&spec, spec.panel.kind == "gas" ? make_gas_panel(cast)
+                                                                   : make_panel(cast, spec.panel)});
+    }
+    OfSeed(const OfSeed&) = delete;
+    OfSeed& operator=(const OfSeed&) = delete;
+
+    void survey();
+    void look();
+    const Figure& figure_of(const std::string& name) const;
+    const Scene& scene() const { return scene_; }
+    const Particles& particles() const { return particles_; }
+
+    std::vector<Figure> figures;
+
+  private:
+    Observation observe(const Tick& tick, const Sample& sample, const Passage& passage);
+
+    Scene scene_;
+    const Fresh& fresh_;
+    std::vector<Tick> ticks_;
+    std::optional<Simulation> start_;
+    Particles particles_;
+    std::optional<EquilibriumGas> equilibrium_;
+    Eigen::ArrayXd speed_, energy_;  // of the present sample
+};
+
+const Figure& FigureRun::OfSeed::figure_of(const std::string& name) const {
+    return *std::ranges::find(figures, name,
+                              [](const Figure& figure) { return figure.spec->name; });
+}
+
+Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
+                                       const Passage& passage) {
     speed_ = speeds(sample);
     energy_ = kinetic_energies(particles_, sample);
     return {tick, sample, speed_, energy_, passage};
 }
 
-void FigureRun::survey(Simulation simulation, const std::vector<Tick>& ticks) {
+void FigureRun::OfSeed::survey() {
+    Simulation simulation = fresh_(scene_);
     simulation.record_collisions(std::ranges::any_of(
-        figures_, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
-    for (const Tick& tick : ticks) {
+        figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
+    for (const Tick& tick : ticks_) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);
         const Observation observation = observe(tick, simulation.sample(), passage);
-        for (const Figure& figure : figures_) figure.panel->survey(observation);
+        for (const Figure& figure : figures) figure.panel->survey(observation);
     }
-    for (const Figure& figure : figures_) figure.panel->settle();
 }
 
 // Of frames that show one time the last: at a reversal the one after it.
-void FigureRun::look(Simulation simulation, const std::vector<Tick>& ticks) {
-    simulation.record_collisions(std::ranges::any_of(
-        figures_, [](const Figure& figure) { return figure.panel->wants_collisions(); }));
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
+void FigureRun::OfSeed::look() {
+    start_->record_collisions(std::ranges::any_of(
+        figures, [](const Figure& figure) { return figure.panel->wants_collisions(); }));
+    for (std::size_t i = 0; i < ticks_.size(); ++i) {
         throw_if_interrupted();
-        const Passage passage = simulation.advance_to(ticks[i].time);
-        const Observation observation = observe(ticks[i], simulation.sample(), passage);
-        const bool last = i + 1 == ticks.size() || ticks[i + 1].time != ticks[i].time;
-        for (Figure& figure : figures_) {
+        const Passage passage = start_->advance_to(ticks_[i].time);
+        const Observation observation = observe(ticks_[i], start_->sample(), passage);
+        const bool last = i + 1 == ticks_.size() || ticks_[i + 1].time != ticks_[i].time;
+        for (Figure& figure : figures) {
             auto state = figure.panel->state(observation);
-            if (last && shows(figure, ticks[i].time))
-                figure.moments.push_back({ticks[i].time, passage.counts, std::move(state)});
+            if (last && shows(figure, ticks_[i].time))
+                figure.moments.push_back({ticks_[i].time, passage.counts, std::move(state)});
+        }
+    }
+    start_.reset();
+}
+
+FigureRun::FigureRun(const Scene& scene, const Fresh& fresh) {
+    int seeds = 1;
+    for (const FigureSpec& spec : scene.figures) seeds = std::max(seeds, spec.panel.seeds);
+    runs_.resize(static_cast<std::size_t>(seeds));
+    on_all_cores(runs_.size(), [&](std::size_t k) {
+        runs_[k] = std::make_unique<OfSeed>(scene, static_cast<int>(k), fresh);
+        runs_[k]->survey();
+    });
+    settle();
+    on_all_cores(runs_.size(), [&](std::size_t k) { runs_[k]->look(); });
+    take_means();
+}
+
+FigureRun::~FigureRun() = default;
+
+const Scene& FigureRun::scene() const { return runs_.front()->scene(); }
+
+const Particles& FigureRun::particles() const { return runs_.front()->particles(); }
+
+const std::vector<Figure>& FigureRun::figures() const { return runs_.front()->figures; }
+
+// The runs of all seeds of a figure have the same axes.
+void FigureRun::settle() {
+    for (const Figure& figure : figures()) {
+        std::vector<Panel*> others;
+        for (std::size_t k = 1; k < static_cast<std::size_t>(figure.spec->panel.seeds); ++k)
+            others.push_back(runs_[k]->figure_of(figure.spec->name).panel.get());
+        if (others.empty())
+            figure.panel->settle();
+        else
+            figure.panel->settle_with(others);
+    }
+}
+
+void FigureRun::take_means() {
+    for (Figure& figure : runs_.front()->figures) {
+        const auto seeds = static_cast<std::size_t>(figure.spec->panel.seeds);
+        if (seeds == 1) continue;
+        for (std::size_t i = 0; i < figure.moments.size(); ++i) {
+            std::vector<std::shared_ptr<const PanelState>> states;
+            for (std::size_t k = 0; k < seeds; ++k)
+                states.push_back(runs_[k]->figure_of(figure.spec->name).moments[i].state);
+            figure.moments[i].state = figure.panel->mean_of(states);
         }
     }
 }

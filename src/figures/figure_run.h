@@ -1,6 +1,6 @@
 // The figures of a scene before they are drawn: their panels with axes that hold for the whole run,
 // as in a film, and what they show at their times. All figures of a scene share two runs of the
-// physics.
+// physics; those that show means of several seeds share two for each of these.
 #pragma once
 
 #include <functional>
@@ -28,28 +28,29 @@ struct Figure {
     std::vector<FigureMoment> moments = {};
 };
 
+/// Gives a simulation of a scene at time 0; from any thread.
+using Fresh = std::function<Simulation(const Scene&)>;
+
 class FigureRun {
   public:
-    /// Runs the physics of `scene` twice; `fresh` gives a simulation of it at time 0. The axes are
-    /// those of the scene's film. Throws as the simulation does, and Interrupted.
-    FigureRun(const Scene& scene, const std::function<Simulation()>& fresh);
+    /// Runs the physics of `scene` twice, and twice for each further seed, on several threads. The
+    /// axes are those of the scene's film. Throws as the simulation does, and Interrupted.
+    FigureRun(const Scene& scene, const Fresh& fresh);
+    ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles
     FigureRun& operator=(const FigureRun&) = delete;
 
-    const Scene& scene() const { return scene_; }
-    const Particles& particles() const { return particles_; }
-    const std::vector<Figure>& figures() const { return figures_; }  ///< in the scene's order
+    const Scene& scene() const;
+    const Particles& particles() const;          ///< of the scene's own seed
+    const std::vector<Figure>& figures() const;  ///< in the scene's order
 
   private:
-    Observation observe(const Tick& tick, const Sample& sample, const Passage& passage);
-    void survey(Simulation simulation, const std::vector<Tick>& ticks);
-    void look(Simulation simulation, const std::vector<Tick>& ticks);
+    class OfSeed;
+    void settle();
+    void take_means();
 
-    Scene scene_;
-    Particles particles_;
-    std::optional<EquilibriumGas> equilibrium_;
-    Eigen::ArrayXd speed_, energy_;  ///< of the present sample
-    std::vector<Figure> figures_;
+    std::vector<std::unique_ptr<OfSeed>>
+        runs_;  ///< of the scene's own seed, then of those after it
 };
 
 }  // namespace carom

@@ -35,11 +35,18 @@ std::string time_words(const Figure& figure) {
 }
 
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
+    const char* things = scene.gas.box.dimension == 2 ? "disks" : "beads";
+    if (figure.spec->panel.seeds > 1)
+        return fmt::format(
+            "{} {} {}: mean of {} independent runs of {} {} each, with its standard error; reduced "
+            "units.",
+            sentence(scene.title), kind_words(scene, *figure.spec), time_words(figure),
+            figure.spec->panel.seeds, grouped(particles), things);
     const std::int64_t collisions = figure.moments.back().collisions.particle;
     return fmt::format("{} {} {}: {} {}, {} {} between them so far; reduced units.",
                        sentence(scene.title), kind_words(scene, *figure.spec), time_words(figure),
-                       grouped(particles), scene.gas.box.dimension == 2 ? "disks" : "beads",
-                       grouped(collisions), collisions == 1 ? "collision" : "collisions");
+                       grouped(particles), things, grouped(collisions),
+                       collisions == 1 ? "collision" : "collisions");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace {
 constexpr double usual_names_width = 10.6;  // of the means' names and numbers, in units
 constexpr double casing = 0.07;             // of the page on each side of lines over bars, in units
 constexpr double curve_width = 0.16, mark_width = 0.12;  // in units
+constexpr double error_width = 0.08;                     // in units
 constexpr double tint_alpha = 0.3;                       // of bars that others overlap
 constexpr double row_height = 1.5;      // of the rows of words above the bars, in units
 constexpr double gap_below_rows = 0.4;  // in units, for the counts of bars that are cut
@@ -127,11 +128,13 @@ Point HistogramPanel::row_above(const Page& page, int row) const {
 
 std::string HistogramPanel::time_words() const {
     const std::optional<double> back = window();
+    const std::string runs = runs_ > 1 ? fmt::format(", mean of {} runs", runs_) : "";
     if (spec_.at) {
-        if (!back) return "until time " + plain_number(*spec_.at);
-        return *back > 0.0 ? fmt::format("time {} to {}", plain_number(*spec_.at - *back),
-                                         plain_number(*spec_.at))
-                           : "at time " + plain_number(*spec_.at);
+        if (!back) return "until time " + plain_number(*spec_.at) + runs;
+        return (*back > 0.0 ? fmt::format("time {} to {}", plain_number(*spec_.at - *back),
+                                          plain_number(*spec_.at))
+                            : "at time " + plain_number(*spec_.at)) +
+               runs;
     }
     if (!back) return "so far";
     return *back > 0.0 ? fmt::format("last {:g}", *back) : "now";
@@ -171,7 +174,7 @@ void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
     const Scales s = scales(page);
     draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(page));
     AxisStyle counts = axis_style(page);
-    counts.whole = window() == 0.0;  // means over a while may be any number
+    counts.whole = window() == 0.0 && runs_ == 1;  // means over a while may be any number
     draw_y_axis(canvas, s.area, s.y, "", counts);
 }
 
@@ -184,6 +187,7 @@ void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& st
     draw_cuts(canvas, page, now);
     draw_beyond(canvas, page, now);
     if (series_.size() == 1) draw_casings(canvas, page, now.front());
+    for (std::size_t k = 0; k < series_.size(); ++k) draw_errors(canvas, page, k, state);
     for (std::size_t k = 0; k < series_.size(); ++k) {
         canvas.stroke_path(path_of(page, series_[k].curve), curve_width * page.unit,
                            ink(k, page).curve, line_dashes(k, series_.size(), page));
@@ -225,6 +229,29 @@ void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t 
     }
     canvas.stroke_path(path, 0.1 * page.unit, edge_of(ink(series, page).bar, page.theme),
                        line_dashes(series, series_.size(), page));
+}
+
+// A standard error to either side of each mean, as far as the axis goes.
+void HistogramPanel::draw_errors(Canvas& canvas, const Page& page, std::size_t series,
+                                 const PanelState& state) const {
+    if (errors(state).empty()) return;
+    const Scales s = scales(page);
+    const double u = page.unit;
+    const Color color = series_.size() > 1 ? ink(series, page).curve : page.theme.ink;
+    const double half = std::min(0.25 * u, 0.3 * (s.x(bins_.edge(1)) - s.x(bins_.edge(0))));
+    for (int i = 0; i < bins_.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double mean = histograms(state)[series].counts[k], error = errors(state)[series][k];
+        if (!(error > 0.0) || mean - error > tallest_) continue;
+        const double x = 0.5 * (s.x(bins_.edge(i)) + s.x(bins_.edge(i + 1)));
+        const double low = s.y(std::max(0.0, mean - error));
+        const double high = s.y(std::min(tallest_, mean + error));
+        canvas.stroke_line({x, low}, {x, high}, error_width * u, color);
+        if (mean - error >= 0.0)
+            canvas.stroke_line({x - half, low}, {x + half, low}, error_width * u, color);
+        if (mean + error <= tallest_)
+            canvas.stroke_line({x - half, high}, {x + half, high}, error_width * u, color);
+    }
 }
 
 // What the axes cannot hold is said: a bar that is cut, with its count.

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "panels/chosen.h"
 #include "stats/histogram.h"
+#include "stats/mean_error.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -17,6 +19,7 @@ namespace {
 
 struct HistogramState : PanelState {
     std::vector<MeanHistogram> histograms;
+    std::vector<std::vector<double>> errors;  // of the bars, or none
     std::size_t bytes() const override {
         std::size_t sum = 0;
         for (const MeanHistogram& one : histograms) sum += one.counts.size() * sizeof(double);
@@ -50,6 +53,10 @@ HistogramPanel::HistogramPanel(const Cast& cast, const PanelSpec& spec, Histogra
 
 const std::vector<MeanHistogram>& HistogramPanel::histograms(const PanelState& state) {
     return static_cast<const HistogramState&>(state).histograms;
+}
+
+const std::vector<std::vector<double>>& HistogramPanel::errors(const PanelState& state) {
+    return static_cast<const HistogramState&>(state).errors;
 }
 
 Eigen::ArrayXd HistogramPanel::values_of(const Series& series, const Eigen::ArrayXXd& all) const {
@@ -108,9 +115,53 @@ void HistogramPanel::survey(const Observation& observation) {
 void HistogramPanel::settle() {
     choose_bins();
     choose_curves();
-    choose_height();
+    finish();
     for (const Series& one : series_)
         if (spec_.test) require_testable(one);
+}
+
+// Bins for the values of all runs. Curves and means at the start are means too.
+void HistogramPanel::settle_with(const std::vector<Panel*>& others) {
+    std::vector<HistogramPanel*> runs{this};
+    for (Panel* other : others) runs.push_back(&dynamic_cast<HistogramPanel&>(*other));
+    runs_ = runs.size();
+    for (const HistogramPanel* run : std::span(runs).subspan(1))
+        pool_.insert(pool_.end(), run->pool_.begin(), run->pool_.end());
+    choose_bins();
+    choose_curves();
+    for (HistogramPanel* run : std::span(runs).subspan(1)) {
+        run->bins_ = bins_;
+        run->choose_curves();
+    }
+    take_mean_of_curves(runs);
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        std::vector<double> starts;
+        for (const HistogramPanel* run : runs) {
+            const Series& one = run->series_[k];
+            starts.push_back(one.mean_start);
+            series_[k].lowest_mean = std::min(series_[k].lowest_mean, one.lowest_mean);
+            series_[k].highest_mean = std::max(series_[k].highest_mean, one.highest_mean);
+            if (run != this && one.equilibrium) series_[k].others.push_back(*one.equilibrium);
+        }
+        series_[k].mean_start = mean_error(starts).mean;
+    }
+    for (HistogramPanel* run : runs) run->finish();
+    for (const Series& one : series_)
+        if (spec_.test) require_testable(one);
+}
+
+void HistogramPanel::take_mean_of_curves(const std::vector<HistogramPanel*>& runs) {
+    for (std::size_t k = 0; k < series_.size(); ++k)
+        for (std::size_t i = 0; i < series_[k].curve.size(); ++i) {
+            std::vector<double> heights;
+            for (const HistogramPanel* run : runs)
+                if (!run->series_[k].curve.empty()) heights.push_back(run->series_[k].curve[i].y);
+            series_[k].curve[i].y = mean_error(heights).mean;
+        }
+}
+
+void HistogramPanel::finish() {
+    choose_height();
     pool_ = {};
     for (Series& one : series_) {
         one.probes = {};
@@ -213,9 +264,41 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const Observation& obser
     return state;
 }
 
+std::shared_ptr<const PanelState> HistogramPanel::mean_of(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    auto mean = std::make_shared<HistogramState>();
+    mean->histograms = histograms(*states.front());
+    const auto over_runs = [&](std::size_t k, const auto& number) {
+        std::vector<double> values;
+        for (const auto& state : states) values.push_back(number(histograms(*state)[k]));
+        return mean_error(values);
+    };
+    for (std::size_t k = 0; k < mean->histograms.size(); ++k) {
+        MeanHistogram& bars = mean->histograms[k];
+        std::vector<double>& errors = mean->errors.emplace_back();
+        for (std::size_t i = 0; i < bars.counts.size(); ++i) {
+            const MeanError one =
+                over_runs(k, [i](const MeanHistogram& run) { return run.counts[i]; });
+            bars.counts[i] = one.mean;
+            errors.push_back(one.error);
+        }
+        bars.below = over_runs(k, [](const MeanHistogram& run) { return run.below; }).mean;
+        bars.above = over_runs(k, [](const MeanHistogram& run) { return run.above; }).mean;
+        bars.mean = over_runs(k, [](const MeanHistogram& run) { return run.mean; }).mean;
+        const auto square = [&](const MeanHistogram& run) {  // about the mean of all
+            return run.deviation * run.deviation + (run.mean - bars.mean) * (run.mean - bars.mean);
+        };
+        bars.deviation = std::sqrt(over_runs(k, square).mean);
+        bars.values *= static_cast<double>(states.size());
+    }
+    return mean;
+}
+
 Table HistogramPanel::table(const PanelState& state, const Theme&) const {
+    const std::vector<std::vector<double>>& errors = HistogramPanel::errors(state);
     Table table{{"part", "of", column_name(subject_.quantity + " from", subject_.unit),
                  column_name(subject_.quantity + " to", subject_.unit), "value (count)"}};
+    if (!errors.empty()) table.columns.push_back("standard error (count)");
     for (std::size_t k = 0; k < series_.size(); ++k) {
         const Series& one = series_[k];
         const MeanHistogram& now = histograms(state)[k];
@@ -223,8 +306,11 @@ Table HistogramPanel::table(const PanelState& state, const Theme&) const {
                                                               Cell value) {
             table.rows.push_back({part, of, std::move(from), std::move(to), std::move(value)});
         };
-        for (int i = 0; i < bins_.count; ++i)
+        for (int i = 0; i < bins_.count; ++i) {
             add("bar", bins_.edge(i), bins_.edge(i + 1), now.counts[static_cast<std::size_t>(i)]);
+            if (!errors.empty())
+                table.rows.back().emplace_back(errors[k][static_cast<std::size_t>(i)]);
+        }
         add("below", {}, bins_.low, now.below);
         add("above", bins_.high, {}, now.above);
         for (const Point& point : one.curve) add("curve", point.x, {}, point.y);
@@ -233,21 +319,37 @@ Table HistogramPanel::table(const PanelState& state, const Theme&) const {
         if (marks_mean_now()) add("mean", now.mean, {}, {});
         if (marks_mean_start()) add("mean at start", one.mean_start, {}, {});
     }
+    for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
     return table;
 }
 
-Expected HistogramPanel::expected(const Series& series) const {
+Expected HistogramPanel::expected_in_run(const Series& series, const EquilibriumGas& gas) const {
     std::vector<double> edges;
     for (int i = 0; i <= bins_.count; ++i) edges.push_back(bins_.edge(i));
-    return expected_counts(*series.equilibrium, *subject_.law, edges,
-                           static_cast<double>(series.members.size()), numbers_each_);
+    return expected_counts(gas, *subject_.law, edges, static_cast<double>(series.members.size()),
+                           numbers_each_);
+}
+
+// In all runs together: each has its own conserved sums, which have the same part in its counts.
+Expected HistogramPanel::expected(const Series& series) const {
+    const auto add = [](std::vector<double>& sum, const std::vector<double>& more) {
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+    };
+    Expected all = expected_in_run(series, *series.equilibrium);
+    for (const EquilibriumGas& gas : series.others) {
+        const Expected one = expected_in_run(series, gas);
+        add(all.count, one.count);
+        for (std::size_t c = 0; c < all.conserved.size(); ++c)
+            add(all.conserved[c].moment, one.conserved[c].moment);
+    }
+    return all;
 }
 
 // Particles of several masses, with so many of each, do not make counts of one law; and fixed ones
 // have no part in the energy.
 void HistogramPanel::require_testable(const Series& series) const {
     Diagnostic error = spec_.place;
-    if (!series.equilibrium) {
+    if (!series.equilibrium || series.others.size() + 1 < runs_) {
         error.message = "there is no equilibrium that these bars could be tested against";
         error.hint = "leave out `test`, or change the gas so that it comes to one";
         throw SceneError({error});
@@ -270,6 +372,7 @@ std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::siz
     std::vector<double> observed{now.below};
     observed.insert(observed.end(), now.counts.begin(), now.counts.end());
     observed.push_back(now.above);
+    for (double& count : observed) count *= static_cast<double>(runs_);
     return pearson(observed, expected(series_[series]));
 }
 

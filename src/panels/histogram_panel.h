@@ -38,6 +38,9 @@ class HistogramPanel : public Panel {
 
     void survey(const Observation& observation) override;
     void settle() override;
+    void settle_with(const std::vector<Panel*>& others) override;
+    std::shared_ptr<const PanelState> mean_of(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
@@ -54,6 +57,9 @@ class HistogramPanel : public Panel {
     /// For tests: the histograms of a state, one for each choice of particles.
     static const std::vector<MeanHistogram>& histograms(const PanelState& state);
 
+    /// For tests: the standard errors of bars that are means over runs, for each choice; or none.
+    static const std::vector<std::vector<double>>& errors(const PanelState& state);
+
   private:
     struct Probe {
         double time;
@@ -63,6 +69,7 @@ class HistogramPanel : public Panel {
         Chosen chosen;
         std::vector<Eigen::Index> members = {};
         std::optional<EquilibriumGas> equilibrium = {};
+        std::vector<EquilibriumGas> others = {};  ///< of the other runs of a mean
         double mean_start = 0.0;
         double lowest_mean = 0.0, highest_mean = 0.0;  ///< of the whole run, that at the start too
         std::vector<Probe> probes = {};  ///< whole samples at a few frames, for the height of bars
@@ -82,8 +89,11 @@ class HistogramPanel : public Panel {
     double curve_top() const;
     void choose_bins();
     void choose_curves();
+    void finish();
+    void take_mean_of_curves(const std::vector<HistogramPanel*>& runs);
     void choose_height();
     Expected expected(const Series& series) const;
+    Expected expected_in_run(const Series& series, const EquilibriumGas& gas) const;
     void require_testable(const Series& series) const;
     bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
     bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means); }
@@ -109,6 +119,8 @@ class HistogramPanel : public Panel {
     std::vector<Point> fit_curve(std::size_t series, const MeanHistogram& now) const;
     std::optional<double> mark_place(const Page& page, double value) const;
     void draw_casings(Canvas& canvas, const Page& page, const MeanHistogram& now) const;
+    void draw_errors(Canvas& canvas, const Page& page, std::size_t series,
+                     const PanelState& state) const;
     void draw_fit(Canvas& canvas, const Page& page, std::size_t series,
                   const MeanHistogram& now) const;
     void draw_means(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
@@ -124,6 +136,7 @@ class HistogramPanel : public Panel {
     PanelSpec spec_;
     HistogramSubject subject_;
     std::vector<Series> series_;
+    std::size_t runs_ = 1;       ///< of which bars show the mean
     double numbers_each_ = 1.0;  ///< of one particle at a time
     std::vector<double> pool_;   ///< values of the whole run, thinned
     int surveyed_ = 0;

@@ -4,10 +4,20 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "draw/palette.h"
 
 namespace carom {
+
+void Panel::settle_with(const std::vector<Panel*>&) {
+    throw std::logic_error("a panel of a kind that has no means");
+}
+
+std::shared_ptr<const PanelState> Panel::mean_of(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    return states.front();
+}
 
 TextStyle label_style(const Page& page) {
     return {.size = page.unit, .weight = 400, .color = page.theme.muted};

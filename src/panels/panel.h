@@ -63,6 +63,14 @@ class Panel {
     /// Between the passes: fixes axes and scales.
     virtual void settle() {}
 
+    /// The same for means of several runs: of this one and of others, panels of the same kind that
+    /// saw them, which it settles too. Only for kinds that have means.
+    virtual void settle_with(const std::vector<Panel*>& others);
+
+    /// What a picture of the mean of these states shows, this panel's first, then the others'.
+    virtual std::shared_ptr<const PanelState> mean_of(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const;
+
     /// Second pass, every frame in order.
     virtual std::shared_ptr<const PanelState> state(const Observation& observation) = 0;
 

@@ -1,10 +1,13 @@
 #include "panels/series_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
 #include "stats/histogram.h"
+#include "stats/mean_error.h"
 #include "util/text.h"
 
 namespace carom {
@@ -23,6 +26,7 @@ bool is_apart(const Point& a, const Point& b, double distance) {
 // A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
 Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
 
+constexpr double band_alpha = 0.3;  // of standard errors
 constexpr double row_height = 1.5;  // of the note under the title, in units
 
 }  // namespace
@@ -51,10 +55,15 @@ void SeriesPanel::settle() {
     for (const std::vector<double>& line : history_.lines)
         for (double value : line)
             if (value > 0.0 && std::isfinite(value)) all.push_back(value);
+    for (std::size_t k = 0; k < history_.errors.size(); ++k)  // room for the bands
+        for (std::size_t i = 0; i < history_.time.size(); ++i)
+            if (const double top = history_.lines[k][i] + history_.errors[k][i];
+                top > 0.0 && std::isfinite(top))
+                all.push_back(top);
     first_ = *std::ranges::min_element(history_.time);
     last_ = *std::ranges::max_element(history_.time);
     if (last_ <= first_) last_ = first_ + 1.0;
-    if (subject_.reference) reference_ = subject_.reference();
+    if (subject_.reference && !reference_) reference_ = subject_.reference();
     if (subject_.top) high_ = *subject_.top;
     if (all.empty() || subject_.top) return;
 
@@ -67,6 +76,38 @@ void SeriesPanel::settle() {
     logarithmic_ = subject_.spreads && most > linear_up_to * least;
     low_ = logarithmic_ ? std::floor(std::log10(least)) : 0.0;
     high_ = logarithmic_ ? std::ceil(std::log10(most)) : round_up_for_axis(most);
+}
+
+void SeriesPanel::settle_with(const std::vector<Panel*>& others) {
+    std::vector<SeriesPanel*> runs{this};
+    for (Panel* other : others) runs.push_back(&dynamic_cast<SeriesPanel&>(*other));
+    if (subject_.reference) {
+        std::vector<double> levels;
+        for (SeriesPanel* run : runs)
+            if (const auto level = run->subject_.reference()) levels.push_back(level->value);
+        reference_ = subject_.reference();
+        if (reference_) reference_->value = mean_error(levels).mean;
+    }
+    history_.errors = history_.lines;
+    for (std::size_t k = 0; k < history_.lines.size(); ++k)
+        for (std::size_t i = 0; i < history_.time.size(); ++i) {
+            std::vector<double> values;
+            for (const SeriesPanel* run : runs) values.push_back(run->history_.lines[k][i]);
+            const MeanError mean = mean_error(values);
+            history_.lines[k][i] = mean.mean;  // the last use of this run's own
+            history_.errors[k][i] = mean.error;
+        }
+    tell_means(runs.size());
+    settle();
+}
+
+void SeriesPanel::tell_means(std::size_t runs) {
+    const std::string mean = fmt::format("mean of {} runs", runs);
+    const std::string whole = mean + " \u00B1 standard error";
+    subject_.notes =
+        subject_.notes.empty()
+            ? std::vector<std::string>{whole, mean}
+            : std::vector<std::string>{subject_.notes.front() + "; " + whole, whole, mean};
 }
 
 std::shared_ptr<const PanelState> SeriesPanel::state(const Observation&) {
@@ -188,8 +229,37 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
     canvas.fill_circle(path.back(), (has_edge ? 0.2 : 0.3) * page.unit, color);
 }
 
+// Of a standard error to either side, leg by leg.
+void SeriesPanel::draw_band(Canvas& canvas, const Page& page, std::size_t index,
+                            std::size_t shown) const {
+    const Scales s = scales(page);
+    const Color color = with_alpha(subject_.color(index, page.theme), band_alpha);
+    std::vector<Point> upper, lower;
+    const auto end_band = [&] {
+        upper.insert(upper.end(), lower.rbegin(), lower.rend());
+        if (upper.size() > 3) canvas.fill_polygon(upper, color);
+        upper.clear();
+        lower.clear();
+    };
+    for (std::size_t i = 0; i < shown; ++i) {
+        const double mean = history_.lines[index][i], error = history_.errors[index][i];
+        const bool leg_ends = i + 1 == shown || history_.leg[i + 1] != history_.leg[i];
+        if (std::isfinite(error)) {
+            const double x = s.x(history_.time[i]);
+            const Point high{x, s.height(std::max(mean + error, 1e-300), logarithmic_)};
+            const Point low{x, s.height(std::max(mean - error, 1e-300), logarithmic_)};
+            if (leg_ends || upper.empty() || is_apart(upper.back(), high, 0.08 * page.unit)) {
+                upper.push_back(high);
+                lower.push_back(low);
+            }
+        }
+        if (leg_ends || !std::isfinite(error)) end_band();
+    }
+}
+
 void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& now = static_cast<const SeriesState&>(state);
+    for (std::size_t k = 0; k < history_.errors.size(); ++k) draw_band(canvas, page, k, now.shown);
     for (std::size_t k = history_.lines.size(); k-- > 0;) draw_line(canvas, page, k, now.shown);
 }
 
@@ -197,15 +267,17 @@ void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state
 Table SeriesPanel::table(const PanelState& state, const Theme&) const {
     Table table{
         {"part", "of", column_name("time", reduced::time), "reversals (count)", subject_.column}};
+    if (!history_.errors.empty()) table.columns.push_back("standard error of " + subject_.column);
     const std::size_t shown = static_cast<const SeriesState&>(state).shown;
     for (std::size_t k = 0; k < history_.lines.size(); ++k) {
         const std::vector<double>& line = history_.lines[k];
         for (std::size_t i = 0; i < shown; ++i) {
             const bool stands = i > 0 && history_.time[i] == history_.time[i - 1] &&
                                 history_.leg[i] == history_.leg[i - 1] && line[i] == line[i - 1];
-            if (std::isfinite(line[i]) && !stands)
-                table.rows.push_back({"line", subject_.names.at(k), history_.time[i],
-                                      std::int64_t{history_.leg[i]}, line[i]});
+            if (!std::isfinite(line[i]) || stands) continue;
+            table.rows.push_back({"line", subject_.names.at(k), history_.time[i],
+                                  std::int64_t{history_.leg[i]}, line[i]});
+            if (!history_.errors.empty()) table.rows.back().emplace_back(history_.errors[k][i]);
         }
     }
     if (reference_)
@@ -214,6 +286,7 @@ Table SeriesPanel::table(const PanelState& state, const Theme&) const {
     for (const RunEvent& event : cast_.scene.run.events)
         if (std::holds_alternative<ReverseVelocities>(event.action))
             table.rows.push_back({"reversal", {}, folded_time(cast_.scene.run, event.at), {}, {}});
+    for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
     return table;
 }
 

@@ -38,24 +38,29 @@ class SeriesPanel : public Panel {
 
     void survey(const Observation& observation) override;
     void settle() override;
+    void settle_with(const std::vector<Panel*>& others) override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
-    /// For tests: the numbers of a line, one for each frame surveyed.
+    /// For tests: the numbers of a line, one for each frame surveyed; their errors, if means.
     const std::vector<double>& line(std::size_t index) const { return history_.lines[index]; }
+    const std::vector<double>& errors(std::size_t index) const { return history_.errors[index]; }
 
   private:
     // Known whole after the first pass: a frame's state says how much of it to show.
     struct History {
-        std::vector<double> time;                // folded at reversals
-        std::vector<int> leg;                    // reversals so far
-        std::vector<std::vector<double>> lines;  // line x frame
+        std::vector<double> time;                      // folded at reversals
+        std::vector<int> leg;                          // reversals so far
+        std::vector<std::vector<double>> lines;        // line x frame
+        std::vector<std::vector<double>> errors = {};  // of means over several runs, or none
     };
     struct Scales;
     Scales scales(const Page& page) const;
     double reference_value() const;
+    void tell_means(std::size_t runs);
+    void draw_band(Canvas& canvas, const Page& page, std::size_t index, std::size_t shown) const;
     void draw_reference(Canvas& canvas, const Page& page) const;
     bool is_crossed(const Rect& part, const Page& page) const;
     void draw_reversals(Canvas& canvas, const Page& page) const;

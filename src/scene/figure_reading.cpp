@@ -104,6 +104,7 @@ FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors)
     read_times(fields, figure, shown.run, errors);
     figure.panel.at = figure.times.back();
     read_size(fields, figure);
+    figure.panel.seeds = static_cast<int>(fields.integer("seeds").value_or(1));
     figure.panel.test = fields.flag("test").value_or(false);
     check_test(fields, shown.gas, errors);
     figure.theme = theme_of(fields.text("theme").value_or("print"));

@@ -28,6 +28,15 @@ const vector<string>& predicted() {
     return kinds;
 }
 
+// Those that can show means of several runs.
+const vector<string>& averaged() {
+    static const vector<string> kinds{
+        "speed-histogram",    "energy-histogram",  "velocity-histogram",
+        "position-histogram", "energy-by-species", "speed-classes",
+        "temperature",        "entropy",           "pressure"};
+    return kinds;
+}
+
 // Those that take numbers over a time.
 const vector<string>& timed() {
     static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
@@ -339,6 +348,12 @@ Section figure() {
                             "Pearson's chi-squared test: for one time `at`, where the values are "
                             "independent but for what is conserved, and particles of one mass.",
                             {flag()}})));
+    keys.push_back(only_with(
+        averaged(),
+        otherwise("1", {"seeds",
+                        "Of how many independent runs it shows the mean, with its standard error: "
+                        "of the scene's seed and those that follow it.",
+                        {integer(1, most_seeds)}})));
     keys.push_back(
         left_to("the end of the run", {"at", "The simulated time that it shows.", {time}}));
     keys.push_back(only_with({"gas"}, {"strip",

@@ -28,6 +28,7 @@ inline constexpr Limit most_errors_shown{50, "errors shown in one run"};
 
 inline constexpr Limit largest_quantity{1e12, "of any length, mass, speed or time"};
 inline constexpr Limit smallest_quantity{1e-12, "of a length, mass or time that must be positive"};
+inline constexpr Limit most_seeds{64, "runs of which a figure shows the mean"};
 inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exact in every reader"};
 inline constexpr Limit most_particles{2'000'000, "particles in all"};
 inline constexpr Limit most_returning{300'000, "particles whose way home is measured"};
@@ -54,41 +55,18 @@ inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
-inline constexpr std::array limits{most_file_bytes,
-                                   most_nesting,
-                                   most_values,
-                                   most_letters,
-                                   most_title_letters,
-                                   most_caption_letters,
-                                   most_words_letters,
-                                   most_name_letters,
-                                   most_seconds,
-                                   most_trail_seconds,
-                                   most_overrides,
-                                   most_errors_shown,
-                                   largest_quantity,
-                                   smallest_quantity,
-                                   largest_seed,
-                                   most_particles,
-                                   most_returning,
-                                   most_species,
-                                   most_events,
-                                   most_samples,
-                                   most_pairs_compared,
-                                   most_frames,
-                                   most_frames_per_second,
-                                   smallest_side,
-                                   largest_side,
-                                   most_panels,
-                                   most_slow_spans,
-                                   most_monitors,
-                                   most_bins,
-                                   most_chosen,
-                                   largest_grid,
-                                   most_figures,
-                                   most_set_scenes,
-                                   most_strip,
-                                   largest_figure,
+inline constexpr std::array limits{most_file_bytes,     most_nesting,       most_values,
+                                   most_letters,        most_title_letters, most_caption_letters,
+                                   most_words_letters,  most_name_letters,  most_seconds,
+                                   most_trail_seconds,  most_overrides,     most_errors_shown,
+                                   largest_quantity,    smallest_quantity,  largest_seed,
+                                   most_seeds,          most_particles,     most_returning,
+                                   most_species,        most_events,        most_samples,
+                                   most_pairs_compared, most_frames,        most_frames_per_second,
+                                   smallest_side,       largest_side,       most_panels,
+                                   most_slow_spans,     most_monitors,      most_bins,
+                                   most_chosen,         largest_grid,       most_figures,
+                                   most_set_scenes,     most_strip,         largest_figure,
                                    smallest_figure};
 
 }  // namespace carom

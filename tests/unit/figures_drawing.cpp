@@ -22,7 +22,7 @@ Scene scene_of(const std::string& figures) {
 }
 
 FigureRun run_of(const Scene& scene) {
-    return {scene, [&] { return Simulation(scene.gas, scene.run); }};
+    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
 }
 
 Canvas drawn(const FigureRun& run, std::size_t index, FigureFormat format) {

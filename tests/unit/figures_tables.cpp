@@ -74,7 +74,7 @@ Scene scene_of(const std::string& figures) {
 }
 
 FigureRun run_of(const Scene& scene) {
-    return {scene, [&] { return Simulation(scene.gas, scene.run); }};
+    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
 }
 
 std::vector<Row> table(const FigureRun& run, std::size_t index) {

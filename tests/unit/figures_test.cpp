@@ -21,7 +21,7 @@ Scene scene_of(const std::string& gas, const std::string& figure) {
 }
 
 FigureRun run_of(const Scene& scene) {
-    return {scene, [&] { return Simulation(scene.gas, scene.run); }};
+    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
 }
 
 std::string refusal(const Scene& scene) {

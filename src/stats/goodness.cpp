@@ -127,9 +127,11 @@ double weighted_tail(double statistic, double freedom, std::span<const double> w
     const auto others = weights.subspan(1);
     constexpr double negligible = 1e-9;
     if (weight < negligible) return weighted_tail(statistic, freedom, others);
-    constexpr double farthest = 10.0;  // deviations
     constexpr int steps = 64;
-    const double most = std::min(farthest, std::sqrt(statistic / weight));
+    // Far out in the tail the integrand falls as a normal law of variance 1 / (1 - weight).
+    const double whole = std::sqrt(statistic / weight);
+    const double far = weight < 1.0 ? 10.0 / std::sqrt(1.0 - weight) : whole;
+    const double most = std::min(far, whole);
     double sum = 0.0;
     for (int i = 0; i < steps; ++i) {  // at the last end the integrand is 0
         const double angle = 0.5 * std::numbers::pi * i / steps;
@@ -138,7 +140,8 @@ double weighted_tail(double statistic, double freedom, std::span<const double> w
         sum += (i == 0 ? 0.5 : 1.0) * std::exp(-0.5 * z * z) * rest * most * std::cos(angle);
     }
     const double inside = sum * std::sqrt(0.5 * std::numbers::pi) / steps;
-    return std::min(1.0, inside + std::erfc(most / std::numbers::sqrt2));
+    const double beyond = most < whole ? 0.0 : std::erfc(whole / std::numbers::sqrt2);
+    return std::min(1.0, inside + beyond);
 }
 
 Expected expected_counts(const EquilibriumGas& gas, Law law, const std::vector<double>& edges,

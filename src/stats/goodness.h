@@ -15,7 +15,7 @@ namespace carom {
 double chi_squared_tail(double statistic, double freedom);
 
 /// The same for a chi-squared law of `freedom` degrees, none included, and squares of further
-/// normal numbers times `weights`, not negative. Accurate to 1e-4 of itself or better.
+/// normal numbers times `weights`, not negative. Accurate to 1e-3 of itself or better.
 double weighted_tail(double statistic, double freedom, std::span<const double> weights);
 
 /// A sum over all particles that never changes, as far as the counted values have a part in it.

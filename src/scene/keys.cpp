@@ -546,7 +546,7 @@ Section set_scene() {
 
 Section figure_set() {
     const Form page = text(1, most_title_letters);
-    const Form format = one_of({"svg", "pdf", "png"});
+    const Form format = one_of({"svg", "pdf", "png", "csv"});
     Form file = text(1, most_title_letters);
     file.phrase = "the path of a scene";
     return complete(
@@ -566,7 +566,7 @@ Section figure_set() {
                         {page, list_of({page}, 1, 3, "a list of templates")}}),
              left_to("all", {"formats",
                              "The kinds of files of its figures.",
-                             {list_of({format}, 1, 3, "a list of formats")}})}});
+                             {list_of({format}, 1, 4, "a list of formats")}})}});
 }
 
 Section scene(int dimension) {

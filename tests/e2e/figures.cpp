@@ -79,7 +79,7 @@ TEST_CASE("the files of figures are read by independent programs") {
     CHECK(words.at("title") == "Ten disks");
     REQUIRE(words.at("figures").size() == 2);
     for (const json& figure : words.at("figures")) {
-        CHECK(figure.at("files").size() == 3);
+        CHECK(figure.at("files").size() == 4);
         for (const std::string name : figure.at("files")) CHECK(fs::exists(out / name));
         const std::string name = figure.at("name");
         CHECK(run({"rsvg-convert", "-o", "picture.png", name + ".svg"}, out).exit_code == 0);
@@ -99,7 +99,7 @@ TEST_CASE("the same scene gives the same bytes in another folder") {
     CHECK(figures(folder, {"scene.yaml", "-o", "a"}).exit_code == 0);
     CHECK(figures(folder, {"scene.yaml", "-o", "b"}).exit_code == 0);
     const auto a = files_in(folder.path() / "a");
-    CHECK(a.size() == 8);
+    CHECK(a.size() == 10);
     CHECK(a == files_in(folder.path() / "b"));
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("only what has changed is made again") {
           "out/scene: 1 figure made, 1 up to date\n");
     CHECK(fs::last_write_time(svg) == made);
     CHECK(figures(folder, {"scene.yaml", "--only", "start"}).out == "out/scene: 1 figure made\n");
-    CHECK(captions(folder)["figures"][0]["files"].size() == 3);
+    CHECK(captions(folder)["figures"][0]["files"].size() == 4);
     CHECK(captions(folder)["figures"][1]["files"] == json{"speeds.svg"});
     CHECK(figures(folder, {"scene.yaml", "--formats", "svg", "--force"}).out ==
           "out/scene: 2 figures made\n");
@@ -193,9 +193,9 @@ TEST_CASE("pages show the figures, in words that are escaped") {
     REQUIRE(figures(folder, {"scene.yaml", "--page", "markdown,html,latex"}).exit_code == 0);
     const fs::path out = folder.path() / "out/scene";
     CHECK(has(contents(out / "scene.md"), "![Ten disks in a box](start.svg)\n"));
-    CHECK(has(contents(out / "scene.md"), "**Figure 1.** Ten \\& more\n"));
+    CHECK(has(contents(out / "scene.md"), "**Figure 1.** Ten \\& more Data: [start.csv](start.csv).\n"));
     const std::string html = contents(out / "scene.html");
-    CHECK(has(html, "<b>Figure 1.</b> Ten &amp; more</figcaption>"));
+    CHECK(has(html, "<b>Figure 1.</b> Ten &amp; more <small>"));
     CHECK_FALSE(has(html, "http"));
     if (is_installed("chromium"))
         CHECK(seen_in_browser(out / "scene.html", folder.path() / "profile")

@@ -94,7 +94,7 @@ TEST_CASE("mistakes in a set are told with their places") {
         Example("title: T\nscenes: [{title: a}]\ntemplate: word\nformats: [jpg]\n").message() ==
         "sets/set.yaml:2:10: error: an item of `scenes` needs `scene`\n"
         "    2 | scenes: [{title: a}]\n"
-        "      |          ^^^^^^^^^^^^^^^^^^^\n"
+        "      |          ^^^^^^^^^^\n"
         "  hint: `scene`: The scene's file, relative to the set; it may lie in the folder above "
         "the set's.\n"
         "\n"
@@ -104,7 +104,8 @@ TEST_CASE("mistakes in a set are told with their places") {
         "  hint: `markdown`, `html`, `latex`, or a file beside the set that ends in .md, .html or "
         ".tex\n"
         "\n"
-        "sets/set.yaml:4:11: error: expected `svg`, `pdf` or `png` for an item of `formats`, "
+        "sets/set.yaml:4:11: error: expected `svg`, `pdf`, `png` or `csv` for an item of "
+        "`formats`, "
         "found `jpg`\n"
         "    4 | formats: [jpg]\n"
         "      |           ^^^");

@@ -33,7 +33,8 @@ int parse_and_run(int argc, const char* const* argv) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
-    for (const auto add : {add_render, add_still, add_figures, add_run, add_check, add_new, add_schema})
+    for (const auto add :
+         {add_render, add_still, add_figures, add_run, add_check, add_new, add_schema})
         add(app);
     refuse_unknown_command(app, argc, argv);
     try {

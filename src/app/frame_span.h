@@ -14,7 +14,8 @@ struct FrameSpan {
     int frames() const { return end - first; }
 };
 
-/// The first of the frames of the gas whose time is nearest to `time`. `ticks` are a whole timeline().
+/// The first of the frames of the gas whose time is nearest to `time`. `ticks` are a whole
+/// timeline().
 int frame_nearest_to(const std::vector<Tick>& ticks, double time);
 
 /// From the first frame nearest to `from` to the last one nearest to `to`, with the pauses there;

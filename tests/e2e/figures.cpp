@@ -193,7 +193,8 @@ TEST_CASE("pages show the figures, in words that are escaped") {
     REQUIRE(figures(folder, {"scene.yaml", "--page", "markdown,html,latex"}).exit_code == 0);
     const fs::path out = folder.path() / "out/scene";
     CHECK(has(contents(out / "scene.md"), "![Ten disks in a box](start.svg)\n"));
-    CHECK(has(contents(out / "scene.md"), "**Figure 1.** Ten \\& more Data: [start.csv](start.csv).\n"));
+    CHECK(has(contents(out / "scene.md"),
+              "**Figure 1.** Ten \\& more Data: [start.csv](start.csv).\n"));
     const std::string html = contents(out / "scene.html");
     CHECK(has(html, "<b>Figure 1.</b> Ten &amp; more <small>"));
     CHECK_FALSE(has(html, "http"));

@@ -76,8 +76,8 @@ TEST_CASE("the speed changes smoothly, within half a second of film each time") 
     CHECK(in.size() <= 17);
     CHECK(out.size() >= 14);
     CHECK(out.size() <= 17);
-    CHECK(std::ranges::is_sorted(in,
-                                 [](const Stride& a, const Stride& b) { return a.value > b.value; }));
+    CHECK(std::ranges::is_sorted(
+        in, [](const Stride& a, const Stride& b) { return a.value > b.value; }));
     CHECK(std::ranges::is_sorted(out, {}, &Stride::value));
     CHECK(in.front().value > 0.98 * usual);  // it begins gently
     CHECK(out.back().value > 0.98 * usual);

@@ -11,9 +11,13 @@
 namespace carom {
 namespace {
 
-// The film's ticks, and one at each time that a figure shows: axes are the film's, moments exact.
+// The film's ticks without its cards, and one at each time that a figure shows: axes are the
+// film's, moments exact.
 std::vector<Tick> ticks_of(const Scene& scene) {
     std::vector<Tick> ticks = timeline(scene);
+    std::erase_if(ticks, [](const Tick& tick) { return is_card(tick.phase); });
+    const int first = ticks.front().frame;
+    for (Tick& tick : ticks) tick.frame -= first;
     for (const FigureSpec& figure : scene.figures)
         for (const double time : figure.times) {
             const auto after = std::ranges::lower_bound(ticks, time, {}, &Tick::time);

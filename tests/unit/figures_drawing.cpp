@@ -102,3 +102,28 @@ TEST_CASE("captions are the scene's, or made of true numbers") {
           "Ten disks. Speed histogram at time 5: 10 disks, " + std::to_string(count) +
               (count == 1 ? " collision" : " collisions") + " between them so far; reduced units.");
 }
+
+TEST_CASE("cards before and after a film change nothing in its figures") {
+    // The start is unlike the rest: seen for long it would have another axis.
+    const auto pictures = [](const std::string& cards) {
+        const Scene scene = load_scene_text(
+            "title: Ten disks\nbox: {size: [40, 30]}\n"
+            "gas: [{name: cold, count: 40, radius: 1, speed: 0.05}, "
+            "{name: hot, count: 1, radius: 1, speed: 30}]\nrun: {until: 10}\n"
+            "film: {pace: 0.5, fps: 10" +
+                cards +
+                "}\nfigures:\n"
+                "  - {name: a, kind: energy-histogram}\n"
+                "  - {name: b, kind: energy-by-species}\n  - {name: c, kind: gas, at: 0}\n",
+            "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        const FigureRun run = run_of(scene);
+        std::vector<std::string> all;
+        for (const std::size_t index : {0U, 1U, 2U}) {
+            const auto bytes = drawn(run, index, FigureFormat::png).file();
+            all.push_back({bytes.begin(), bytes.end()});
+            all.push_back(csv(table_of(run.figures()[index])));
+        }
+        return all;
+    };
+    CHECK(pictures("") == pictures(", title_card: 3, end_card: Who is fast now!"));
+}

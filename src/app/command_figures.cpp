@@ -49,6 +49,12 @@ std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
     return pages;
 }
 
+std::vector<std::string> figure_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const FigureSpec& figure : scene.figures) names.push_back(figure.name);
+    return names;
+}
+
 FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& name) {
     SetPart part;
     part.scene = load_scene(name, templates_folder(), overrides_of(arguments));
@@ -57,7 +63,7 @@ FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& nam
     if (part.scene.figures.empty())
         throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
     part.title = part.scene.title;
-    for (const FigureSpec& figure : part.scene.figures) part.figures.push_back(figure.name);
+    part.figures = figure_names(part.scene);
     FigureSet set{.of = name == standard_input ? "stdin" : fs::path(name).filename().string(),
                   .stem = scene_stem(name),
                   .folder = folder_of(arguments, name),
@@ -84,8 +90,7 @@ SetPart part_of_set(const FiguresArguments& arguments, const SetScene& listed_sc
     part.stem = scene_stem(path.string());
     part.title = listed_scene.title.value_or(part.scene.title);
     part.description = listed_scene.description.value_or(part.scene.description);
-    std::vector<std::string> names;
-    for (const FigureSpec& figure : part.scene.figures) names.push_back(figure.name);
+    const std::vector<std::string> names = figure_names(part.scene);
     if (names.empty())
         fail(listed_scene.place, fmt::format("the scene {} lists no figures", path.string()), "");
     for (const auto& [name, place] : listed_scene.figures) {
@@ -111,16 +116,8 @@ FigureSet set_of_file(const FiguresArguments& arguments, const std::string& name
                   .parts = {},
                   .formats = in_order(arguments.formats.empty() ? file.formats : arguments.formats),
                   .pages = pages_of(arguments.pages.empty() ? file.templates : arguments.pages)};
-    std::vector<Diagnostic> diagnostics;
-    for (const SetScene& scene : file.scenes) {
-        try {
-            set.parts.push_back(part_of_set(arguments, scene));
-        } catch (const SceneError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
-    }
-    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+    set.parts =
+        all_made(file.scenes, [&](const SetScene& scene) { return part_of_set(arguments, scene); });
     return set;
 }
 
@@ -131,18 +128,8 @@ FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
 
 // All scenes before any work: a mistake in the last one must not cost the time of the first.
 std::vector<FigureSet> sets_of(const FiguresArguments& arguments) {
-    std::vector<FigureSet> sets;
-    std::vector<Diagnostic> diagnostics;
-    for (const std::string& name : arguments.scenes) {
-        try {
-            sets.push_back(set_of(arguments, name));
-        } catch (const SceneError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
-    }
-    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
-    return sets;
+    return all_made(arguments.scenes,
+                    [&](const std::string& name) { return set_of(arguments, name); });
 }
 
 void refuse_same_folders(const FiguresArguments& arguments) {

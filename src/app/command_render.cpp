@@ -98,18 +98,9 @@ std::string timings(const RenderReport& report) {
 std::vector<Scene> load_all(const RenderArguments& arguments) {
     const fs::path templates = templates_folder();
     const Overrides overrides = overrides_of(arguments);
-    std::vector<Scene> scenes;
-    std::vector<Diagnostic> diagnostics;
-    for (const std::string& name : arguments.scenes) {
-        try {
-            scenes.push_back(load_scene(name, templates, overrides));
-        } catch (const SceneError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
-    }
-    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
-    return scenes;
+    return all_made(arguments.scenes, [&](const std::string& name) {
+        return load_scene(name, templates, overrides);
+    });
 }
 
 // A GIF holds every change of every pixel: what pages and mail take without trouble is soon passed.

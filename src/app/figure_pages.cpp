@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/resources.h"
+#include "figures/figure_words.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -59,16 +60,6 @@ std::string centimetres(double length) {
     return fmt::format("{:g}", std::round(100.0 * length) / 100.0);
 }
 
-std::string time_of(const FigureSpec& spec) {
-    const auto& over = spec.panel.over;
-    if (over && over->since == Over::Since::window)
-        return fmt::format("{} to {}", plain_number(spec.times.back() - over->window),
-                           plain_number(spec.times.back()));
-    std::vector<std::string> times;
-    for (const double time : spec.times) times.push_back(plain_number(time));
-    return listed(times);
-}
-
 PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, PageKind kind) {
     const std::string picture = picture_of(figure, kind);
     if (picture.empty())
@@ -82,7 +73,7 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"caption", figure.caption},
                     {"alt", figure.alt},
                     {"kind", figure.spec->panel.kind},
-                    {"time", time_of(*figure.spec)},
+                    {"time", shown_times(*figure.spec)},
                     {"title", figure.part->title},
                     {"scene", figure.part->stem},
                     {"seed", std::to_string(figure.part->scene.seed)},

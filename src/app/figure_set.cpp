@@ -8,6 +8,7 @@
 
 #include "app/figure_pages.h"
 #include "app/figures_json.h"
+#include "app/film_words.h"
 #include "app/fingerprint.h"
 #include "app/pipeline.h"
 #include "app/simulate.h"
@@ -67,14 +68,12 @@ std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
     throw std::logic_error("no such format of figures: " + format);
 }
 
-// Beside a film, as render() names them.
+// A film and what stands beside it.
 std::map<std::string, std::string> film_files(const SetPart& part) {
-    return {{"film", part.stem + ".mp4"},
-            {"poster", part.stem + ".poster.png"},
-            {"captions", part.stem + ".captions.vtt"},
-            {"chapters", part.stem + ".chapters.vtt"},
-            {"descriptions", part.stem + ".descriptions.vtt"},
-            {"transcript", part.stem + ".transcript.txt"}};
+    std::map<std::string, std::string> files{{"film", part.stem + ".mp4"},
+                                             {"poster", part.stem + ".poster.png"}};
+    for (const auto& [what, ending] : words_endings) files[what] = part.stem + ending;
+    return files;
 }
 
 void refuse_same_names(const FigureSet& set) {

@@ -110,11 +110,6 @@ void look(Moment& moment, const Scene& scene, Simulation& simulation) {
     }
 }
 
-std::string sentence(const std::string& words) {
-    return words.ends_with('.') || words.ends_with('!') || words.ends_with('?') ? words
-                                                                                : words + ".";
-}
-
 // "Time 6 of 12, 207 collisions so far. Mean speed 1.40, mean energy 2.24: ..."
 std::string numbers_of(const Moment& moment, const Scene& scene) {
     std::string text = "Time " + three_digits(folded_time(scene.run, moment.time));
@@ -254,11 +249,11 @@ void write_words(const FilmWords& words, const std::filesystem::path& path) {
         stem = stem.parent_path();  // frames/
     else
         stem.replace_extension();
-    for (const auto& [ending, text] : {std::pair{".captions.vtt", &words.captions},
-                                       {".chapters.vtt", &words.chapters},
-                                       {".descriptions.vtt", &words.descriptions},
-                                       {".transcript.txt", &words.transcript}}) {
-        AtomicFile file(stem.string() + ending);
+    for (const auto& [what, text] : {std::pair{"captions", &words.captions},
+                                     {"chapters", &words.chapters},
+                                     {"descriptions", &words.descriptions},
+                                     {"transcript", &words.transcript}}) {
+        AtomicFile file(stem.string() + words_endings.at(what));
         file.write(*text);
         file.commit();
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "app/frame_span.h"
@@ -22,6 +23,13 @@ struct FilmWords {
 /// Runs the physics once more, for the numbers. `span` is of the scene's timeline. Throws as
 /// render() does.
 FilmWords words_of_film(const Scene& scene, const FrameSpan& span);
+
+/// What their files are called, by what they hold: the film's name without its extension, and this.
+inline const std::map<std::string, std::string> words_endings = {
+    {"captions", ".captions.vtt"},
+    {"chapters", ".chapters.vtt"},
+    {"descriptions", ".descriptions.vtt"},
+    {"transcript", ".transcript.txt"}};
 
 /// Writes them beside the film at `path`, as film.captions.vtt, film.chapters.vtt,
 /// film.descriptions.vtt and film.transcript.txt (beside a folder of frames, with its name), each

@@ -1,11 +1,18 @@
 // Points, rectangles and sizes on a canvas: pixels or points, x to the right, y down.
 #pragma once
 
+#include <cmath>
+
 namespace carom {
 
 struct Point {
     double x = 0, y = 0;
 };
+
+/// Whether two points lie farther apart than this, across or up.
+inline bool is_apart(const Point& a, const Point& b, double distance) {
+    return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
+}
 
 struct Rect {
     double x = 0, y = 0, width = 0, height = 0;

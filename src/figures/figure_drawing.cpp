@@ -19,11 +19,6 @@ constexpr double strip_gap = 1.2, row_of_times = 2.2;           // units
 constexpr double shape_of_plots = 0.68;                         // height over width
 constexpr double shape_of_wires = 0.6;
 
-ThemeKind kind_of(ThemeName name) {
-    if (name == ThemeName::light) return ThemeKind::light;
-    return name == ThemeName::dark ? ThemeKind::dark : ThemeKind::print;
-}
-
 double centimetres(double points) { return points / 72.0 * 2.54; }
 
 bool is_gas(const FigureSpec& spec) { return spec.panel.kind == "gas"; }
@@ -118,10 +113,8 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat form
             : Canvas(size, format == FigureFormat::svg ? VectorFormat::svg : VectorFormat::pdf,
                      words);
     DiskPainter disks;
-    const Page page{{0.0, 0.0, double(size.width), double(size.height)},
-                    unit,
-                    theme(kind_of(spec.theme)),
-                    disks};
+    const Page page{
+        {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
     canvas.fill_all(page.theme.page);
     if (is_gas(spec))
         draw_gas(canvas, page, sheet, figure);
@@ -131,7 +124,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat form
 }
 
 Table table_of(const Figure& figure) {
-    const Theme& colors = theme(kind_of(figure.spec->theme));
+    const Theme& colors = theme_of(figure.spec->theme);
     Table whole;
     for (const FigureMoment& moment : figure.moments) {
         Table table = figure.panel->table(*moment.state, colors);

@@ -9,29 +9,19 @@
 namespace carom {
 namespace {
 
-std::string sentence(const std::string& words) {
-    const bool ends = words.ends_with('.') || words.ends_with('!') || words.ends_with('?');
-    return ends ? words : words + ".";
-}
-
 std::string kind_words(const Scene& scene, const FigureSpec& spec) {
     if (spec.panel.title) return *spec.panel.title;
     if (spec.panel.kind == "gas")
         return scene.gas.box.dimension == 2 ? "The gas" : "The beads on their wire";
     std::string words = spec.panel.kind;
     std::ranges::replace(words, '-', ' ');
-    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-    return words;
+    return capitalised(words);
 }
 
-std::string time_words(const Figure& figure) {
-    std::vector<std::string> times;
-    for (const FigureMoment& moment : figure.moments) times.push_back(plain_number(moment.time));
-    const auto& over = figure.spec->panel.over;
-    if (over && over->since == Over::Since::window)
-        return fmt::format("from time {} to {}",
-                           plain_number(figure.moments.back().time - over->window), times.back());
-    return fmt::format("at {} {}", times.size() > 1 ? "times" : "time", listed(times));
+std::string time_words(const FigureSpec& spec) {
+    const bool over = spec.panel.over && spec.panel.over->since == Over::Since::window;
+    return fmt::format("{} {}{}", over ? "from" : "at", spec.times.size() > 1 ? "times " : "time ",
+                       shown_times(spec));
 }
 
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
@@ -40,16 +30,26 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
         return fmt::format(
             "{} {} {}: mean of {} independent runs of {} {} each, with its standard error; reduced "
             "units.",
-            sentence(scene.title), kind_words(scene, *figure.spec), time_words(figure),
+            sentence(scene.title), kind_words(scene, *figure.spec), time_words(*figure.spec),
             figure.spec->panel.seeds, grouped(particles), things);
     const std::int64_t collisions = figure.moments.back().collisions.particle;
     return fmt::format("{} {} {}: {} {}, {} {} between them so far; reduced units.",
-                       sentence(scene.title), kind_words(scene, *figure.spec), time_words(figure),
-                       grouped(particles), things, grouped(collisions),
+                       sentence(scene.title), kind_words(scene, *figure.spec),
+                       time_words(*figure.spec), grouped(particles), things, grouped(collisions),
                        collisions == 1 ? "collision" : "collisions");
 }
 
 }  // namespace
+
+std::string shown_times(const FigureSpec& spec) {
+    const auto& over = spec.panel.over;
+    if (over && over->since == Over::Since::window)
+        return fmt::format("{} to {}", plain_number(spec.times.back() - over->window),
+                           plain_number(spec.times.back()));
+    std::vector<std::string> times;
+    for (const double time : spec.times) times.push_back(plain_number(time));
+    return listed(times);
+}
 
 FigureWords words_of(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
@@ -59,7 +59,7 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
     if (!finding.empty()) words.caption += " " + finding;
     words.alt = figure.spec->alt.value_or(fmt::format("{} {}. {}", kind_words(scene, *figure.spec),
-                                                      time_words(figure), scene.description));
+                                                      time_words(*figure.spec), scene.description));
     return words;
 }
 

@@ -13,6 +13,9 @@ struct FigureWords {
     std::string alt;      ///< plain text, for those who cannot see the picture
 };
 
+/// The simulated times that a figure shows: 12, 6 to 12, "0, 1 and 4".
+std::string shown_times(const FigureSpec& spec);
+
 FigureWords words_of(const FigureRun& run, const Figure& figure);
 
 }  // namespace carom

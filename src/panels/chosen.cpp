@@ -66,4 +66,9 @@ std::string single_name(const Cast& cast, Eigen::Index particle) {
     return label.empty() ? cast.scene.gas.species[species].name : label;
 }
 
+double name_alpha(const Cast& cast, const Tick& tick) {
+    constexpr double seconds = 3.0, fading = 0.5;
+    return cast.fades ? std::clamp((seconds - tick.seconds) / fading, 0.0, 1.0) : 1.0;
+}
+
 }  // namespace carom

@@ -26,6 +26,9 @@ std::string name_of(const Cast& cast, const Chosen& chosen);
 /// others.
 std::string single_name(const Cast& cast, Eigen::Index particle);
 
+/// How much of such a name is seen, from 0 to 1: in a film for its first three seconds.
+double name_alpha(const Cast& cast, const Tick& tick);
+
 /// The colour of a choice among several: the species', wherever it is told apart; single particles
 /// and all have colours that no species has by default. `place`: among the choices.
 Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme);

@@ -9,21 +9,6 @@
 #include "panels/text_panel.h"
 
 namespace carom {
-namespace {
-
-const Theme& theme_of(ThemeName name) {
-    switch (name) {
-        case ThemeName::light:
-            return theme(ThemeKind::light);
-        case ThemeName::print:
-            return theme(ThemeKind::print);
-        default:
-            return theme(ThemeKind::dark);
-    }
-}
-
-}  // namespace
-
 Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
 Observers::Observers(const Scene& scene, const Particles& particles, const Sample& start)

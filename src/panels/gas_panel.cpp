@@ -11,10 +11,9 @@ namespace carom {
 namespace {
 
 constexpr double default_trail_seconds = 1.0;
-constexpr double label_seconds = 3.0;  // of film, for the name of a chosen particle
-constexpr double ring_line = 0.13;     // units
-constexpr double rim_line = 0.09;      // of disks that would fade into the ground
-constexpr double least_radius = 1.2;   // pixels: smaller disks are no longer round
+constexpr double ring_line = 0.13;    // units
+constexpr double rim_line = 0.09;     // of disks that would fade into the ground
+constexpr double least_radius = 1.2;  // pixels: smaller disks are no longer round
 
 struct GasState : PanelState {
     struct Trail {
@@ -185,8 +184,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const Observation& observation
             copy.ages.push_back(static_cast<float>(moving_seconds_ - point.film_time));
         }
     }
-    const double seconds = cast_.fades ? observation.tick.seconds : 0.0;
-    state->label_alpha = static_cast<float>(std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0));
+    state->label_alpha = static_cast<float>(name_alpha(cast_, observation.tick));
     return state;
 }
 

@@ -28,11 +28,6 @@ std::string count_words(double count) {
                                                      : three_digits(count);
 }
 
-std::string capitalised(std::string words) {
-    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-    return words;
-}
-
 }  // namespace
 
 struct HistogramPanel::Scales {

@@ -19,6 +19,11 @@ std::shared_ptr<const PanelState> Panel::mean_of(
     return states.front();
 }
 
+const Theme& theme_of(ThemeName name) {
+    if (name == ThemeName::light) return theme(ThemeKind::light);
+    return theme(name == ThemeName::print ? ThemeKind::print : ThemeKind::dark);
+}
+
 TextStyle label_style(const Page& page) {
     return {.size = page.unit, .weight = 400, .color = page.theme.muted};
 }

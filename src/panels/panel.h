@@ -107,6 +107,9 @@ class Panel {
 /// How much of what is behind a plate under words is covered.
 constexpr double plate_alpha = 0.9;
 
+/// The colours of a theme that a scene names.
+const Theme& theme_of(ThemeName name);
+
 /// Text of the panels: labels at the smallest size, titles a little larger.
 TextStyle label_style(const Page& page);
 TextStyle title_style(const Page& page);

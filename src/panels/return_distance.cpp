@@ -18,11 +18,6 @@ struct HomeState : PanelState {
 constexpr double note_height = 1.5;   // units: the row under the title
 constexpr double floor_height = 1.5;  // of the band for distances of exactly 0
 
-// As in other series: points nearer than half the line's width show nothing new.
-bool is_apart(const Point& a, const Point& b, double distance) {
-    return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
-}
-
 enum class Line { largest, root_mean_square };
 
 const char* name_of(Line line) { return line == Line::largest ? "largest" : "root mean square"; }

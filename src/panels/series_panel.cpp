@@ -17,12 +17,6 @@ struct SeriesState : PanelState {
     std::size_t shown = 0;
 };
 
-// Points nearer than half the line's width to the one before show nothing new, and a long film has
-// thousands.
-bool is_apart(const Point& a, const Point& b, double distance) {
-    return std::abs(a.x - b.x) > distance || std::abs(a.y - b.y) > distance;
-}
-
 // A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
 Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
 
@@ -213,6 +207,7 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
         if (!std::isfinite(line[i])) continue;
         const Point last{s.x(history_.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
         const bool leg_ends = i + 1 == shown || history_.leg[i + 1] != history_.leg[i];
+        // Points nearer than half the line's width show nothing new, and a long film has thousands.
         if (leg_ends || path.empty() || is_apart(path.back(), last, 0.08 * page.unit))
             path.push_back(last);
         if (!leg_ends) continue;

@@ -22,7 +22,6 @@ constexpr double ring_line = 0.13;
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
 constexpr double arrows_apart = 0.9;   // units, from those to the right to those to the left
 constexpr double arrows_height = 2.0;  // units, that they take from the world lines
-constexpr double label_seconds = 3.0;  // of film, for the name of a chosen bead
 
 struct WireState : PanelState {
     double time = 0.0;
@@ -173,8 +172,7 @@ std::shared_ptr<const PanelState> WirePanel::state(const Observation& observatio
     state->ghost_words = ghosts_.words_alpha(observation.tick);
     state->flashes = flashes_.at(observation.tick);
     state->reversals = lines_->reversals(now);
-    const double seconds = cast_.fades ? observation.tick.seconds : 0.0;
-    state->label_alpha = std::clamp((label_seconds - seconds) / 0.5, 0.0, 1.0);
+    state->label_alpha = name_alpha(cast_, observation.tick);
     return state;
 }
 

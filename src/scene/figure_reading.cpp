@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/film_reading.h"
 #include "scene/mixing.h"
 
 namespace carom {
@@ -61,11 +62,6 @@ void read_size(const Fields& fields, FigureSpec& figure) {
     figure.height = slide_height;
 }
 
-ThemeName theme_of(const std::string& name) {
-    if (name == "light") return ThemeName::light;
-    return name == "dark" ? ThemeName::dark : ThemeName::print;
-}
-
 // A name that is a file's on every system, and part of a label in every kind of document.
 void check_name(const Node& node, const std::vector<FigureSpec>& others, const std::string& name,
                 Errors& errors) {
@@ -107,7 +103,7 @@ FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors)
     figure.panel.seeds = static_cast<int>(fields.integer("seeds").value_or(1));
     figure.panel.test = fields.flag("test").value_or(false);
     check_test(fields, shown.gas, errors);
-    figure.theme = theme_of(fields.text("theme").value_or("print"));
+    figure.theme = read_theme(fields.text("theme").value());
     figure.caption = fields.text("caption");
     figure.alt = fields.text("alt");
     return figure;

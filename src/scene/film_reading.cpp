@@ -47,12 +47,6 @@ PictureSize read_size(const Fields& film) {
     return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
 }
 
-ThemeName read_theme(const std::string& word) {
-    static const std::map<std::string, ThemeName> themes{
-        {"light", ThemeName::light}, {"dark", ThemeName::dark}, {"print", ThemeName::print}};
-    return themes.at(word);
-}
-
 ColorBy read_color_by(const std::string& word) {
     static const std::map<std::string, ColorBy> ways{{"speed", ColorBy::speed},
                                                      {"speed-class", ColorBy::speed_class},
@@ -227,6 +221,12 @@ void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& e
 }
 
 }  // namespace
+
+ThemeName read_theme(const std::string& word) {
+    static const std::map<std::string, ThemeName> themes{
+        {"light", ThemeName::light}, {"dark", ThemeName::dark}, {"print", ThemeName::print}};
+    return themes.at(word);
+}
 
 std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors) {
     const auto fields = template_file.inner("layout");

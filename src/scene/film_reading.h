@@ -7,6 +7,9 @@
 
 namespace carom {
 
+/// The theme of a checked word.
+ThemeName read_theme(const std::string& word);
+
 /// Where things stand, from a checked template; nothing when an error leaves it open.
 std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors);
 

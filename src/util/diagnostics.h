@@ -2,6 +2,7 @@
 // Owns the value types and their text form; knows nothing of YAML or of the command line.
 #pragma once
 
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +40,24 @@ class SceneError : public std::runtime_error {
   private:
     std::vector<Diagnostic> diagnostics_;
 };
+
+/// What `make` gives for each item; the diagnostics of all for which it throws a SceneError, in
+/// one.
+template <class Items, class Make>
+auto all_made(const Items& items, const Make& make) {
+    std::vector<decltype(make(*std::begin(items)))> made;
+    std::vector<Diagnostic> diagnostics;
+    for (const auto& item : items) {
+        try {
+            made.push_back(make(item));
+        } catch (const SceneError& error) {
+            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
+                               error.diagnostics().end());
+        }
+    }
+    if (!diagnostics.empty()) throw SceneError(std::move(diagnostics));
+    return made;
+}
 
 /// The command line is wrong (exit code 2).
 class UsageError : public std::runtime_error {

@@ -108,6 +108,16 @@ std::string listed(std::span<const std::string> words, std::string_view last,
     return text;
 }
 
+std::string sentence(const std::string& words) {
+    const bool ends = words.ends_with('.') || words.ends_with('!') || words.ends_with('?');
+    return ends ? words : words + ".";
+}
+
+std::string capitalised(std::string words) {
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words;
+}
+
 double off_the_tie(double value) { return value * (1.0 + 1e-9); }
 
 std::string three_digits(double value) {

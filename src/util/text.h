@@ -32,6 +32,12 @@ std::optional<std::string> nearest_spelling(std::string_view word,
 std::string listed(std::span<const std::string> words, std::string_view last = "and",
                    std::string_view quote = "");
 
+/// Ended by a full stop, unless it ends as a sentence does.
+std::string sentence(const std::string& words);
+
+/// With a large first letter, if that is one of ASCII; at least one letter.
+std::string capitalised(std::string words);
+
 /// A number a little farther from 0, by less than any reader sees: what lies half-way between two
 /// digits but for round-off is then rounded one way, wherever it is shown.
 double off_the_tie(double value);

@@ -34,23 +34,32 @@ std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels) {
     return labels == Labels::index ? std::to_string(particle) : "";
 }
 
-void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
-                   const std::string& words, Color bead) {
-    if (words.empty() || radius < half_cap_height * page.unit) return;
+std::optional<FittingWords> fitting_words(const Page& page, double radius,
+                                          const std::string& words) {
+    if (radius < half_cap_height * page.unit) return {};
     TextStyle style = label_style(page);
     style.align = Align::center;
     style.weight = 600;
-    style.color = letters_on(bead, page.theme);
     const double large = std::clamp(0.65 * radius, page.unit, 2.0 * page.unit);
     const std::string shorter = shorter_number(words);
     for (const std::string& text : {words, shorter, shorter_number(shorter)})
         for (const double size : {large, page.unit}) {
             style.size = size;
             const double half_width = 0.5 * measure_text(text, style).width;
-            if (std::hypot(half_width, half_cap_height * size) > rim * radius) continue;
-            draw_text(canvas, {center.x, center.y + half_cap_height * size}, text, style);
-            return;
+            if (std::hypot(half_width, half_cap_height * size) <= rim * radius)
+                return FittingWords{text, style};
         }
+    return {};
+}
+
+void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
+                   const std::string& words, Color bead) {
+    if (words.empty()) return;
+    auto fitting = fitting_words(page, radius, words);
+    if (!fitting) return;
+    fitting->style.color = letters_on(bead, page.theme);
+    const double down = half_cap_height * fitting->style.size;
+    draw_text(canvas, {center.x, center.y + down}, fitting->text, fitting->style);
 }
 
 }  // namespace carom

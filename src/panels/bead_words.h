@@ -1,6 +1,7 @@
 // What is written on disks and beads: masses or numbers, where they fit.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "panels/panel.h"
@@ -16,9 +17,18 @@ std::string shorter_number(const std::string& words);
 /// Its mass or its number, whichever `labels` asks for; empty for none.
 std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels);
 
-/// Writes words on a bead of a colour around `center`, as large as fits into its radius (pixels);
-/// a
-/// number with a digit or two less where it fits only so, and nothing where that does not fit.
+/// Words as they fit on a bead.
+struct FittingWords {
+    std::string text;
+    TextStyle style;  ///< without a colour
+};
+
+/// Words for a bead of a radius (pixels), as large as fits; a number with a digit or two less where
+/// it fits only so, and nothing where that does not fit.
+std::optional<FittingWords> fitting_words(const Page& page, double radius,
+                                          const std::string& words);
+
+/// Writes words on a bead of a colour around `center`, as they fit, or not at all.
 void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
                    const std::string& words, Color bead);
 

@@ -131,7 +131,8 @@ void FramePainter::draw_title(Canvas& canvas) const {
                   line);
 }
 
-// With the remark on units at the right end of its last line, or of the one after it.
+// With the remark on units at the right end of its last line; where it would meet a line all by
+// itself, at the left of the next.
 void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most,
                                  double line) const {
     TextStyle remark = style;
@@ -149,30 +150,34 @@ void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std:
     }
     const bool meets = at.x + last + unit_ > right - measure_text(units, remark).width;
     if (meets && lines.size() >= most) return;
-    draw_text(canvas, {right, meets ? at.y + line : at.y}, units, remark);
+    if (meets) {
+        at.y += line;
+        remark.align = Align::left;
+    }
+    draw_text(canvas, {meets ? at.x : right, at.y}, units, remark);
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
     if (covered_) canvas_.copy_from(ground_);
     covered_ = card_alpha(frame.tick) > 0.0;
     for (const Rect& rect : changing_) canvas_.copy_from(ground_, rect);
-    draw_changing(canvas_, frame);
+    draw_changing(canvas_, frame, false);
     return canvas_;
 }
 
 void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
     draw_ground(canvas);
-    draw_changing(canvas, frame);
+    draw_changing(canvas, frame, true);
 }
 
-void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame) {
+void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame, bool still) {
     for (std::size_t i = 0; i < frame.states.size(); ++i) {
         const Observers::Placed& placed = observers_.panels()[i];
         placed.panel->draw(canvas, page(placed.slot), *frame.states[i]);
     }
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
-    if (!is_card(frame.tick.phase)) draw_caption(canvas, frame.tick);
+    if (!is_card(frame.tick.phase)) draw_caption(canvas, frame.tick, still);
     if (card_alpha(frame.tick) > 0.0) draw_card(canvas, frame.tick);
 }
 
@@ -243,11 +248,12 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
 }
 
 // One line, smaller if that keeps it whole; on the gas's axis where nothing stands beside the gas.
-void FramePainter::draw_caption(Canvas& canvas, const Tick& tick) const {
+void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) const {
     const LayoutSpec& layout = scene_.film.layout;
     for (const CaptionSpan& caption : captions_) {
-        const double opacity = caption_opacity(caption, scene_.film, tick.frame);
+        double opacity = caption_opacity(caption, scene_.film, tick.frame);
         if (opacity <= 0.0 || caption.words.empty()) continue;
+        if (still) opacity = 1.0;
         const Rect line = grid_.place(*layout.caption);
         const Rect place = grid_.place(layout.gas);
         const Rect box = observers_.gas().frame_in(place);

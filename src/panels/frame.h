@@ -66,7 +66,8 @@ class FramePainter {
     /// The picture of a frame, a pure function of `frame`; valid until the next call.
     const Canvas& paint(const FrameData& frame);
 
-    /// Draws the same picture on another canvas of the film's size.
+    /// Draws the same picture on another canvas of the film's size, as a still: a caption that
+    /// comes or goes is whole.
     void paint_on(Canvas& canvas, const FrameData& frame);
 
   private:
@@ -76,12 +77,12 @@ class FramePainter {
     void draw_title(Canvas& canvas) const;
     void draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most_lines,
                        double line) const;
-    void draw_changing(Canvas& canvas, const FrameData& frame);
+    void draw_changing(Canvas& canvas, const FrameData& frame, bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
     double card_alpha(const Tick& tick) const;
     void draw_card(Canvas& canvas, const Tick& tick) const;
-    void draw_caption(Canvas& canvas, const Tick& tick) const;
+    void draw_caption(Canvas& canvas, const Tick& tick, bool still) const;
 
     const Scene& scene_;
     const Observers& observers_;

@@ -129,13 +129,20 @@ MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
     return best;
 }
 
+// Rows differ by one number at most, and the last are the longer ones: none is left over alone.
 Point MonitorsPanel::place(const Row& row, std::size_t index) const {
-    const std::size_t first = index - index % row.columns;
+    const std::size_t rows = (row.shown + row.columns - 1) / row.columns;
+    const std::size_t shorter = rows * row.columns - row.shown;
+    const std::size_t in_shorter = shorter * (row.columns - 1);
+    const bool in_short = index < in_shorter;
+    const std::size_t length = in_short ? row.columns - 1 : row.columns;
+    const std::size_t before = in_short ? index : index - in_shorter;
+    const std::size_t line = before / length + (in_short ? 0 : shorter);
     double x = row.area.x;
-    for (std::size_t i = first; i < index; ++i)
+    for (std::size_t i = index - before % length; i < index; ++i)
         x += (row.columns < row.shown ? widest_column : width(numbers_[i], row.unit)) *
              row.spacing * row.unit;
-    return {x, row.area.y + row.height * row.unit * static_cast<double>(index / row.columns)};
+    return {x, row.area.y + row.height * row.unit * static_cast<double>(line)};
 }
 
 // In units, at the smallest size of text: numbers that need a power of ten need more than usual.

@@ -99,15 +99,16 @@ void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
     const std::vector<Point>& all = paths_[set];
     const std::size_t end = std::min(shown, all.size());
     const Color color = edge_of(subject_.color(set, page.theme), page.theme);
+    const std::vector<double> dashes = line_dashes(set, subject_.sets, page);
     std::vector<Point> path;
     for (std::size_t i = first_of_path(end); i < end; ++i) {
         if (!path.empty() && breaks_between(all[i - 1], all[i])) {
-            canvas.stroke_path(path, 0.1 * page.unit, color);
+            canvas.stroke_path(path, 0.1 * page.unit, color, dashes);
             path.clear();
         }
         path.push_back(s(all[i]));
     }
-    if (!path.empty()) canvas.stroke_path(path, 0.1 * page.unit, color);
+    if (!path.empty()) canvas.stroke_path(path, 0.1 * page.unit, color, dashes);
 }
 
 void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {

@@ -25,6 +25,7 @@ WireMap::WireMap(const Cast& cast, const Sample& start)
       ring_(cast.scene.gas.box.walls[0] == Wall::periodic),
       order_(static_cast<std::size_t>(cast.particles.count())),
       radius_(cast.particles.count()),
+      true_(cast.particles.count()),
       push_(cast.particles.count()),
       length_(true_length_) {
     std::iota(order_.begin(), order_.end(), 0);
@@ -33,6 +34,7 @@ WireMap::WireMap(const Cast& cast, const Sample& start)
     });
     for (const Eigen::Index i : order_) {
         radius_[i] = drawn_radius(cast, i);
+        true_[i] = radius_[i] == cast.particles.radius[i];
         const double growth = 2.0 * (radius_[i] - cast.particles.radius[i]);
         push_[i] = length_ - true_length_ + 0.5 * growth;
         length_ += growth;

@@ -20,6 +20,7 @@ class WireMap {
 
     double radius(Eigen::Index i) const { return radius_[i]; }  ///< as drawn
     double length() const { return length_; }                   ///< of the wire as drawn
+    bool is_true(Eigen::Index i) const { return true_[i]; }     ///< drawn as long as it is
 
     /// Places as drawn. On a ring they go on beyond its length, without jumps, and are told apart
     /// by `last`, those drawn before.
@@ -33,6 +34,7 @@ class WireMap {
     bool ring_;
     std::vector<Eigen::Index> order_;
     Eigen::ArrayXd radius_;
+    Eigen::Array<bool, Eigen::Dynamic, 1> true_;
     Eigen::ArrayXd push_;  ///< to the right of the true place
     double length_;
 };

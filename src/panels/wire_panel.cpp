@@ -16,7 +16,8 @@ namespace {
 constexpr double most_film_seconds = 12.0;  // that world lines go back
 constexpr double least_film_seconds = 2.5;  // below, they would rush by
 constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds allow
-constexpr double rod_from = 2.0;            // units of radius: longer beads are drawn as rods
+constexpr double rods_from = 2.0;           // units of radius: longer beads are drawn as rods
+constexpr double rods_fill = 0.15;          // of the wire, from which beads of true length are rods
 constexpr double rod_half_height = 1.3;
 constexpr double ring_line = 0.13;
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
@@ -68,6 +69,8 @@ struct WirePanel::View {
     double scale;   // pixels of a length
     Scale time;     // time before now
     double unit;
+    bool rods;         // beads of true length are drawn as rods, else as disks
+    bool larger_rods;  // and those drawn larger than they are
     double x(double place) const { return plot.x + place * scale; }
 };
 
@@ -76,6 +79,14 @@ bool WirePanel::is_ring() const { return cast_.scene.gas.box.walls[0] == Wall::p
 // Small beads stay visible, chosen ones above all.
 double WirePanel::shown_radius(Eigen::Index i, const View& v) const {
     return std::max((stands_out(cast_, i) ? 0.4 : 0.15) * v.unit, map_->radius(i) * v.scale);
+}
+
+bool WirePanel::is_rod(Eigen::Index i, const View& v) const {
+    return map_->is_true(i) ? v.rods : v.larger_rods;
+}
+
+double WirePanel::half_height(Eigen::Index i, const View& v) const {
+    return is_rod(i, v) ? rod_half_height * v.unit : shown_radius(i, v);
 }
 
 WirePanel::View WirePanel::view(const Page& page) const {
@@ -88,6 +99,15 @@ WirePanel::View WirePanel::view(const Page& page) const {
                  page.area.height - 8.0 * u - arrows};
     view.scale = view.plot.width / map_->length();
     view.time = {0.0, memory_, view.plot.y, view.plot.bottom()};
+    double filled = 0.0, longest = 0.0, longest_larger = 0.0;
+    for (Eigen::Index i = 0; i < cast_.particles.count(); ++i) {
+        const double radius = map_->radius(i);
+        double& most = map_->is_true(i) ? longest : longest_larger;
+        most = std::max(most, radius * view.scale);
+        if (map_->is_true(i)) filled += 2.0 * radius;
+    }
+    view.rods = longest > rods_from * u || filled > rods_fill * map_->length();
+    view.larger_rods = longest_larger > rods_from * u;
     return view;
 }
 
@@ -263,10 +283,11 @@ void WirePanel::draw_ghosts(Canvas& canvas, const Page& page, const PanelState& 
     const View v = view(page);
     const double line = ghost_line(page);
     for (std::size_t i = 0; i < now.ghosts->x.size(); ++i) {
-        const double radius = shown_radius(static_cast<Eigen::Index>(i), v);
+        const auto particle = static_cast<Eigen::Index>(i);
+        const double radius = shown_radius(particle, v);
         for (const Point& at : seen_at(double(now.ghosts->x[i]), radius, v)) {
             const double half = rod_half_height * page.unit;
-            if (radius > rod_from * page.unit)
+            if (is_rod(particle, v))
                 canvas.stroke_rect({at.x - radius, at.y - half, 2.0 * radius, 2.0 * half}, line,
                                    page.theme.muted);
             else
@@ -383,14 +404,14 @@ void WirePanel::draw_beads(Canvas& canvas, const Page& page, const PanelState& s
         const Color edge = edge_of(color, page.theme);
         for (const Point& at : seen_at(double(now.places[i]), radius, v)) {
             if (stands_out(cast_, particle)) rings.push_back({at, radius});
-            if (radius > rod_from * u)
+            if (is_rod(particle, v))
                 draw_rod(canvas, page, at, radius, color, is_filled(particle));
             else
                 disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                                  static_cast<float>(radius), to_pixel(edge) & 0xFFFFFF});
             const double line = std::max(1.5, ring_line * u);
             const Color inside = is_filled(particle) ? color : page.theme.page;
-            if (radius <= rod_from * u && radius > 2.0 * line && to_pixel(inside) != to_pixel(edge))
+            if (!is_rod(particle, v) && radius > 2.0 * line && to_pixel(inside) != to_pixel(edge))
                 disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                                  static_cast<float>(radius - line), to_pixel(inside) & 0xFFFFFF});
         }
@@ -413,8 +434,7 @@ void WirePanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& 
     const View v = view(page);
     double half = 0.0;
     for (Eigen::Index i = 0; i < cast_.particles.count(); ++i) {
-        const double radius = shown_radius(i, v);
-        half = std::max(half, radius > rod_from * v.unit ? rod_half_height * v.unit : radius);
+        half = std::max(half, half_height(i, v));
     }
     const double y = v.wire_y + half + arrows_below * v.unit;
     const ArrowField field{
@@ -446,8 +466,7 @@ void WirePanel::draw_name(Canvas& canvas, const Page& page, Eigen::Index particl
     style.max_width = v.plot.width;
     const double half = measure_text(escape_markup(name), style).width / 2.0;
     const double x = std::clamp(v.x(place), v.plot.x + half, v.plot.right() - half);
-    const double radius = shown_radius(particle, v);
-    const double top = v.wire_y - (radius > rod_from * v.unit ? rod_half_height * v.unit : radius);
+    const double top = v.wire_y - half_height(particle, v);
     draw_text(canvas, {x, top - 0.7 * page.unit}, escape_markup(name), style);
 }
 
@@ -463,13 +482,20 @@ Labels WirePanel::shown_labels() const {
     return asked == Labels::none && differ ? Labels::mass : asked;
 }
 
-// Words on beads that are large enough; the names of chosen beads, at the
-// start.
+bool WirePanel::words_fit(const Page& page, Labels labels, const View& v) const {
+    for (Eigen::Index i = 0; i < cast_.particles.count(); ++i) {
+        const std::string words = words_on(cast_, i, labels);
+        if (!words.empty() && !fitting_words(page, map_->radius(i) * v.scale, words)) return false;
+    }
+    return true;
+}
+
+// Words on all beads if all are large enough; the names of chosen beads, at the start.
 void WirePanel::draw_words(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& now = static_cast<const WireState&>(state);
     const View v = view(page);
     const std::vector<Color> colors = colors_.of_shades(page.theme);
-    const Labels labels = shown_labels();
+    const Labels labels = words_fit(page, shown_labels(), v) ? shown_labels() : Labels::none;
     for (std::size_t i = 0; i < now.places.size(); ++i) {
         const auto particle = static_cast<Eigen::Index>(i);
         double place = static_cast<double>(now.places[i]);

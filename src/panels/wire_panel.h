@@ -45,8 +45,11 @@ class WirePanel : public Panel {
     bool is_ring() const;
     bool is_filled(Eigen::Index particle) const;
     Labels shown_labels() const;
+    bool words_fit(const Page& page, Labels labels, const View& view) const;
     std::vector<Point> seen_at(double place, double radius, const View& view) const;
     double shown_radius(Eigen::Index particle, const View& view) const;
+    bool is_rod(Eigen::Index particle, const View& view) const;
+    double half_height(Eigen::Index particle, const View& view) const;
     void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
     void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,
                    std::optional<Color> color, double width) const;

@@ -164,6 +164,34 @@ TEST_CASE("a gas at rest, one particle, and infinite masses make a film without 
     }
 }
 
+TEST_CASE("a caption that comes or goes is whole in a still") {
+    const Shot film(
+        load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
+                        "run: {until: 4, events: [{at: 2, caption: words}]}\n"
+                        "film: {seconds: 8, fps: 30, panels: [], size: [480, 480]}\n",
+                        "test", templates));
+    FramePainter painter(film.scene, *film.observers);
+    const std::vector<CaptionSpan> spans = caption_schedule(film.scene);
+    const auto coming = static_cast<std::size_t>(spans[0].first);
+    const auto brightest = [](const Canvas& canvas, const Rect& line) {
+        std::uint32_t most = 0;
+        const PixelView view = canvas.pixels();
+        for (int y = static_cast<int>(line.y); y < line.bottom(); ++y)
+            for (int x = static_cast<int>(line.x); x < line.right(); ++x)
+                most = std::max(most, view.data[y * view.stride + x] & 0xFF);
+        return most;
+    };
+    const Rect line =
+        Grid(film.scene.film.layout, {480, 480}).place(*film.scene.film.layout.caption);
+    const std::uint32_t whole = brightest(painter.paint(film.frames[coming + 10]), line);
+    CHECK(brightest(painter.paint(film.frames[coming]), line) < whole / 2);
+    Canvas still({480, 480});
+    painter.paint_on(still, film.frames[coming]);
+    CHECK(brightest(still, line) == whole);
+    painter.paint_on(still, film.frames[coming - 1]);
+    CHECK(brightest(still, line) < whole / 2);
+}
+
 TEST_CASE("a picture drawn at once on another canvas is the film's") {
     const Shot film(scene_of("seconds: 2, fps: 5, size: [320, 180]"));
     FramePainter painter(film.scene, *film.observers);

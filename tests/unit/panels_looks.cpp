@@ -1,8 +1,11 @@
 // How disks and beads look: rings, words that fit on them, and the numbers of monitors.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "draw/palette.h"
 #include "panels/bead_words.h"
@@ -189,4 +192,101 @@ TEST_CASE("as many numbers stand in a row as it has room for") {
     CHECK(drawn(7.4, two) == drawn(7.4, {Monitor::time}));
     CHECK(drawn(20, two) != drawn(20, {Monitor::time}));
     CHECK(drawn(1, two) == drawn(1, {Monitor::time}));  // one is always there
+}
+
+TEST_CASE("rows of numbers leave none alone: the last are the longer ones") {
+    for (std::size_t count = 2; count <= 7; ++count) {
+        const std::vector<Monitor> all{
+            Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
+            Monitor::slow, Monitor::medium,     Monitor::fast};
+        Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+        scene.film.layout.monitors = Slot{1, 1, 24, 18};
+        scene.film.monitors = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
+        const std::vector<std::string> labels{"time", "collisions", "mean speed", "mean energy",
+                                              "slow", "medium",     "fast"};
+        TextLog log;
+        const Picture picture(std::move(scene));
+        std::map<int, std::size_t> rows;  // labels by the height of their baseline
+        std::size_t seen = 0;
+        for (const DrawnLine& line : log.lines)
+            if (std::ranges::find(labels, line.markup) != labels.end()) {
+                ++rows[static_cast<int>(std::lround(line.ink.y / 20.0))];
+                ++seen;
+            }
+        REQUIRE(seen == count);
+        std::vector<std::size_t> lengths;
+        for (const auto& [y, length] : rows) lengths.push_back(length);
+        CAPTURE(count);
+        CHECK(std::ranges::is_sorted(lengths));
+        CHECK(lengths.back() - lengths.front() <= 1);
+    }
+}
+
+TEST_CASE("on a wire all beads bear their mass, or none") {
+    const auto masses = [](const std::string& size) {
+        TextLog log;
+        Scene scene = scene_of("{count: 2, mass: [8.182, 9], drawn_radius: 1, position: [10, 28]}",
+                               "color_by: species", "length: " + size);
+        const Picture picture(std::move(scene));
+        return std::ranges::count_if(log.lines, [](const DrawnLine& line) {
+            return line.markup.starts_with("8") || line.markup == "9";
+        });
+    };
+    CHECK(masses("30") == 2);
+    CHECK(masses("200") == 0);
+    CHECK(masses("45") != 1);
+    for (int length = 30; length < 200; length += 5) CHECK(masses(std::to_string(length)) != 1);
+}
+
+TEST_CASE(
+    "beads of a wire are rods where they fill it or one is long; points are disks beside them") {
+    // How many different widths the rows of a bead have: a rod's are all the same.
+    const auto widths = [](const std::string& gas, double from, double to) {
+        const Picture picture(scene_of(gas, "fps: 30, color_by: species", "length: 40"));
+        const Rect box = picture.box();
+        std::set<int> seen;
+        for (int y = 0; y < picture.view.height; ++y) {
+            int width = 0;
+            for (int x = static_cast<int>(box.x + from * picture.scale());
+                 x < box.x + to * picture.scale(); ++x)
+                width += (picture.view.data[y * picture.view.stride + x] & 0xFFFFFF) == 0xFF0000;
+            if (width > 0) seen.insert(width);
+            if (width == 0 && !seen.empty()) break;
+        }
+        REQUIRE(!seen.empty());
+        return seen.size();
+    };
+    const std::string red = ", color: '#ff0000'";
+    const auto two = [&](const std::string& radius, const std::string& other) {
+        return "{name: a, count: 1, position: 10, radius: " + radius + red +
+               "}, {name: b, count: 1, position: 28, " + other + red + "}";
+    };
+    const std::string five = "{count: 5, position: [10, 16, 22, 28, 34]" + red;
+    CHECK(widths(two("0.9", "radius: 0.9"), 5, 18) > 4);      // disks
+    CHECK(widths(five + ", radius: 0.9}", 7, 13) == 1);       // a quarter of the wire
+    CHECK(widths(five + ", drawn_radius: 0.9}", 7, 13) > 4);  // not their lengths
+    CHECK(widths(two("0.9", "radius: 6"), 5, 18) == 1);       // beside a long one
+    CHECK(widths(two("0.9", "radius: 6"), 20, 36) == 1);
+    CHECK(widths(two("0, drawn_radius: 0.9", "radius: 6"), 5, 18) > 4);
+    CHECK(widths(two("0, drawn_radius: 0.9", "radius: 0, drawn_radius: 6"), 5, 18) == 1);
+}
+
+TEST_CASE("the remark on units ends the line of the subtitle, or begins the next one") {
+    const std::string long_words(80, 'n');
+    for (const std::string& subtitle : {std::string("Short"), long_words}) {
+        TextLog log;
+        Scene scene = scene_of("{count: 1}", "fps: 30, template: minimal");
+        scene.subtitle = subtitle;
+        scene.film.size = {1280, 720};
+        const Picture picture(std::move(scene));
+        const auto line_of = [&](const std::string& words) {
+            const auto line = std::ranges::find(log.lines, words, &DrawnLine::markup);
+            REQUIRE(line != log.lines.end());
+            return line->ink;
+        };
+        const Rect units = line_of("reduced units"), words = line_of(subtitle);
+        const bool beside = units.y < words.bottom();
+        CHECK(beside == (subtitle == "Short"));
+        if (!beside) CHECK(units.x == doctest::Approx(words.x).epsilon(0.05));
+    }
 }

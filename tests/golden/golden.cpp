@@ -1,7 +1,7 @@
 // Small pictures of scenes, and of those here that show what the scenes do not, against those kept
-// here. On a difference of more than 2 in a channel the picture and a map of the difference are
-// left in build/golden/; a vector picture is compared as text, and the lines that differ are left
-// there. CAROM_UPDATE_GOLDEN=1 makes the kept ones anew.
+// here, with the fonts kept here. On a difference of more than 2 in a channel the picture and a map
+// of the difference are left in build/golden/; a vector picture is compared as text, and the lines
+// that differ are left there. CAROM_UPDATE_GOLDEN=1 makes the kept ones anew.
 #include <cairo.h>
 #include <doctest/doctest.h>
 
@@ -65,11 +65,19 @@ struct Pair {
     fs::path kept, drawn;
 };
 
+// The letters of fonts/, whatever fonts are installed.
+void pin_fonts() {
+    const fs::path fonts = fs::path(CAROM_TEST_ROOT) / "tests/golden/fonts/fonts.conf";
+    REQUIRE(fs::exists(fonts));
+    REQUIRE(setenv("FONTCONFIG_FILE", fonts.c_str(), 1) == 0);
+}
+
 /// Draws a frame of a scene; where pictures are made anew it is the kept one too.
 Pair draw(const std::string& scene, const std::string& at, const std::string& theme,
           const std::string& format) {
     const std::string name = scene + "-" + at + "-" + theme + "." + format;
     CAPTURE(name);
+    pin_fonts();
     const Pair pair{fs::path(CAROM_TEST_ROOT) / "tests/golden" / name,
                     fs::path(CAROM_GOLDEN_OUTPUT) / name};
     fs::path file = fs::path(CAROM_TEST_ROOT) / "scenes" / (scene + ".yaml");

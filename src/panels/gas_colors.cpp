@@ -89,6 +89,7 @@ void GasColors::settle() {
     const double top = pool_.empty() ? 0.0 : 1.25 * quantile(pool_, 0.95);
     scale_top_ = top > 0.0 ? round_up_for_axis(top) : 1.0;
     pool_ = {};
+    shades_ = make_shades(theme_of(cast_.scene.film.theme));
 }
 
 std::uint8_t GasColors::shade(Eigen::Index i, double speed, double mean_speed) const {
@@ -107,7 +108,13 @@ std::uint8_t GasColors::shade(Eigen::Index i, double speed, double mean_speed) c
     }
 }
 
+// A scale is searched for where it begins to stand out from the ground: not in every frame.
 std::vector<Color> GasColors::of_shades(const Theme& theme) const {
+    const bool known = !shades_.empty() && &theme == &theme_of(cast_.scene.film.theme);
+    return known ? shades_ : make_shades(theme);
+}
+
+std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     std::vector<Color> colors;
     if (cast_.scene.film.color_by == ColorBy::species) {
         for (std::size_t k = 0; k < cast_.scene.gas.species.size(); ++k)

@@ -39,6 +39,7 @@ class GasColors {
     void draw_key(Canvas& canvas, const Page& page) const;
 
   private:
+    std::vector<Color> make_shades(const Theme& theme) const;
     double value(Eigen::Index particle, double speed) const;
     void draw_scale(Canvas& canvas, const Page& page) const;
     void draw_legend(Canvas& canvas, const Page& page) const;
@@ -46,7 +47,8 @@ class GasColors {
     Cast cast_;
     std::vector<double> pool_;
     int surveyed_ = 0;
-    double scale_top_ = 1.0;  ///< the value at the bright end of the scale
+    double scale_top_ = 1.0;     ///< the value at the bright end of the scale
+    std::vector<Color> shades_;  ///< in the film's theme, after settle()
 };
 
 }  // namespace carom

@@ -366,6 +366,7 @@ bool GasPanel::is_filled(std::size_t particle) const {
 }
 
 void GasPanel::draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const {
+    if (cast_.scene.film.labels == Labels::none) return;
     const auto& gas = static_cast<const GasState&>(state);
     const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
     const std::vector<Color> colors = colors_.of_shades(page.theme);

@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -61,14 +60,11 @@ TEST_CASE("random places do not overlap, lie inside, and depend on the seed only
     }
 }
 
-TEST_CASE("a hundred thousand disks at packing 0.5 find room quickly") {
+TEST_CASE("a hundred thousand disks at packing 0.5 find room") {
     const double side = std::sqrt(100'000 * 3.14159265 * 0.25 / 0.5);
     Gas gas = gas_of(side, side, {{.name = "", .count = 100'000}});
     gas.box.walls = {Wall::periodic, Wall::periodic};
-    const auto begin = std::chrono::steady_clock::now();
     CHECK(place(gas).first.count() == 100'000);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    CHECK(taken.count() < 10.0);  // a quarter of a second on an idle machine
 }
 
 TEST_CASE("lattices are fitted to the box, dense ones too") {

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "scene/limits.h"
 #include "scene/scalar.h"
+#include "scene/word_pattern.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -52,11 +56,19 @@ std::int64_t listed_positions(const Fields& item, int dimension) {
                                               : 1;
 }
 
-// 0 when it is not known.
-std::int64_t read_count(const Fields& item, int dimension, Errors& errors) {
+// The letters of a pattern, if the places are one.
+const Node* word_in(const Fields& item) {
+    const Node* position = item.given("position");
+    return position != nullptr && position->is_mapping() ? find(*position, "text") : nullptr;
+}
+
+// 0 when it is not known; `pattern` are the places of a word, if there is one.
+std::int64_t read_count(const Fields& item, int dimension, const std::optional<Places>& pattern,
+                        Errors& errors) {
     if (const auto count = item.integer("count")) return *count;
+    if (pattern) return static_cast<std::int64_t>(pattern->values.size());
     const std::int64_t listed = listed_positions(item, dimension);
-    if (listed == 0 && !item.mentions("count") &&
+    if (listed == 0 && !item.mentions("count") && word_in(item) == nullptr &&
         (item.given("position") || !item.mentions("position")))
         errors.add(item.node(), "an item of `gas` needs `count`, or a list of positions");
     return listed;
@@ -96,7 +108,75 @@ std::optional<Region> region_in(const std::vector<double>& ends, const Node& wit
     return std::nullopt;
 }
 
-std::optional<PositionRule> read_position(const Fields& item, int dimension, Errors& errors) {
+// Nothing for a normal law, which has no largest value.
+std::optional<double> largest_of(const Quantity& quantity) {
+    if (const auto* number = std::get_if<double>(&quantity)) return *number;
+    if (const auto* law = std::get_if<UniformLaw>(&quantity)) return law->high;
+    const auto* list = std::get_if<std::vector<double>>(&quantity);
+    return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
+}
+
+// Of disks that touch: the most of them across a cell of a word.
+int most_across(double cell, double radius) {
+    const double most = cell / (2.0 * radius) * (1.0 + 1e-12);
+    return static_cast<int>(std::min(most, std::sqrt(most_particles.value)));
+}
+
+bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
+    const std::vector<std::string> without = letters_without_shape(word.text);
+    if (!without.empty())
+        errors.add(word, fmt::format("no pattern for {}", listed(without, "and", "`")),
+                   fmt::format("there is one for {}", letters_with_shape));
+    else if (shape.cells.empty())
+        errors.add(word, "expected at least one letter for `text`");
+    return without.empty() && !shape.cells.empty();
+}
+
+// The places of a word's disks: so many across a cell that there are `count`, or as many as leave a
+// quarter of their diameter between them.
+std::optional<Places> read_word(const Fields& item, int dimension, const Quantity& radius,
+                                Errors& errors) {
+    const Node* word = dimension == 2 ? word_in(item) : nullptr;
+    const Node* within =
+        word != nullptr && word->valid ? find(*item.given("position"), "within") : nullptr;
+    if (within == nullptr || !within->valid) return std::nullopt;
+    const WordShape shape = word_shape(word->text);
+    const auto largest = largest_of(radius);
+    if (!check_word(*word, shape, errors)) return std::nullopt;
+    if (!largest) {
+        errors.add(*word, "a `text` needs radii that have a largest one, not a normal law");
+        return std::nullopt;
+    }
+    Errors told_later;  // by read_position()
+    const auto region = region_in(numbers(*within), *within, dimension, told_later);
+    if (!region) return std::nullopt;
+    const double cell = shape.cell_in(*region);
+    const auto cells = static_cast<double>(shape.cells.size());
+    const int most = most_across(cell, *largest);
+    const auto count = item.integer("count");
+    const int across = count
+                           ? static_cast<int>(std::ceil(std::sqrt(double(*count) / cells)))
+                           : std::clamp(most_across(cell, 1.25 * *largest), 1,
+                                        static_cast<int>(std::sqrt(most_particles.value / cells)));
+    if (across > most) {
+        const double room = cells * most * most;
+        errors.add(*word,
+                   most == 0 ? fmt::format("disks of radius {} are wider than the strokes of the "
+                                           "letters, which are {:.4g} wide",
+                                           *largest, cell)
+                             : fmt::format("{} disks of radius {} do not fit into the letters, "
+                                           "which have room for {:.0f}",
+                                           *count, *largest, room),
+                   most == 0 ? "smaller disks or a larger `within` make room"
+                             : "fewer or smaller disks or a larger `within` make room");
+        return std::nullopt;
+    }
+    return Places{places_of(shape, *region, across,
+                            count.value_or(static_cast<std::int64_t>(cells) * across * across))};
+}
+
+std::optional<PositionRule> read_position(const Fields& item, int dimension,
+                                          const std::optional<Places>& pattern, Errors& errors) {
     const Node* position = item.value("position");
     if (is_places(*position)) return Places{points(*position, dimension)};
     if (position->text == "lattice") return LatticePlaces{};
@@ -105,6 +185,8 @@ std::optional<PositionRule> read_position(const Fields& item, int dimension, Err
     if (within == nullptr || !within->valid) return std::nullopt;
     const auto region = region_in(numbers(*within), *within, dimension, errors);
     if (!region) return std::nullopt;
+    if (pattern) return *pattern;
+    if (find(*position, "text") != nullptr) return std::nullopt;
     return WithinRegion{*region};
 }
 
@@ -123,16 +205,17 @@ SpeciesDraft read_item(const Fields& item, int dimension, Errors& errors) {
     draft.node = &item.node();
     Species& species = draft.species;
     species.name = item.text("name").value_or("");
-    species.count = read_count(item, dimension, errors);
+    const auto radius = read_quantity(item, "radius", errors);
+    species.radius = radius.value_or(Quantity{dimension == 1 ? 0.0 : 0.5});
+    const auto pattern = read_word(item, dimension, species.radius, errors);
+    species.count = read_count(item, dimension, pattern, errors);
     if (species.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
             check_list_length(item, key, species.count, dimension, errors);
-    const auto radius = read_quantity(item, "radius", errors);
     draft.radius_known = radius.has_value() && (item.given("radius") || !item.mentions("radius"));
-    species.radius = radius.value_or(Quantity{dimension == 1 ? 0.0 : 0.5});
     species.mass = read_mass(item, errors);
     species.velocity = read_velocity(item, dimension, errors);
-    const auto position = read_position(item, dimension, errors);
+    const auto position = read_position(item, dimension, pattern, errors);
     draft.position_known =
         position.has_value() && (item.given("position") || !item.mentions("position"));
     if (position) species.position = *position;

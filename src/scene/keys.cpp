@@ -142,12 +142,22 @@ vector<Form> points(int dimension) {
 vector<Form> places(int dimension) {
     const string corners = dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]";
     const std::size_t numbers = 2 * static_cast<std::size_t>(dimension);
-    const Section within = complete(
-        {.name = "`position`",
-         .keys = {required({"within",
-                            "Random places in a part of the box, particles wholly inside.",
-                            {list_of({number(any_number)}, numbers, numbers, corners)}})}});
-    vector<Form> forms{one_of({"random", "lattice"}), mapping(within, "{within: " + corners + "}")};
+    Section part{.name = "`position`",
+                 .keys = {required({"within",
+                                    "A part of the box, particles wholly inside.",
+                                    {list_of({number(any_number)}, numbers, numbers, corners)}})}};
+    string phrase = "{within: " + corners + "}";
+    if (dimension == 2) {
+        part.keys.push_back(
+            left_to("random places",
+                    {"text",
+                     "A word as a pattern of disks, as large as fits into `within`: capitals, "
+                     "digits, . ! ? - + = ♥ ☺. Without `count` there are as many disks as stand "
+                     "well apart.",
+                     {text(1, most_name_letters)}}));
+        phrase = "{within: " + corners + "} (and a `text`)";
+    }
+    vector<Form> forms{one_of({"random", "lattice"}), mapping(complete(part), phrase)};
     for (Form& form : points(dimension)) forms.push_back(std::move(form));
     return forms;
 }
@@ -167,7 +177,7 @@ vector<Key> matter_keys(int dimension) {
         left_to(
             "required when there are several species",
             {"name", "The name of the species, shown in legends.", {text(1, most_name_letters)}}),
-        left_to("the number of positions listed",
+        left_to("the number of positions listed, or of disks in a `text`",
                 {"count", "How many particles.", {integer(1, most_particles)}}),
         radius,
         otherwise(

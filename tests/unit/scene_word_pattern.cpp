@@ -72,9 +72,17 @@ TEST_CASE("every letter has a shape of its own, seven rows high") {
 }
 
 TEST_CASE("a word fills its region and no more, its disks apart") {
-    for (const std::string region : {"[4, 8, 36, 22]", "[4, 1, 14, 29]"}) {
-        CAPTURE(region);
-        const Gas gas = gas_of("radius: 0.2, position: {text: GAS, within: " + region + "}");
+    struct Part {
+        const char* text;
+        Eigen::Array2d from, to;
+        int filled;  // axis
+    };
+    for (const Part& part :
+         {Part{"[4, 8, 36, 22]", {4, 8}, {36, 22}, 0}, Part{"[4, 1, 14, 29]", {4, 1}, {14, 29}, 0},
+          Part{"[4, 8, 36, 14]", {4, 8}, {36, 14}, 1}}) {
+        CAPTURE(part.text);
+        const Gas gas =
+            gas_of("radius: 0.2, position: {text: GAS, within: " + std::string(part.text) + "}");
         const auto& places = places_in(gas);
         CHECK(gas.species[0].count == static_cast<std::int64_t>(places.size()));
         CHECK(least_distance(places) >= 0.4);
@@ -83,14 +91,11 @@ TEST_CASE("a word fills its region and no more, its disks apart") {
             low = low.min(place);
             high = high.max(place);
         }
-        const bool is_wide = region == "[4, 8, 36, 22]";
-        const Eigen::Array2d from = is_wide ? Eigen::Array2d(4, 8) : Eigen::Array2d(4, 1);
-        const Eigen::Array2d to = is_wide ? Eigen::Array2d(36, 22) : Eigen::Array2d(14, 29);
-        CHECK((low >= from + 0.2).all());
-        CHECK((high <= to - 0.2).all());
+        CHECK((low >= part.from + 0.2).all());
+        CHECK((high <= part.to - 0.2).all());
         // Half a step is left at both ends of the side that it fills, and as much on both sides.
-        CHECK(low[0] - from[0] < 1.0);
-        CHECK((low + high - from - to).abs().maxCoeff() < 1e-9);
+        CHECK(low[part.filled] - part.from[part.filled] < 1.0);
+        CHECK((low + high - part.from - part.to).abs().maxCoeff() < 1e-9);
         CHECK_NOTHROW(place(gas));
     }
 }

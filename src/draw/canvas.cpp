@@ -106,19 +106,6 @@ void set_color(cairo_t* context, Color color) {
     cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
 }
 
-void fill_path(cairo_t* context, Color color) {
-    set_color(context, color);
-    cairo_fill(context);
-    check(cairo_status(context), "draw");
-}
-
-void stroke(cairo_t* context, double width, Color color) {
-    set_color(context, color);
-    cairo_set_line_width(context, width);
-    cairo_stroke(context);
-    check(cairo_status(context), "draw");
-}
-
 void trace(cairo_t* context, std::span<const Point> points) {
     for (const Point& point : points) cairo_line_to(context, point.x, point.y);
 }
@@ -130,6 +117,11 @@ void trace_circle(cairo_t* context, Point center, double radius) {
 }
 
 }  // namespace
+
+// Columns and rows of pixels, the last of them not included.
+struct PixelBox {
+    int left, top, right, bottom;
+};
 
 struct Canvas::Implementation {
     Implementation(PixelSize wanted, Backdrop wanted_backdrop)
@@ -158,6 +150,27 @@ struct Canvas::Implementation {
                 backdrop == Backdrop::black};
     }
 
+    void touch(Rect rect) {
+        if (format || all_touched) return;
+        const auto within = [](double value, int most) {
+            return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
+        };
+        const PixelBox box{within(std::floor(rect.x), size.width),
+                           within(std::floor(rect.y), size.height),
+                           within(std::ceil(rect.right()), size.width),
+                           within(std::ceil(rect.bottom()), size.height)};
+        if (box.left < box.right && box.top < box.bottom) touched.push_back(box);
+    }
+
+    // What the present path touches, and `reach` around it.
+    void touch_path(double reach) {
+        Rect rect;
+        double right = 0.0, bottom = 0.0;
+        cairo_path_extents(context.get(), &rect.x, &rect.y, &right, &bottom);
+        touch({rect.x - reach, rect.y - reach, right - rect.x + 2.0 * reach,
+               bottom - rect.y + 2.0 * reach});
+    }
+
     PixelSize size;
     Backdrop backdrop = Backdrop::transparent;
     std::optional<VectorFormat> format;  ///< none: a raster
@@ -165,6 +178,8 @@ struct Canvas::Implementation {
     std::vector<std::uint8_t> bytes;  ///< of the document; outlives the surface that writes them
     Surface surface;
     Context context;
+    std::vector<PixelBox> touched;  ///< since the last restore()
+    bool all_touched = true;
 };
 
 Canvas::Canvas(PixelSize size, Backdrop backdrop)
@@ -181,7 +196,26 @@ bool Canvas::is_raster() const { return !implementation_->format; }
 
 cairo_t* Canvas::handle() const { return implementation_->context.get(); }
 
+void Canvas::touch(Rect rect) { implementation_->touch(rect); }
+
+void Canvas::fill_path(Color color) {
+    implementation_->touch_path(1.0);
+    set_color(handle(), color);
+    cairo_fill(handle());
+    check(cairo_status(handle()), "draw");
+}
+
+// Corners of a rectangle reach farthest: half a line's width times the root of 2.
+void Canvas::stroke(double width, Color color) {
+    implementation_->touch_path(0.75 * width + 1.0);
+    set_color(handle(), color);
+    cairo_set_line_width(handle(), width);
+    cairo_stroke(handle());
+    check(cairo_status(handle()), "draw");
+}
+
 void Canvas::fill_all(Color color) {
+    implementation_->all_touched = true;
     set_color(handle(), color);
     cairo_paint(handle());
     check(cairo_status(handle()), "draw");
@@ -189,12 +223,12 @@ void Canvas::fill_all(Color color) {
 
 void Canvas::fill(Rect rect, Color color) {
     cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
-    fill_path(handle(), color);
+    fill_path(color);
 }
 
 void Canvas::fill_circle(Point center, double radius, Color color) {
     trace_circle(handle(), center, radius);
-    fill_path(handle(), color);
+    fill_path(color);
 }
 
 void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
@@ -206,13 +240,13 @@ void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
 
 void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
     trace_circle(handle(), center, radius);
-    stroke(handle(), width, color);
+    stroke(width, color);
 }
 
 void Canvas::stroke_rect(Rect rect, double width, Color color) {
     cairo_set_line_join(handle(), CAIRO_LINE_JOIN_MITER);
     cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
-    stroke(handle(), width, color);
+    stroke(width, color);
 }
 
 void Canvas::stroke_line(Point from, Point to, double width, Color color) {
@@ -222,7 +256,7 @@ void Canvas::stroke_line(Point from, Point to, double width, Color color) {
     cairo_set_line_cap(handle(), CAIRO_LINE_CAP_BUTT);
     cairo_move_to(handle(), from.x, from.y);
     cairo_line_to(handle(), to.x, to.y);
-    stroke(handle(), width, color);
+    stroke(width, color);
 }
 
 void Canvas::stroke_path(std::span<const Point> points, double width, Color color, double dash) {
@@ -235,7 +269,7 @@ void Canvas::stroke_path(std::span<const Point> points, double width, Color colo
     cairo_set_line_join(handle(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(handle(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
     trace(handle(), points);
-    stroke(handle(), width, color);
+    stroke(width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
 
@@ -248,7 +282,7 @@ void Canvas::stroke_dashed(Point from, Point to, double width, double dash, Colo
 void Canvas::fill_polygon(std::span<const Point> points, Color color) {
     trace(handle(), points);
     cairo_close_path(handle());
-    fill_path(handle(), color);
+    fill_path(color);
 }
 
 void Canvas::clip_to(Rect rect) {
@@ -259,26 +293,19 @@ void Canvas::clip_to(Rect rect) {
 
 void Canvas::release_clip() { cairo_reset_clip(handle()); }
 
-void Canvas::copy_from(const Canvas& other) {
-    copy_from(other,
-              {0.0, 0.0, static_cast<double>(size().width), static_cast<double>(size().height)});
-}
-
-void Canvas::copy_from(const Canvas& other, Rect rect) {
-    const PixelView from = other.pixels();
+void Canvas::restore(const Canvas& ground) {
+    const PixelView from = ground.pixels();
     const PixelView to = pixels();
     assert(from.width == to.width && from.height == to.height && from.stride == to.stride);
-    const auto within = [](double value, int most) {
-        return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
-    };
-    const int left = within(std::floor(rect.x), to.width);
-    const int right = within(std::ceil(rect.right()), to.width);
-    const int bottom = within(std::ceil(rect.bottom()), to.height);
-    if (left >= right) return;
-    for (int y = within(std::floor(rect.y), to.height); y < bottom; ++y) {
-        const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(y) * to.stride + left;
-        std::copy_n(from.data + start, right - left, to.data + start);
-    }
+    Implementation& own = *implementation_;
+    if (own.all_touched) own.touched = {{0, 0, to.width, to.height}};
+    for (const PixelBox& box : own.touched)
+        for (int y = box.top; y < box.bottom; ++y) {
+            const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(y) * to.stride + box.left;
+            std::copy_n(from.data + start, box.right - box.left, to.data + start);
+        }
+    own.touched.clear();
+    own.all_touched = false;
     pixels_changed();
 }
 

@@ -79,12 +79,15 @@ class Canvas {
     void clip_to(Rect rect);  ///< until release_clip(); does not nest
     void release_clip();
 
-    void copy_from(const Canvas& other);  ///< all pixels of a raster of the same size
+    /// Makes this raster the same as `ground`, of the same size: copies what has been drawn on
+    /// since it last was so, or everything if it never was.
+    void restore(const Canvas& ground);
 
-    /// Copies the pixels that `rect` touches from a raster of the same size.
-    void copy_from(const Canvas& other, Rect rect);
+    /// Tells of pixels written other than by the calls above.
+    void touch(Rect rect);
 
-    /// The pixels, after all drawing so far; pixels_changed() must follow own writes. Raster only.
+    /// The pixels, after all drawing so far; pixels_changed() and touch() must follow own writes.
+    /// Raster only.
     PixelView pixels();
     PixelView pixels() const;  ///< to read
     void pixels_changed();
@@ -101,6 +104,9 @@ class Canvas {
     _cairo* handle() const;
 
   private:
+    void fill_path(Color color);
+    void stroke(double width, Color color);
+
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };

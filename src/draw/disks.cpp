@@ -193,6 +193,29 @@ void fetch_ahead(const PixelView& pixels, const PixelBounds& bounds, const Disk&
     }
 }
 
+// The squares around disks, or the whole clip where they take a good part of it.
+class Boxes {
+  public:
+    explicit Boxes(const Rect& clip) : clip_(clip), left_(0.4 * clip.width * clip.height) {}
+
+    void add(const Disk& disk) {
+        if (left_ < 0.0) return;
+        const double reach = static_cast<double>(disk.radius) + 2.0, side = 2.0 * reach;
+        boxes_.push_back({double(disk.x) - reach, double(disk.y) - reach, side, side});
+        left_ -= side * side;
+    }
+
+    void touch(Canvas& canvas) const {
+        if (left_ < 0.0) return canvas.touch(clip_);
+        for (const Rect& box : boxes_) canvas.touch(box);
+    }
+
+  private:
+    Rect clip_;
+    double left_;  ///< pixels
+    std::vector<Rect> boxes_;
+};
+
 // Masks are kept while there is room for them, each radius at the phases met so far. What is kept
 // saves time and never shows in the picture.
 struct DiskPainter::Implementation {
@@ -268,14 +291,17 @@ void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
     const PixelView pixels = canvas.pixels();
     const PixelBounds bounds = bounds_of(canvas.size(), clip);
     constexpr std::size_t ahead = 4;
+    Boxes boxes(clip);
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const Disk& disk = disks[i];
         if (i + ahead < disks.size()) fetch_ahead(pixels, bounds, disks[i + ahead]);
         if (!is_visible(disk, bounds)) continue;
+        boxes.add(disk);
         const Stamp stamp(pixels, bounds, disk.color);
         implementation_->draw_one(stamp, place(disk));
     }
     canvas.pixels_changed();
+    boxes.touch(canvas);
 }
 
 }  // namespace carom

@@ -331,14 +331,17 @@ GridPoint to_grid(double position) {
     return {static_cast<int>(whole), static_cast<int>(steps - whole * Typesetter::phases)};
 }
 
-void draw_glyphs(cairo_t* context, Point origin, const Line& line) {
+void draw_glyphs(Canvas& canvas, Point origin, const Line& line) {
     for (const PlacedGlyph& glyph : line.glyphs) {
         const GridPoint x = to_grid(origin.x + glyph.x);
         const GridPoint y = to_grid(origin.y + glyph.y);
         const GlyphMask& mask = typesetter().mask(glyph, x.phase, y.phase);
-        if (mask.coverage != nullptr)
-            cairo_mask_surface(context, mask.coverage.get(), x.whole + mask.left,
-                               y.whole + mask.top);
+        cairo_surface_t* coverage = mask.coverage.get();
+        if (coverage == nullptr) continue;
+        const double left = x.whole + mask.left, top = y.whole + mask.top;
+        cairo_mask_surface(canvas.handle(), coverage, left, top);
+        canvas.touch({left, top, double(cairo_image_surface_get_width(coverage)),
+                      double(cairo_image_surface_get_height(coverage))});
     }
 }
 
@@ -349,14 +352,11 @@ double start_of(double x, Align align, double width) {
 
 thread_local TextLog* current_log = nullptr;
 
-void note(const std::string& markup, double size, Point origin, PangoLayout* layout) {
+Rect ink_of(PangoLayout* layout, Point origin) {
     PangoRectangle ink = {};
     pango_layout_line_get_extents(pango_layout_get_line_readonly(layout, 0), &ink, nullptr);
-    current_log->lines.push_back({markup,
-                                  size,
-                                  {origin.x + to_length(ink.x), origin.y + to_length(ink.y),
-                                   to_length(ink.width), to_length(ink.height)},
-                                  pango_layout_is_ellipsized(layout) != 0});
+    return {origin.x + to_length(ink.x), origin.y + to_length(ink.y), to_length(ink.width),
+            to_length(ink.height)};
 }
 
 bool is_raster(cairo_t* context) {
@@ -374,13 +374,17 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
     Point origin{start_of(at.x, style.align, line.extent.width), at.y};
     if (is_raster(context)) origin.y = std::round(origin.y);
     if (is_raster(context) && !line.glyphs.empty()) {
-        draw_glyphs(context, origin, line);
+        draw_glyphs(canvas, origin, line);
     } else {
+        const Rect ink = ink_of(line.layout.get(), origin);
+        canvas.touch({ink.x - 1.0, ink.y - 1.0, ink.width + 2.0, ink.height + 2.0});
         cairo_move_to(context, origin.x, origin.y);
         pango_cairo_show_layout_line(context, pango_layout_get_line_readonly(line.layout.get(), 0));
         cairo_new_path(context);
     }
-    if (current_log != nullptr) note(markup, style.size, origin, line.layout.get());
+    if (current_log != nullptr)
+        current_log->lines.push_back({markup, style.size, ink_of(line.layout.get(), origin),
+                                      pango_layout_is_ellipsized(line.layout.get()) != 0});
     return line.extent;
 }
 

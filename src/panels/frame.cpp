@@ -70,13 +70,6 @@ FramePainter::FramePainter(const Scene& scene, const Observers& observers)
       ground_(blank(scene.film)),
       canvas_(blank(scene.film)) {
     draw_ground(ground_);
-    for (const Observers::Placed& placed : observers_.panels()) {
-        const Rect area = grid_.place(placed.slot);
-        changing_.push_back(
-            {area.x - unit_, area.y - unit_, area.width + 2.0 * unit_, area.height + 2.0 * unit_});
-    }
-    if (!captions_.empty()) changing_.push_back(grid_.place(*scene.film.layout.caption));
-    canvas_.copy_from(ground_);
 }
 
 Canvas FramePainter::blank(const Film& film) {
@@ -158,9 +151,7 @@ void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std:
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
-    if (covered_) canvas_.copy_from(ground_);
-    covered_ = card_alpha(frame.tick) > 0.0;
-    for (const Rect& rect : changing_) canvas_.copy_from(ground_, rect);
+    canvas_.restore(ground_);
     draw_changing(canvas_, frame, false);
     return canvas_;
 }

@@ -91,10 +91,8 @@ class FramePainter {
     double unit_;
     DiskPainter disks_;
     std::vector<CaptionSpan> captions_;
-    std::vector<Rect> changing_;  ///< where frames differ from the ground: the reach of each panel
-    Canvas ground_;               ///< what is the same in every frame
+    Canvas ground_;  ///< what is the same in every frame
     Canvas canvas_;
-    bool covered_ = false;  ///< by a card, beyond what changes
 };
 
 }  // namespace carom

@@ -79,7 +79,7 @@ MovingPicture::MovingPicture(int count) : radius_(std::sqrt(0.15 / 3.1416 / coun
 }
 
 void MovingPicture::draw(int frame, Canvas& canvas, DiskPainter& painter) const {
-    canvas.copy_from(still_);
+    canvas.restore(still_);
     Random random(static_cast<std::uint64_t>(frame), "bars");
     for (int i = 0; i < 40; ++i) {
         const double tall = 32 * i * std::exp(-0.006 * i * i) * random.uniform(0.9, 1.1);

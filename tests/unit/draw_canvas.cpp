@@ -7,9 +7,14 @@
 #include <vector>
 
 #include "draw/canvas.h"
+#include "draw/disks.h"
+#include "draw/text.h"
+#include "support/pixels.h"
 #include "util/diagnostics.h"
+#include "util/random.h"
 
 using namespace carom;
+using test::pixels_of;
 
 namespace {
 
@@ -92,7 +97,7 @@ TEST_CASE("a clip holds until it is released") {
     CHECK(area_of(canvas) == doctest::Approx(400));
 }
 
-TEST_CASE("a layer is copied whole and own pixels are kept") {
+TEST_CASE("a canvas is restored to a layer, at first whole, then where it was drawn on") {
     Canvas layer({33, 7});
     layer.fill_all(rgb(0x0A0B0C));
     PixelView own = layer.pixels();
@@ -100,27 +105,99 @@ TEST_CASE("a layer is copied whole and own pixels are kept") {
     layer.pixels_changed();
     layer.fill({0, 0, 1, 1}, white);
     Canvas canvas({33, 7});
-    canvas.copy_from(layer);
+    canvas.restore(layer);
     CHECK(at(canvas, 32, 6) == 0xFF010203U);
     CHECK(at(canvas, 0, 0) == 0xFFFFFFFFU);
     CHECK(at(canvas, 1, 1) == 0xFF0A0B0CU);
     Canvas moved = std::move(canvas);
     CHECK(at(moved, 32, 6) == 0xFF010203U);
+
+    PixelView behind = moved.pixels();
+    behind.data[3 * behind.stride + 5] = behind.data[3 * behind.stride + 20] = 0xFF00FF00U;
+    moved.pixels_changed();
+    moved.touch({5.0, 3.0, 1.0, 1.0});
+    moved.restore(layer);
+    CHECK(at(moved, 5, 3) == 0xFF0A0B0CU);
+    CHECK(at(moved, 20, 3) == 0xFF00FF00U);  // not told of
+    moved.fill_all(white);
+    moved.restore(layer);
+    CHECK(at(moved, 20, 3) == 0xFF0A0B0CU);
+    moved.touch({-50.0, -50.0, 5.0, 5.0});  // wholly outside
+    moved.touch({-50.0, -50.0, 500.0, 500.0});
+    moved.restore(layer);
+    CHECK(pixels_of(moved) == pixels_of(layer));
 }
 
-TEST_CASE("the pixels that a rectangle touches are copied, and no others") {
-    Canvas layer({20, 10});
-    layer.fill_all(white);
-    Canvas canvas({20, 10});
-    canvas.fill_all(rgb(0x000000));
-    canvas.copy_from(layer, {2.5, 3.0, 4.0, 2.2});
-    CHECK(area_of(canvas) == doctest::Approx(5 * 3));
-    CHECK(at(canvas, 2, 3) == 0xFFFFFFFFU);
-    CHECK(at(canvas, 6, 5) == 0xFFFFFFFFU);
-    canvas.copy_from(layer, {-50.0, -50.0, 5.0, 5.0});  // wholly outside
-    CHECK(area_of(canvas) == doctest::Approx(5 * 3));
-    canvas.copy_from(layer, {-50.0, -50.0, 500.0, 500.0});
-    CHECK(area_of(canvas) == doctest::Approx(200));
+TEST_CASE("whatever was drawn goes when a canvas is restored") {
+    Canvas layer({120, 90});
+    layer.fill_all(rgb(0x203040));
+    layer.fill({10, 10, 50, 50}, rgb(0x708090));
+    Canvas canvas({120, 90});
+    canvas.restore(layer);
+    DiskPainter disks;
+    Random random(7, "canvas");
+    for (int round = 0; round < 4000; ++round) {
+        const auto place = [&] {
+            return Point{random.uniform(-30, 150), random.uniform(-30, 120)};
+        };
+        const Point a = place(), b = place(), c = place();
+        const double width = random.uniform(0.05, 9.0), side = random.uniform(0.01, 40.0);
+        const std::array path{a, b, c, place()};
+        const Rect rect{a.x, a.y, side, random.uniform(0.01, 40.0)};
+        const std::array dashes{2.0, 1.5};
+        const Color color = random.uniform(0, 1) < 0.5 ? white : with_alpha(white, 0.3);
+        const bool clipped = random.uniform(0, 1) < 0.2;
+        if (clipped) canvas.clip_to({20.5, 20.5, 60, 40});
+        const TextStyle style{.size = side, .color = color};
+        const int kind = round % 13;
+        CAPTURE(kind);
+        switch (kind) {
+            case 0:
+                canvas.fill(rect, color);
+                break;
+            case 1:
+                canvas.fill_circle(a, side, color);
+                break;
+            case 2:
+                canvas.fill_circles(std::array{Circle{a, side, color}}, rect);
+                break;
+            case 3:
+                canvas.stroke_circle(a, side, width, color);
+                break;
+            case 4:
+                canvas.stroke_rect(rect, width, color);
+                break;
+            case 5:
+                canvas.stroke_line(a, b, width, color);
+                break;
+            case 6:
+                canvas.stroke_path(path, width, color);
+                break;
+            case 7:
+                canvas.stroke_path(path, width, color, dashes);
+                break;
+            case 8:
+                canvas.stroke_dashed(a, b, width, 2.0, color);
+                break;
+            case 9:
+                canvas.fill_polygon(path, color);
+                break;
+            case 10:
+                draw_text(canvas, a, "Åjg{[", style);
+                break;
+            case 11:
+                draw_text(canvas, a, "<u>Å</u> <i>j</i> <span foreground='red'>g</span>", style);
+                break;
+            default:
+                disks.draw(canvas,
+                           std::array{Disk{float(a.x), float(a.y), float(side), 0xFFFFFF},
+                                      Disk{float(b.x), float(b.y), float(width), 0xFF8800}},
+                           {5, 5, 100, 70});
+        }
+        if (clipped) canvas.release_clip();
+        canvas.restore(layer);
+        REQUIRE(pixels_of(canvas) == pixels_of(layer));
+    }
 }
 
 TEST_CASE("impossible sizes are errors, not crashes") {

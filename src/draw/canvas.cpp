@@ -106,6 +106,13 @@ void set_color(cairo_t* context, Color color) {
     cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
 }
 
+// Cairo keeps them, and rounds straight and bent lines by them: every call sets its own, so that
+// what was drawn before does not tell.
+void set_ends(cairo_t* context, cairo_line_cap_t cap, cairo_line_join_t join) {
+    cairo_set_line_cap(context, cap);
+    cairo_set_line_join(context, join);
+}
+
 void trace(cairo_t* context, std::span<const Point> points) {
     for (const Point& point : points) cairo_line_to(context, point.x, point.y);
 }
@@ -239,21 +246,19 @@ void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
 }
 
 void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
+    set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_ROUND);
     trace_circle(handle(), center, radius);
     stroke(width, color);
 }
 
 void Canvas::stroke_rect(Rect rect, double width, Color color) {
-    cairo_set_line_join(handle(), CAIRO_LINE_JOIN_MITER);
+    set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
     cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
     stroke(width, color);
 }
 
 void Canvas::stroke_line(Point from, Point to, double width, Color color) {
-    // Cairo rounds straight lines otherwise when joins are round: what was drawn before must not
-    // tell.
-    cairo_set_line_join(handle(), CAIRO_LINE_JOIN_MITER);
-    cairo_set_line_cap(handle(), CAIRO_LINE_CAP_BUTT);
+    set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
     cairo_move_to(handle(), from.x, from.y);
     cairo_line_to(handle(), to.x, to.y);
     stroke(width, color);
@@ -265,8 +270,8 @@ void Canvas::stroke_path(std::span<const Point> points, double width, Color colo
 
 void Canvas::stroke_path(std::span<const Point> points, double width, Color color,
                          std::span<const double> dashes) {
-    cairo_set_line_cap(handle(), dashes.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
-    cairo_set_line_join(handle(), CAIRO_LINE_JOIN_ROUND);
+    set_ends(handle(), dashes.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT,
+             CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(handle(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
     trace(handle(), points);
     stroke(width, color);

@@ -128,75 +128,57 @@ TEST_CASE("a canvas is restored to a layer, at first whole, then where it was dr
     CHECK(pixels_of(moved) == pixels_of(layer));
 }
 
-TEST_CASE("whatever was drawn goes when a canvas is restored") {
+// Something of one of thirteen kinds, somewhere on 120 by 90 pixels, in part or wholly outside.
+void draw_something(Canvas& canvas, DiskPainter& disks, int kind, std::uint64_t seed) {
+    Random random(seed, "canvas");
+    const auto place = [&] { return Point{random.uniform(-30, 150), random.uniform(-30, 120)}; };
+    const Point a = place(), b = place();
+    const double width = random.uniform(0.05, 9.0), side = random.uniform(0.01, 40.0);
+    const std::array path{a, b, place(), place()};
+    const Rect rect{a.x, a.y, side, random.uniform(0.01, 40.0)};
+    const std::array dashes{2.0, 1.5};
+    const Color color = random.uniform(0, 1) < 0.5 ? white : with_alpha(white, 0.3);
+    const TextStyle style{.size = side, .color = color};
+    const bool clipped = random.uniform(0, 1) < 0.2;
+    if (clipped) canvas.clip_to({20.5, 20.5, 60, 40});
+    if (kind == 0) canvas.fill(rect, color);
+    if (kind == 1) canvas.fill_circle(a, side, color);
+    if (kind == 2) canvas.fill_circles(std::array{Circle{a, side, color}}, rect);
+    if (kind == 3) canvas.stroke_circle(a, side, width, color);
+    if (kind == 4) canvas.stroke_rect(rect, width, color);
+    if (kind == 5) canvas.stroke_line(a, b, width, color);
+    if (kind == 6) canvas.stroke_path(path, width, color);
+    if (kind == 7) canvas.stroke_path(path, width, color, dashes);
+    if (kind == 8) canvas.stroke_dashed(a, b, width, 2.0, color);
+    if (kind == 9) canvas.fill_polygon(path, color);
+    if (kind == 10) draw_text(canvas, a, "Åjg{[", style);
+    if (kind == 11) draw_text(canvas, a, "<u>Å</u> <span foreground='red'>g</span>", style);
+    if (kind == 12)
+        disks.draw(canvas,
+                   std::array{Disk{float(a.x), float(a.y), float(side), 0xFFFFFF},
+                              Disk{float(b.x), float(b.y), float(width), 0xFF8800}},
+                   {5, 5, 100, 70});
+    if (clipped) canvas.release_clip();
+}
+
+TEST_CASE("whatever was drawn goes when a canvas is restored, and does not tell afterwards") {
     Canvas layer({120, 90});
     layer.fill_all(rgb(0x203040));
     layer.fill({10, 10, 50, 50}, rgb(0x708090));
-    Canvas canvas({120, 90});
-    canvas.restore(layer);
+    Canvas worn({120, 90});
+    worn.restore(layer);
     DiskPainter disks;
-    Random random(7, "canvas");
-    for (int round = 0; round < 4000; ++round) {
-        const auto place = [&] {
-            return Point{random.uniform(-30, 150), random.uniform(-30, 120)};
-        };
-        const Point a = place(), b = place(), c = place();
-        const double width = random.uniform(0.05, 9.0), side = random.uniform(0.01, 40.0);
-        const std::array path{a, b, c, place()};
-        const Rect rect{a.x, a.y, side, random.uniform(0.01, 40.0)};
-        const std::array dashes{2.0, 1.5};
-        const Color color = random.uniform(0, 1) < 0.5 ? white : with_alpha(white, 0.3);
-        const bool clipped = random.uniform(0, 1) < 0.2;
-        if (clipped) canvas.clip_to({20.5, 20.5, 60, 40});
-        const TextStyle style{.size = side, .color = color};
-        const int kind = round % 13;
+    Random kinds(7, "kinds");
+    for (std::uint64_t round = 0; round < 4000; ++round) {
+        const int kind = static_cast<int>(kinds.uniform(0, 13));
         CAPTURE(kind);
-        switch (kind) {
-            case 0:
-                canvas.fill(rect, color);
-                break;
-            case 1:
-                canvas.fill_circle(a, side, color);
-                break;
-            case 2:
-                canvas.fill_circles(std::array{Circle{a, side, color}}, rect);
-                break;
-            case 3:
-                canvas.stroke_circle(a, side, width, color);
-                break;
-            case 4:
-                canvas.stroke_rect(rect, width, color);
-                break;
-            case 5:
-                canvas.stroke_line(a, b, width, color);
-                break;
-            case 6:
-                canvas.stroke_path(path, width, color);
-                break;
-            case 7:
-                canvas.stroke_path(path, width, color, dashes);
-                break;
-            case 8:
-                canvas.stroke_dashed(a, b, width, 2.0, color);
-                break;
-            case 9:
-                canvas.fill_polygon(path, color);
-                break;
-            case 10:
-                draw_text(canvas, a, "Åjg{[", style);
-                break;
-            case 11:
-                draw_text(canvas, a, "<u>Å</u> <i>j</i> <span foreground='red'>g</span>", style);
-                break;
-            default:
-                disks.draw(canvas,
-                           std::array{Disk{float(a.x), float(a.y), float(side), 0xFFFFFF},
-                                      Disk{float(b.x), float(b.y), float(width), 0xFF8800}},
-                           {5, 5, 100, 70});
-        }
-        if (clipped) canvas.release_clip();
-        canvas.restore(layer);
-        REQUIRE(pixels_of(canvas) == pixels_of(layer));
+        Canvas fresh({120, 90});
+        fresh.restore(layer);
+        draw_something(worn, disks, kind, round);
+        draw_something(fresh, disks, kind, round);
+        REQUIRE(pixels_of(worn) == pixels_of(fresh));
+        worn.restore(layer);
+        REQUIRE(pixels_of(worn) == pixels_of(layer));
     }
 }
 

@@ -8,9 +8,11 @@
 #include "panels/frame.h"
 #include "scene/load.h"
 #include "support/files.h"
+#include "support/pixels.h"
 #include "support/shot.h"
 
 using namespace carom;
+using test::pixels_of;
 namespace fs = std::filesystem;
 
 namespace {
@@ -48,7 +50,10 @@ void check_words(const std::vector<DrawnLine>& lines, PictureSize size, double s
 
 }  // namespace
 
-TEST_CASE("words are whole, apart and inside of the picture, in every scene with every template") {
+TEST_CASE(
+    "words are whole, apart and inside of the picture, in every scene with every template, and "
+    "frames "
+    "are the same whatever was drawn before") {
     int seen = 0;
     // In print there are samples before words; the other two themes differ in colours alone.
     std::vector<std::pair<fs::path, std::string>> layouts;
@@ -75,6 +80,10 @@ TEST_CASE("words are whole, apart and inside of the picture, in every scene with
                 check_words(log.lines, film.scene.film.size, unit);
                 seen += static_cast<int>(log.lines.size());
             }
+            // Whatever the painter has drawn before, the frame is the same.
+            FramePainter fresh(film.scene, *film.observers);
+            CHECK(pixels_of(painter.paint(film.frames[last / 2])) ==
+                  pixels_of(fresh.paint(film.frames[last / 2])));
         }
     CHECK(seen > 10000);
 }

@@ -350,8 +350,8 @@ void WirePanel::draw_name(Canvas& canvas, const Page& page, Eigen::Index particl
     TextStyle style = title_style(page);
     style.align = Align::center;
     style.color = with_alpha(page.theme.ink, alpha);
-    style.max_width = v.plot.width;
-    const double half = measure_text(escape_markup(name), style).width / 2.0;
+    style.max_width = v.plot.width - 0.8 * page.unit;
+    const double half = measure_text(escape_markup(name), style).width / 2.0 + 0.4 * page.unit;
     const double x = std::clamp(v.x(place), v.plot.x + half, v.plot.right() - half);
     const double top = v.wire_y - half_height(particle, v);
     draw_text(canvas, {x, top - 0.7 * page.unit}, escape_markup(name), style);

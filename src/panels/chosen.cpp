@@ -68,7 +68,7 @@ std::string single_name(const Cast& cast, Eigen::Index particle) {
 
 double name_alpha(const Cast& cast, const Tick& tick) {
     constexpr double seconds = 3.0, fading = 0.5;
-    return cast.fades ? std::clamp((seconds - tick.seconds) / fading, 0.0, 1.0) : 1.0;
+    return cast.in_film ? std::clamp((seconds - tick.seconds) / fading, 0.0, 1.0) : 1.0;
 }
 
 }  // namespace carom

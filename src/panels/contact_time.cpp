@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "panels/meeting.h"
 #include "panels/registry.h"
@@ -14,7 +15,7 @@ namespace carom {
 namespace {
 
 struct ContactState : PanelState {
-    double time = 0.0;
+    std::optional<double> time;  // the present, in a film
 };
 
 constexpr double note_height = 1.5;            // units: the row under the title
@@ -80,7 +81,7 @@ void ContactTimePanel::settle() {
 
 std::shared_ptr<const PanelState> ContactTimePanel::state(const Observation& observation) {
     auto state = std::make_shared<ContactState>();
-    state->time = observation.tick.time;
+    if (cast_.in_film) state->time = observation.tick.time;
     return state;
 }
 
@@ -161,10 +162,12 @@ void ContactTimePanel::draw_roots(Canvas& canvas, const Page& page) const {
     canvas.fill_circle(other, 0.19 * u, page.theme.page);
     canvas.fill_circle(contact, 0.34 * u, page.theme.ink);
 
+    // As near to the contact as there is room between the curves.
     const double high = s.area.y + 1.1 * u;
-    const std::array above{Point{contact.x, high}, Point{contact.x, high + u},
-                           Point{contact.x + 0.15 * s.area.width, high},
-                           Point{contact.x - 0.15 * s.area.width, high}};
+    std::vector<Point> above;
+    for (double y = contact.y - u; y > high; y -= 0.5 * u) above.push_back({contact.x, y});
+    for (const double aside : {0.0, 0.15, -0.15})
+        above.push_back({contact.x + aside * s.area.width, high});
     const std::string words = "contact at " + three_digits(met_.time);
     const std::array beside_it{Point{contact.x + 0.6 * u, high},
                                Point{contact.x + 0.6 * u, high + u}};
@@ -238,7 +241,9 @@ bool ContactTimePanel::is_free(const Page& page, const Rect& rect) const {
 }
 
 void ContactTimePanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
-    const double now = static_cast<const ContactState&>(state).time;
+    const std::optional<double> present = static_cast<const ContactState&>(state).time;
+    if (!present) return;
+    const double now = *present;
     if (now < std::max(first_, met_.since) || now > std::min(last_, met_.until)) return;
     const Scales s = scales(page);
     const Point at = s(now, met_.square(now));
@@ -270,8 +275,9 @@ Table ContactTimePanel::table(const PanelState& state, const Theme&) const {
             table.rows.push_back({"level", "contact", time, contact_});
     table.rows.push_back({"mark", "contact", met_.time, contact_});
     table.rows.push_back({"mark", "other root", met_.other_root(), contact_});
-    const double now = static_cast<const ContactState&>(state).time;
-    if (now >= from && now <= to) table.rows.push_back({"mark", "present", now, met_.square(now)});
+    const std::optional<double> now = static_cast<const ContactState&>(state).time;
+    if (now && *now >= from && *now <= to)
+        table.rows.push_back({"mark", "present", *now, met_.square(*now)});
     return table;
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t most = 3;      // seen in any second
 // do keep apart: three at once would beat like a pulse.
 Flashes::Flashes(const Cast& cast)
     : scene_(cast.scene),
-      asked_(cast.scene.film.flashes && cast.fades),
+      asked_(cast.scene.film.flashes && cast.in_film),
       life_(std::max(usual_life, 1.0 / cast.scene.film.fps)),
       dense_{0.0, {}},
       even_{(1.0 + life_) / double(most), {}} {}

@@ -26,7 +26,7 @@ struct Cast {
     const Particles& particles;
     int frames;                                        ///< of the film
     const std::optional<EquilibriumGas>& equilibrium;  ///< of all particles; none: draw no curve
-    bool fades = true;  ///< whether names fade after a while, as in a film
+    bool in_film = true;  ///< so that there is a present, and names fade after a while
 };
 
 /// The gas at one frame, and what happened since the frame before.

@@ -160,7 +160,7 @@ CollisionStages collision_stages(const Meeting& meeting, const Particles& partic
 namespace {
 
 struct StageState : PanelState {
-    std::size_t present = 0;  // stage
+    std::size_t present = 0;  // stage; 3: none
 };
 
 class SingleCollisionPanel : public Panel {
@@ -205,6 +205,8 @@ constexpr std::array names{"before", "contact", "after"};
 // The middle third of what the stages show belongs to the contact.
 std::shared_ptr<const PanelState> SingleCollisionPanel::state(const Observation& observation) {
     auto state = std::make_shared<StageState>();
+    state->present = 3;
+    if (!cast_.in_film) return state;
     const Cause cause = cause_of(met_, cast_.particles);
     const double since = observation.tick.time - met_.time;
     state->present = since < -cause.back / 3.0 ? 0 : since < cause.on / 3.0 ? 1 : 2;

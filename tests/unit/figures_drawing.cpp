@@ -127,3 +127,24 @@ TEST_CASE("cards before and after a film change nothing in its figures") {
     };
     CHECK(pictures("") == pictures(", title_card: 3, end_card: Who is fast now!"));
 }
+
+TEST_CASE("a figure of one collision shows the whole of it and no present") {
+    const Scene scene = load_scene_text(
+        "title: Two disks\nbox: {size: [24, 18]}\n"
+        "gas:\n  - {name: a, position: [3.5, 9], radius: 2, velocity: [1, 0]}\n"
+        "  - {name: b, position: [13, 7], radius: 2}\nrun: {until: 12}\nfilm: {seconds: 2}\n"
+        "figures:\n  - {name: a, kind: single-collision, at: 1}\n"
+        "  - {name: b, kind: single-collision, at: 6.05}\n"
+        "  - {name: c, kind: single-collision}\n  - {name: d, kind: contact-time, at: 1}\n"
+        "  - {name: e, kind: contact-time, at: 11}\n",
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+    const FigureRun run = run_of(scene);
+    const auto picture = [&](std::size_t index) {
+        return drawn(run, index, FigureFormat::png).file();
+    };
+    CHECK(picture(0) == picture(1));
+    CHECK(picture(0) == picture(2));
+    CHECK(picture(3) == picture(4));
+    for (const auto& row : table_of(run.figures()[3]).rows)
+        CHECK(std::get<std::string>(row[1]) != "present");
+}

@@ -325,6 +325,27 @@ Page page_of(const Scene& scene, DiskPainter& disks) {
 
 }  // namespace
 
+TEST_CASE("the time of the contact is written above it, as near as there is room") {
+    const Shot film(at_thirty_degrees("panels: [contact-time]"));
+    DiskPainter disks;
+    const Page page = page_of(film.scene, disks);
+    const TextLog log;
+    FramePainter painter(film.scene, *film.observers);
+    const Rect plot = plot_area(page);
+    const Meeting met = meeting_in(film.scene);
+    const double last = met.time + 1.75 * (met.other_root() - met.time);
+    const double at = plot.x + met.time / last * plot.width;
+    int seen = 0;
+    for (const DrawnLine& line : log.lines) {
+        if (!line.markup.starts_with("contact at ")) continue;
+        ++seen;
+        CHECK(std::abs(line.ink.x + line.ink.width / 2 - at) < page.unit);
+        CHECK(line.ink.bottom() > plot.y + 0.5 * plot.height);
+        CHECK(line.ink.bottom() < plot.bottom());
+    }
+    CHECK(seen == 1);
+}
+
 TEST_CASE("the present moves on the curve: across with the time, up with the squared distance") {
     const Shot film(
         at_thirty_degrees("theme: light, panels: "

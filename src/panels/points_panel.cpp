@@ -114,12 +114,15 @@ void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
 void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& now = static_cast<const PointsState&>(state);
     const Scales s = scales(page);
+    for (std::size_t k = 0; k < now.sets.size(); ++k) draw_path(canvas, page, k, now.shown);
     for (std::size_t k = 0; k < now.sets.size(); ++k) {
-        draw_path(canvas, page, k, now.shown);
-        const double radius = (now.sets[k].size() == 1 ? 0.35 : 0.16) * page.unit;
+        const bool has_path = now.sets[k].size() == 1;
+        const double radius = (has_path ? 0.35 : 0.16) * page.unit;
         const Color color = subject_.color(k, page.theme);
         const bool hollow = page.theme.kind == ThemeKind::print && looks_hollow(color, page.theme);
         for (const Point& point : now.sets[k]) {
+            if (has_path)  // its own path and others' end before it
+                canvas.fill_circle(s(point), radius + 0.12 * page.unit, page.theme.page);
             canvas.fill_circle(s(point), radius, edge_of(color, page.theme));
             if (hollow) canvas.fill_circle(s(point), 0.6 * radius, page.theme.page);
         }

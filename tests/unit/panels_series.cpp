@@ -1,13 +1,18 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
+#include "draw/palette.h"
+#include "panels/frame.h"
 #include "panels/points_panel.h"
 #include "panels/registry.h"
 #include "panels/series_panel.h"
+#include "scene/load.h"
 #include "stats/speed_classes.h"
 #include "support/relative.h"
+#include "support/shot.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -169,4 +174,31 @@ TEST_CASE("points are positions against velocities, or against another particle'
     CHECK(points(both, 0) == Pairs{{5, 3}});
     both.component = Component::y;
     CHECK(points(both, 0) == Pairs{{6, 4}});
+}
+
+TEST_CASE("points stand before the paths of all, and out from them") {
+    // Bead 1 comes, stays at 2 while 0 goes to the wall and back, and goes on: its path crosses the
+    // place of 0, which is at rest at 2 from then on.
+    const test::Shot film(load_scene_text(
+        "title: T\nbox: {length: 20}\ngas: [{position: [2, 6], velocity: [0, -1]}]\n"
+        "run: {until: 10}\nfilm: {seconds: 4, fps: 20, theme: light, "
+        "panels: [{kind: phase, of: [0, 1]}]}\n",
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates"));
+    const Grid grid(film.scene.film.layout, film.scene.film.size);
+    DiskPainter disks;
+    const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()), grid.unit(),
+                    theme(ThemeKind::light), disks};
+    const Rect plot = plot_area(page);
+    FramePainter painter(film.scene, *film.observers);
+    const PixelView view = painter.paint(film.frames.back()).pixels();
+    const auto pixel = [&](double x, double y) {
+        return view.data[static_cast<int>(y) * view.stride + static_cast<int>(x)] & 0xFFFFFF;
+    };
+    const double x = plot.x + 0.1 * plot.width, y = plot.y + plot.height / 2;
+    const Color own = edge_of(kind_color(1, page.theme), page.theme);
+    for (const double down : {-0.25, 0.0, 0.25})
+        CHECK(pixel(x, y + down * page.unit) == (to_pixel(own) & 0xFFFFFF));
+    CHECK(pixel(x, y - 0.42 * page.unit) == (to_pixel(page.theme.page) & 0xFFFFFF));
+    const Color other = edge_of(kind_color(2, page.theme), page.theme);
+    CHECK(pixel(x, y - 1.2 * page.unit) == (to_pixel(other) & 0xFFFFFF));
 }

@@ -32,11 +32,23 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
             "units.",
             sentence(scene.title), kind_words(scene, *figure.spec), time_words(*figure.spec),
             figure.spec->panel.seeds, grouped(particles), things);
+    if (const std::string account = figure.panel->account(*figure.moments.back().state);
+        !account.empty())
+        return fmt::format("{} {} {}", sentence(scene.title),
+                           sentence(kind_words(scene, *figure.spec)), account);
     const std::int64_t collisions = figure.moments.back().collisions.particle;
     return fmt::format("{} {} {}: {} {}, {} {} between them so far; reduced units.",
                        sentence(scene.title), kind_words(scene, *figure.spec),
                        time_words(*figure.spec), grouped(particles), things, grouped(collisions),
                        collisions == 1 ? "collision" : "collisions");
+}
+
+std::string made_alt(const Scene& scene, const Figure& figure) {
+    const std::string account = figure.panel->account(*figure.moments.back().state);
+    const std::string kind = kind_words(scene, *figure.spec);
+    if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
+    return fmt::format("{} {}. {}{}{}", kind, time_words(*figure.spec), account,
+                       account.empty() ? "" : " ", scene.description);
 }
 
 }  // namespace
@@ -58,8 +70,7 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
         figure.spec->caption.value_or(made_caption(scene, figure, run.particles().count()));
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
     if (!finding.empty()) words.caption += " " + finding;
-    words.alt = figure.spec->alt.value_or(fmt::format("{} {}. {}", kind_words(scene, *figure.spec),
-                                                      time_words(*figure.spec), scene.description));
+    words.alt = figure.spec->alt.value_or(made_alt(scene, figure));
     return words;
 }
 

@@ -88,6 +88,10 @@ class Panel {
     /// What a caption says of a state beyond what it shows, in whole sentences; mostly nothing.
     virtual std::string finding(const PanelState&) const { return ""; }
 
+    /// What it shows, with its numbers, in whole sentences: for captions and alternative texts that
+    /// the scene does not give; mostly nothing.
+    virtual std::string account(const PanelState&) const { return ""; }
+
     /// Whether its states need the collisions on the way.
     virtual bool wants_collisions() const { return false; }
 

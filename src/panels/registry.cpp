@@ -30,6 +30,7 @@ const std::array entries{
     Entry{"monitors", make_monitors},
     Entry{"single-collision", make_single_collision},
     Entry{"contact-time", make_contact_time},
+    Entry{"collision-map", make_collision_map},
     Entry{"text", make_text},
 };
 

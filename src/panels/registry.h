@@ -34,6 +34,7 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_single_collision(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_contact_time(const Cast& cast, const PanelSpec& spec);
+std::unique_ptr<Panel> make_collision_map(const Cast& cast, const PanelSpec& spec);
 std::unique_ptr<Panel> make_text(const Cast& cast, const PanelSpec& spec);
 
 }  // namespace carom

@@ -46,10 +46,11 @@ const vector<string>& timed() {
 
 // Those that show particles which a scene may choose.
 const vector<string>& choosing() {
-    static const vector<string> kinds{
-        "speed-histogram",    "energy-histogram", "velocity-histogram",
-        "position-histogram", "temperature",      "phase",
-        "positions",          "single-collision", "contact-time"};
+    static const vector<string> kinds{"speed-histogram",    "energy-histogram",
+                                      "velocity-histogram", "position-histogram",
+                                      "temperature",        "phase",
+                                      "positions",          "single-collision",
+                                      "contact-time",       "collision-map"};
     return kinds;
 }
 
@@ -267,9 +268,36 @@ Form panel_kind() {
     return kind;
 }
 
+// Of collision maps: which pair, if it is none of the scene's, and how it is shown.
+vector<Key> collision_map_keys() {
+    const vector<string> map{"collision-map"};
+    return {
+        only_with(
+            map,
+            left_to("those of the pair in the scene",
+                    {"masses",
+                     "Two masses of a pair that need not be in the scene, with their "
+                     "`velocities`; one of them may be `infinite`.",
+                     {list_of({number(positive), one_of({"infinite"})}, 2, 2, "[mass, mass]")}})),
+        only_with(map, left_to("those of the pair in the scene",
+                               {"velocities",
+                                "The velocities before the collision of the given `masses`.",
+                                {list_of({number(any_number)}, 2, 2, "[velocity, velocity]")}})),
+        only_with(map, otherwise("false", {"walk",
+                                           "All collisions of the pair so far, with each other and "
+                                           "with walls, as a walk on the ellipse of their energy; "
+                                           "otherwise their first.",
+                                           {flag()}})),
+        only_with(map, left_to("that of `walk`",
+                               {"scaled",
+                                "Axes of the velocity times the root of the mass: the ellipse is a "
+                                "circle, a collision mirrors it.",
+                                {flag()}}))};
+}
+
 // The keys of panels and figures alike; `kind` and `over` are each one's own.
 vector<Key> panel_keys(Form kind, Key over) {
-    return {
+    vector<Key> keys{
         required({"kind", "What the panel shows.", {std::move(kind)}}),
         left_to("by kind", {"title", "The words above the panel.", {text(1, most_title_letters)}}),
         only_with(histograms(), left_to("by rule, from the whole run",
@@ -324,6 +352,8 @@ vector<Key> panel_keys(Form kind, Key over) {
                                      "What the panel says, in lines as its place allows; an "
                                      "empty line parts paragraphs.",
                                      {lines(1, most_words_letters)}}))};
+    for (Key& key : collision_map_keys()) keys.push_back(std::move(key));
+    return keys;
 }
 
 Key panel_over() {
@@ -641,6 +671,7 @@ std::span<const string> panel_kinds() {
                                       "monitors",
                                       "single-collision",
                                       "contact-time",
+                                      "collision-map",
                                       "text"};
     return kinds;
 }

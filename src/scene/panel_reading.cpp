@@ -81,7 +81,7 @@ bool is_infinite(const Gas& gas, std::int64_t particle) {
 }
 
 bool shows_meeting(const std::string& kind) {
-    return kind == "single-collision" || kind == "contact-time";
+    return kind == "single-collision" || kind == "contact-time" || kind == "collision-map";
 }
 
 // One particle's position is shown against another's, or how two particles meet.
@@ -111,6 +111,41 @@ void check_two_particles(const Node& place, const PanelSpec& panel, const Gas& g
                    fmt::format("particles {} and {} have infinite masses: they do not collide",
                                first, second),
                    "give a pair of which one can be moved");
+}
+
+std::optional<GivenPair> read_given_pair(const Fields& fields, Errors& errors) {
+    const Node *masses = fields.given("masses"), *velocities = fields.given("velocities");
+    const bool both = fields.mentions("masses") && fields.mentions("velocities");
+    for (const Node* alone : {masses, velocities})
+        if (alone != nullptr && !both)
+            errors.add(*alone, "`masses` and `velocities` of a pair go together",
+                       "for instance {kind: collision-map, masses: [1, 3], velocities: [1, 0]}; "
+                       "without them it shows a pair of the scene");
+    for (const char* of_the_run : {"of", "walk"})
+        if (const Node* other = fields.given(of_the_run); other != nullptr && both)
+            errors.add(
+                *other,
+                fmt::format("`{}` is of beads of the scene, `masses` are of others", of_the_run),
+                "leave out one of them");
+    if (masses == nullptr || velocities == nullptr) return std::nullopt;
+    GivenPair pair{.inverse_mass = {}, .velocity = carom::pair(*velocities)};
+    for (Eigen::Index k = 0; k < 2; ++k) {
+        const auto mass = number_in(masses->items[static_cast<std::size_t>(k)]);
+        pair.inverse_mass[k] = mass ? 1.0 / *mass : 0.0;
+    }
+    if (!(pair.inverse_mass.sum() > 0.0))
+        errors.add(*masses, "two infinite masses do not collide", "give one that can be moved");
+    if (pair.velocity[0] == pair.velocity[1])
+        errors.add(*velocities, "two beads of equal velocities never meet");
+    return pair;
+}
+
+// The plane of two velocities is all there is on a wire only.
+void check_wire(const Node& kind, const std::string& name, const Gas& gas, Errors& errors) {
+    if (name != "collision-map" || gas.box.dimension == 1) return;
+    errors.add(kind, "`collision-map` shows beads on a wire, and this gas is in a plane",
+               "disks have two components of velocity each: use `single-collision`, or give the "
+               "box a `length` instead of a `size`");
 }
 
 void check_words(const Node& place, const Fields* fields, const PanelSpec& panel, Errors& errors) {
@@ -168,6 +203,10 @@ PanelSpec read_panel(const Fields& fields, const Shown& shown, Errors& errors) {
         of == nullptr || panel.of.size() == (of->is_list() ? of->items.size() : 1);
     if (all_read && (of != nullptr || !fields.mentions("of")))
         check_two_particles(of != nullptr ? *of : fields.node(), panel, gas, errors);
+    if (const Node* kind = fields.given("kind")) check_wire(*kind, panel.kind, gas, errors);
+    panel.given = read_given_pair(fields, errors);
+    panel.walk = fields.flag("walk").value_or(false);
+    panel.scaled = fields.flag("scaled");
     panel.component = read_component(fields, panel.kind, gas, errors);
     if (const auto bins = fields.integer("bins")) panel.bins = static_cast<int>(*bins);
     if (const Node* range = fields.given("range"))
@@ -231,6 +270,7 @@ std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Error
             panels.back().kind = item.text;
             panels.back().place = place_of(item);
             check_two_particles(item, panels.back(), shown.gas, errors);
+            check_wire(item, item.text, shown.gas, errors);
             check_words(item, nullptr, panels.back(), errors);
             if (item.text == "return-distance") check_way_home(item, shown, errors);
         }

@@ -91,6 +91,12 @@ struct Over {
 
 enum class Component { x, y, both };
 
+/// Two beads that need not be in the scene, as they meet.
+struct GivenPair {
+    Eigen::Array2d inverse_mass;  ///< 0: infinite, one at most
+    Eigen::Array2d velocity;      ///< before they meet; unequal
+};
+
 /// A panel of a film with its options; those without a meaning for its kind are as here.
 struct PanelSpec {
     std::string kind;
@@ -108,8 +114,11 @@ struct PanelSpec {
     bool test = false;              ///< of a figure: whether the bars are tested against the theory
     std::optional<double> at = {};  ///< of a figure: the time that it shows; none in films
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
-    std::vector<Monitor> numbers = {};  ///< monitors: those shown; none: all
-    std::string words = {};             ///< text
+    std::vector<Monitor> numbers = {};    ///< monitors: those shown; none: all
+    std::string words = {};               ///< text
+    std::optional<GivenPair> given = {};  ///< collision maps: none: of the run
+    bool walk = false;                    ///< collision maps: all collisions so far
+    std::optional<bool> scaled = {};  ///< collision maps: by the roots of the masses; none: walks
     Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
 };
 

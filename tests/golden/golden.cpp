@@ -1,7 +1,7 @@
-// Small pictures of scenes, and of those here that show what the scenes do not, against those kept
-// here, with the fonts kept here. On a difference of more than 2 in a channel the picture and a map
-// of the difference are left in build/golden/; a vector picture is compared as text, and the lines
-// that differ are left there. CAROM_UPDATE_GOLDEN=1 makes the kept ones anew.
+// Small pictures of scenes, of those here that show what the scenes do not, and of figures, against
+// those kept here, with the fonts kept here. On a difference of more than 2 in a channel the
+// picture and a map of the difference are left in build/golden/; a vector picture is compared as
+// text, and the lines that differ are left there. CAROM_UPDATE_GOLDEN=1 makes the kept ones anew.
 #include <cairo.h>
 #include <doctest/doctest.h>
 
@@ -72,46 +72,79 @@ void pin_fonts() {
     REQUIRE(setenv("FONTCONFIG_FILE", fonts.c_str(), 1) == 0);
 }
 
-/// Draws a frame of a scene; where pictures are made anew it is the kept one too.
+Pair pair_of(const std::string& name, const fs::path& drawn) {
+    return {fs::path(CAROM_TEST_ROOT) / "tests/golden" / name, drawn};
+}
+
+/// Where pictures are made anew the drawn one is the kept one too.
+void keep(const Pair& pair) {
+    if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr)
+        fs::copy_file(pair.drawn, pair.kept, fs::copy_options::overwrite_existing);
+    REQUIRE(fs::exists(pair.kept));
+}
+
+/// Draws a frame of a scene.
 Pair draw(const std::string& scene, const std::string& at, const std::string& theme,
           const std::string& format) {
     const std::string name = scene + "-" + at + "-" + theme + "." + format;
     CAPTURE(name);
     pin_fonts();
-    const Pair pair{fs::path(CAROM_TEST_ROOT) / "tests/golden" / name,
-                    fs::path(CAROM_GOLDEN_OUTPUT) / name};
+    const Pair pair = pair_of(name, fs::path(CAROM_GOLDEN_OUTPUT) / name);
     fs::path file = fs::path(CAROM_TEST_ROOT) / "scenes" / (scene + ".yaml");
     if (!fs::exists(file)) file = fs::path(CAROM_TEST_ROOT) / "tests/golden" / (scene + ".yaml");
     const Outcome outcome = run({CAROM_PROGRAM, "still", file.string(), "--at", at, "--theme",
                                  theme, "--size", "480x270", "-o", pair.drawn.string(), "--quiet"});
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);
-    if (std::getenv("CAROM_UPDATE_GOLDEN") != nullptr)
-        fs::copy_file(pair.drawn, pair.kept, fs::copy_options::overwrite_existing);
-    REQUIRE(fs::exists(pair.kept));
+    keep(pair);
     return pair;
 }
 
-void compare_text(const std::string& scene, const std::string& at, const std::string& theme) {
-    const auto [kept, drawn] = draw(scene, at, theme, "svg");
-    CAPTURE(drawn.string());
-    const bool same = contents(kept) == contents(drawn);
-    const fs::path lines = drawn.string() + ".difference.txt";
-    if (!same) std::ofstream(lines) << run({"diff", "-u", kept.string(), drawn.string()}).out;
+void compare_text(const Pair& pair) {
+    CAPTURE(pair.drawn.string());
+    const bool same = contents(pair.kept) == contents(pair.drawn);
+    const fs::path lines = pair.drawn.string() + ".difference.txt";
+    if (!same)
+        std::ofstream(lines) << run({"diff", "-u", pair.kept.string(), pair.drawn.string()}).out;
     CHECK(same);
-    if (same) fs::remove(drawn);
+    if (same) fs::remove(pair.drawn);
+}
+
+void compare_pixels(const Pair& pair) {
+    CAPTURE(pair.drawn.string());
+    const Picture expected(pair.kept);
+    const Picture found(pair.drawn);
+    REQUIRE(expected.width == found.width);
+    REQUIRE(expected.height == found.height);
+    const int largest = difference(expected, found, pair.drawn.string() + ".difference.png");
+    CHECK(largest <= tolerance);
+    if (largest <= tolerance) fs::remove(pair.drawn);
 }
 
 void compare(const std::string& scene, const std::string& at, const std::string& theme) {
-    const auto [kept, drawn] = draw(scene, at, theme, "png");
-    CAPTURE(drawn.string());
-    const Picture expected(kept);
-    const Picture found(drawn);
-    REQUIRE(expected.width == found.width);
-    REQUIRE(expected.height == found.height);
-    const int largest = difference(expected, found, drawn.string() + ".difference.png");
-    CHECK(largest <= tolerance);
-    if (largest <= tolerance) fs::remove(drawn);
+    compare_pixels(draw(scene, at, theme, "png"));
+}
+
+/// Draws the figures of a scene here and compares files of them, by name.
+void compare_figures(const std::string& scene, const std::vector<std::string>& files) {
+    pin_fonts();
+    const fs::path folder = fs::path(CAROM_GOLDEN_OUTPUT) / scene;
+    fs::remove_all(folder);
+    const Outcome outcome =
+        run({CAROM_PROGRAM, "figures",
+             (fs::path(CAROM_TEST_ROOT) / "tests/golden" / (scene + ".yaml")).string(), "-o",
+             folder.string(), "--formats", "svg,png", "--quiet"});
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    for (const std::string& file : files) {
+        CAPTURE(file);
+        const Pair pair = pair_of("figure-" + file, folder / file);
+        keep(pair);
+        if (pair.drawn.extension() == ".svg")
+            compare_text(pair);
+        else
+            compare_pixels(pair);
+    }
 }
 
 }  // namespace
@@ -131,4 +164,12 @@ TEST_CASE("small pictures of the scenes are as they were") {
     compare("single-collision", "7", "light");
 }
 
-TEST_CASE("a vector picture is as it was, line by line") { compare_text("vector", "2", "light"); }
+TEST_CASE("a vector picture is as it was, line by line") {
+    compare_text(draw("vector", "2", "light", "svg"));
+}
+
+TEST_CASE("figures of several kinds are as they were") {
+    compare_figures("figures", {"histogram.png", "series.svg", "strip.png"});
+    compare_figures("pair", {"collision.png", "contact.png"});
+    compare_figures("maps", {"map.svg", "map-of-a-wall.png", "walk.svg"});
+}

@@ -156,20 +156,20 @@ void check_easing(const Film& film, const Run& run, const std::vector<SlowDraft>
             place,
             fmt::format(
                 "the gas moves for {:.3g} seconds of this film, too short to ease in and out "
-                "of slow motion over {} seconds each time",
-                seconds, easing_seconds),
+                "of slow motion over {:.3g} seconds each time",
+                seconds, easing_seconds(seconds)),
             "give a longer film (`film.seconds`)");
-    errors.add(place,
-               fmt::format("slow motion from {} to {} eases {} over {} seconds of film, {:.3g} of "
-                           "simulated time; {} it there is {:.3g}",
-                           span.from, span.to, shortage->before ? "in" : "out", easing_seconds,
-                           shortage->needed, shortage->before ? "before" : "after",
-                           std::max(0.0, shortage->room)),
-               shortage->before && shortage->span == 0
-                   ? longer + ", one that begins with `from: 0` none"
-               : !shortage->before && shortage->span + 1 == film.slow.size()
-                   ? fmt::format("{}, one that ends with `to: {}` none", longer, run.until)
-                   : longer + "; or put the spans farther apart");
+    errors.add(
+        place,
+        fmt::format("slow motion from {} to {} eases {} over {:.3g} seconds of film, {:.3g} of "
+                    "simulated time; {} it there is {:.3g}",
+                    span.from, span.to, shortage->before ? "in" : "out", easing_seconds(seconds),
+                    shortage->needed, shortage->before ? "before" : "after",
+                    std::max(0.0, shortage->room)),
+        shortage->before && shortage->span == 0 ? longer + ", one that begins with `from: 0` none"
+        : !shortage->before && shortage->span + 1 == film.slow.size()
+            ? fmt::format("{}, one that ends with `to: {}` none", longer, run.until)
+            : longer + "; or put the spans farther apart");
 }
 
 double read_seconds(const Fields& fields, const Film& film, const Run& run) {

@@ -501,15 +501,15 @@ vector<Key> film_keys() {
                 {"trails",
                  "Trails that some of the particles leave; the `trail` of a species wins.",
                  {mapping(trails(), "{of: whose, seconds: how long}")}}),
-        left_to(
-            "none",
-            {"slow",
-             "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The "
-             "film eases in before the span and out after it, over half a second each, and says "
-             "×0.1 beside the clock. With `seconds` the rest is faster, with `pace` the "
-             "film is longer.",
-             {list_of({mapping(slow_span())}, 0, most_slow_spans,
-                      "a list of {from, to, factor}")}}),
+        left_to("none",
+                {"slow",
+                 "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The "
+                 "film eases in before the span and out after it, over half a second each (a tenth "
+                 "of a film of less than five), and says "
+                 "×0.1 beside the clock. With `seconds` the rest is faster, with `pace` the "
+                 "film is longer.",
+                 {list_of({mapping(slow_span())}, 0, most_slow_spans,
+                          "a list of {from, to, factor}")}}),
         left_to(
             "all but all-collisions and return-distance",
             {"monitors",

@@ -7,16 +7,18 @@
 namespace carom {
 namespace {
 
+constexpr double longest_easing = 0.5;   // seconds
+constexpr double easing_of_short = 0.1;  // of the seconds of a short film
+
 double eases(const SlowSpan& span, double until) {
     return (span.from > 0.0 ? 1.0 : 0.0) + (span.to < until ? 1.0 : 0.0);
 }
 
-// Of film, that the easing costs beside what its simulated time takes without it.
-double seconds_of_easing(const std::vector<SlowSpan>& spans, double until) {
-    double seconds = 0.0;
-    for (const SlowSpan& span : spans)
-        seconds += eases(span, until) * easing_seconds * (1.0 - span.factor) / 2.0;
-    return seconds;
+// How often as long as itself the easing takes beside what its simulated time takes without it.
+double cost_of_easing(const std::vector<SlowSpan>& spans, double until) {
+    double cost = 0.0;
+    for (const SlowSpan& span : spans) cost += eases(span, until) * (1.0 - span.factor) / 2.0;
+    return cost;
 }
 
 double stretched_length(const std::vector<SlowSpan>& spans, double until) {
@@ -27,12 +29,13 @@ double stretched_length(const std::vector<SlowSpan>& spans, double until) {
 
 // Units of simulated time in a second of film where it is not slow.
 double usual_pace(const std::vector<SlowSpan>& spans, double until, double seconds) {
-    return stretched_length(spans, until) / (seconds - seconds_of_easing(spans, until));
+    const double eased = easing_seconds(seconds) * cost_of_easing(spans, until);
+    return stretched_length(spans, until) / (seconds - eased);
 }
 
 // Simulated time that passes while the film slows down or speeds up.
-double eased_time(const SlowSpan& span, double pace) {
-    return easing_seconds * pace * (1.0 + span.factor) / 2.0;
+double eased_time(const SlowSpan& span, double easing, double pace) {
+    return easing * pace * (1.0 + span.factor) / 2.0;
 }
 
 double smooth(double share) { return share * share * (3.0 - 2.0 * share); }
@@ -41,6 +44,10 @@ double smooth(double share) { return share * share * (3.0 - 2.0 * share); }
 double smooth_sum(double share) { return share * share * share * (1.0 - share / 2.0); }
 
 }  // namespace
+
+double easing_seconds(double seconds) {
+    return std::min(longest_easing, easing_of_short * seconds);
+}
 
 double Pace::Piece::time_after(double stretched) const {
     if (speed_begin == speed_end) return begin + speed_begin * (stretched - stretched_begin);
@@ -65,19 +72,19 @@ void Pace::add(double end, double stretched_length, Speeds speeds, double factor
 
 Pace::Pace(const std::vector<SlowSpan>& spans, double until, double seconds) {
     const double pace = usual_pace(spans, until, seconds);
-    const double easing = easing_seconds * pace;
+    const double easing = easing_seconds(seconds), eased_length = easing * pace;
     const auto usual_until = [&](double end) {
         add(end, end - (pieces_.empty() ? 0.0 : pieces_.back().end), {1.0, 1.0}, 1.0);
     };
     for (const SlowSpan& span : spans) {
-        const double eased = eased_time(span, pace);
+        const double eased = eased_time(span, easing, pace);
         const double slow = span.factor;
         if (span.from > 0.0) {
             usual_until(span.from - eased);
-            add(span.from, easing, {1.0, slow}, slow);
+            add(span.from, eased_length, {1.0, slow}, slow);
         }
         add(span.to, (span.to - span.from) / slow, {slow, slow}, slow);
-        if (span.to < until) add(span.to + eased, easing, {slow, 1.0}, slow);
+        if (span.to < until) add(span.to + eased, eased_length, {slow, 1.0}, slow);
     }
     usual_until(until);
 }
@@ -116,18 +123,22 @@ Slowness Pace::slowness(double time) const {
 }
 
 double seconds_at_pace(const std::vector<SlowSpan>& spans, double until, double pace) {
-    return stretched_length(spans, until) / pace + seconds_of_easing(spans, until);
+    const double uneased = stretched_length(spans, until) / pace;
+    const double cost = cost_of_easing(spans, until), long_film = uneased + longest_easing * cost;
+    return easing_seconds(long_film) < longest_easing ? uneased / (1.0 - easing_of_short * cost)
+                                                      : long_film;
 }
 
 std::optional<EasingShortage> easing_shortage(const std::vector<SlowSpan>& spans, double until,
                                               double seconds) {
     if (spans.empty()) return std::nullopt;
-    if (seconds <= seconds_of_easing(spans, until))
+    const double easing = easing_seconds(seconds);
+    if (seconds <= easing * cost_of_easing(spans, until))
         return EasingShortage{0, true, 0.0, std::numeric_limits<double>::infinity()};
     const double pace = usual_pace(spans, until, seconds);
     double free_from = 0.0;  // the end of the easing after the span before
     for (std::size_t i = 0; i < spans.size(); ++i) {
-        const double eased = eased_time(spans[i], pace);
+        const double eased = eased_time(spans[i], easing, pace);
         const double next = i + 1 < spans.size() ? spans[i + 1].from : until;
         if (spans[i].from > 0.0 && spans[i].from - free_from < eased)
             return EasingShortage{i, true, spans[i].from - free_from, eased};

@@ -10,8 +10,9 @@
 
 namespace carom {
 
-/// Of film, from one pace to another.
-constexpr double easing_seconds = 0.5;
+/// How long a film in which the gas moves for `seconds` takes from one pace to another: half a
+/// second, in films of less than five a tenth of them.
+double easing_seconds(double seconds);
 
 /// How slowly a film runs at some time.
 struct Slowness {

@@ -18,11 +18,14 @@ namespace {
 // start, all of which must know what came before the part.
 const std::string scene = library_scene("time-reversal");
 
+// Without captions: one that fades in is whole in a still.
+const std::string events = "run.events=[{at: 12, reverse: velocities}]";
+
 std::vector<std::string> frames_of(const fs::path& folder, const std::string& span) {
-    const Outcome outcome =
-        shell("'" + program + "' render '" + scene + "' --size 320x180 --seconds 8 --quiet -o '" +
-                  (folder / "frames").string() + "/' " + span,
-              folder);
+    const Outcome outcome = shell("'" + program + "' render '" + scene +
+                                      "' --size 320x180 --seconds 8 --quiet --set '" + events +
+                                      "' -o '" + (folder / "frames").string() + "/' " + span,
+                                  folder);
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     std::vector<std::string> names, frames;
@@ -42,7 +45,7 @@ TEST_CASE("--from and --to give the frames of the whole film between two times")
     REQUIRE(whole.size() == 240);
     const auto still = [&](const std::string& at) {
         REQUIRE(run({program, "still", scene, "--at", at, "-o", "still.png", "--size", "320x180",
-                     "--set", "film.seconds=8"},
+                     "--set", "film.seconds=8", "--set", events},
                     folder.path())
                     .exit_code == 0);
         return contents(folder.path() / "still.png");

@@ -116,7 +116,7 @@ TEST_CASE("an SVG of a still says what it is; two runs give the same bytes") {
                               folder.path());
     const std::string space = "{http://www.w3.org/2000/svg}";
     CHECK(words.out.find(space + "svg img\n" + space + "title One collision, two to one\n" + space +
-                         "desc The frame at time 6. ") == 0);
+                         "desc The frame at time 6.005. ") == 0);
     const Outcome title = run({"pdfinfo", "new/one.pdf"}, folder.path());
     CHECK(title.out.find("One collision, two to one") != std::string::npos);
 }

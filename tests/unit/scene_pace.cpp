@@ -133,6 +133,23 @@ TEST_CASE("with `seconds` the film keeps its length, with `pace` it grows") {
     CHECK(film("pace: 2, " + slow).film.seconds == doctest::Approx(12.0 + 9.0 + 2 * 0.225));
 }
 
+TEST_CASE("in a short film the easing is a tenth of it, so that a preview needs no other spans") {
+    const std::string slow = "slow: [{from: 8, to: 10, factor: 0.25}]";
+    for (const double seconds : {0.5, 1.0, 3.0, 4.9}) {
+        CAPTURE(seconds);
+        const Scene scene = film("seconds: " + std::to_string(seconds) + ", fps: 120, " + slow);
+        double eased = 0.0, usual = 0.0;
+        for (const Stride& stride : speeds(scene)) usual = std::max(usual, stride.value);
+        for (const Stride& stride : speeds(scene))
+            if (stride.value < 0.999 * usual && stride.value > 0.251 * usual) eased += 1.0 / 120.0;
+        CHECK(eased < 0.2 * seconds + 3.0 / 120.0);
+        CHECK(eased > 0.1 * seconds - 3.0 / 120.0);  // the gas moves in three quarters of it
+    }
+    // 22 units at 8 a second and 2 at a quarter of that are 3.75 s; the easing, a tenth of the film
+    // each time, covers 0.625 of what it would at full speed.
+    CHECK(film("pace: 8, " + slow).film.seconds == doctest::Approx(3.75 / (1.0 - 2 * 0.1 * 0.375)));
+}
+
 TEST_CASE("the factor is told while the film is slow, and eased in and out with it") {
     const Scene scene = film("seconds: 30, slow: [{from: 8, to: 9, factor: 0.1}]");
     for (const Tick& tick : timeline(scene)) {

@@ -211,8 +211,10 @@ void add_figures(CLI::App& app) {
                      "render the films of the scenes, too, which pages then show");
     add_scene_options(command, *arguments);
     command
-        .add_option("--threads", arguments->threads,
-                    "cores to use for films; the result is the same for any number")
+        .add_option(
+            "--threads", arguments->threads,
+            "cores to use, for films and for runs side by side; the result is the same for any "
+            "number")
         ->check(CLI::Range(1, 1024));
     command.callback([arguments] { make_all(*arguments); });
 }

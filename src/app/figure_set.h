@@ -47,7 +47,7 @@ struct SetOptions {
     std::vector<std::string> only;  ///< names of figures; none: all
     bool force = false;             ///< make all again, and replace what others have written
     bool films = false;             ///< render the films that pages show, too
-    int threads = 1;                ///< for films
+    int threads = 1;                ///< for films, and for runs of several seeds
     bool quiet = false;             ///< no progress
 };
 

@@ -42,9 +42,9 @@ bool shows(const Figure& figure, double time) {
     return next < figure.spec->times.size() && figure.spec->times[next] == time;
 }
 
-// Calls `work` with 0 to count - 1, on as many threads as there are cores. What the first of them
-// throws, in this order, is thrown.
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+// Calls `work` with 0 to count - 1, on `threads` threads at most. What the first of them throws, in
+// this order, is thrown.
+void on_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
     std::vector<std::exception_ptr> errors(count);
     std::atomic<std::size_t> next = 0;
     const auto help = [&] {
@@ -56,8 +56,8 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& wor
     };
     {
         std::vector<std::jthread> helpers;
-        const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-        for (std::size_t i = 1; i < std::min(count, cores); ++i) helpers.emplace_back(help);
+        const auto most = static_cast<std::size_t>(std::max(1, threads));
+        for (std::size_t i = 1; i < std::min(count, most); ++i) helpers.emplace_back(help);
         help();
     }
     for (const std::exception_ptr& error : errors)
@@ -148,16 +148,16 @@ void FigureRun::OfSeed::look() {
     start_.reset();
 }
 
-FigureRun::FigureRun(const Scene& scene, const Fresh& fresh) {
+FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads) {
     int seeds = 1;
     for (const FigureSpec& spec : scene.figures) seeds = std::max(seeds, spec.panel.seeds);
     runs_.resize(static_cast<std::size_t>(seeds));
-    on_all_cores(runs_.size(), [&](std::size_t k) {
+    on_threads(threads, runs_.size(), [&](std::size_t k) {
         runs_[k] = std::make_unique<OfSeed>(scene, static_cast<int>(k), fresh);
         runs_[k]->survey();
     });
     settle();
-    on_all_cores(runs_.size(), [&](std::size_t k) { runs_[k]->look(); });
+    on_threads(threads, runs_.size(), [&](std::size_t k) { runs_[k]->look(); });
     take_means();
 }
 

@@ -33,9 +33,10 @@ using Fresh = std::function<Simulation(const Scene&)>;
 
 class FigureRun {
   public:
-    /// Runs the physics of `scene` twice, and twice for each further seed, on several threads. The
-    /// axes are those of the scene's film. Throws as the simulation does, and Interrupted.
-    FigureRun(const Scene& scene, const Fresh& fresh);
+    /// Runs the physics of `scene` twice, and twice for each further seed, on `threads` threads at
+    /// most. The axes are those of the scene's film. Throws as the simulation does, and
+    /// Interrupted.
+    FigureRun(const Scene& scene, const Fresh& fresh, int threads = 1);
     ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles
     FigureRun& operator=(const FigureRun&) = delete;

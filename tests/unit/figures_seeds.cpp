@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <mutex>
+#include <set>
+#include <thread>
 
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
@@ -24,8 +27,8 @@ Scene scene_of(const std::string& figures, const std::string& count = "60") {
                            "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
 }
 
-FigureRun run_of(const Scene& scene) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
+FigureRun run_of(const Scene& scene, int threads = 1) {
+    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, threads};
 }
 
 const HistogramPanel& histogram_of(const FigureRun& run, std::size_t index = 0) {
@@ -121,13 +124,31 @@ TEST_CASE("seeds do not change the other figures, and threads change nothing") {
     const std::string other = "  - {name: z, kind: energy-histogram}\n";
     const std::string both = bars + ", seeds: 6, fit: true}\n" + other;
     const FigureRun alone = run_of(scene_of(other)), one = run_of(scene_of(both)),
-                    two = run_of(scene_of(both));
+                    two = run_of(scene_of(both), 4);
     const auto bytes = [](const FigureRun& run, std::size_t index) {
         return draw_figure(run, run.figures()[index], FigureFormat::png, {"t", "d"}).file();
     };
     CHECK(bytes(alone, 0) == bytes(one, 1));
     CHECK(bytes(one, 0) == bytes(two, 0));
     CHECK(csv(table_of(one.figures()[0])) == csv(table_of(two.figures()[0])));
+}
+
+TEST_CASE("runs of several seeds take no more threads than they are given") {
+    for (const int threads : {1, 2}) {
+        std::mutex mutex;
+        std::set<std::thread::id> seen;
+        const Scene scene = scene_of(bars + ", seeds: 8}\n");
+        const FigureRun run(
+            scene,
+            [&](const Scene& one) {
+                const std::lock_guard lock(mutex);
+                seen.insert(std::this_thread::get_id());
+                return Simulation(one.gas, one.run);
+            },
+            threads);
+        CHECK(seen.size() <= static_cast<std::size_t>(threads));
+        if (threads == 1) CHECK(seen.contains(std::this_thread::get_id()));
+    }
 }
 
 TEST_CASE("a test of several runs counts all their particles") {

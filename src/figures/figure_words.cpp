@@ -37,7 +37,7 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
         return fmt::format("{} {} {}", sentence(scene.title),
                            sentence(kind_words(scene, *figure.spec)), account);
     const std::int64_t collisions = figure.moments.back().collisions.particle;
-    return fmt::format("{} {} {}: {} {}, {} {} between them so far; reduced units.",
+    return fmt::format("{} {} {}: {} {}, {} {} between them by then; reduced units.",
                        sentence(scene.title), kind_words(scene, *figure.spec),
                        time_words(*figure.spec), grouped(particles), things, grouped(collisions),
                        collisions == 1 ? "collision" : "collisions");

@@ -72,10 +72,17 @@ double HistogramPanel::width_of_name(const Page& page, const std::string& name) 
     return measure_text(longest, label_style(page)).width + 0.7 * page.unit;
 }
 
+// A picture of one time shows no other that were the present.
+std::string HistogramPanel::name_of_mean(bool is_short) const {
+    if (window() != 0.0 || spec_.at) return "mean";
+    return is_short ? "now" : "mean now";
+}
+
 // "now" and "start" in a row that has no room for more.
 bool HistogramPanel::has_short_names(const Page& page) const {
     if (names_place(page) != NamesPlace::above || series_.size() > 1) return false;
-    return width_of_name(page, "mean now") + width_of_name(page, "mean at start") + page.unit >
+    return width_of_name(page, name_of_mean(false)) + width_of_name(page, "mean at start") +
+               page.unit >
            plot_area(page).right() - page.area.x;
 }
 
@@ -323,7 +330,7 @@ Point HistogramPanel::name_place(const Page& page, int index) const {
         const bool is_short = has_short_names(page);
         const double second =
             area.right() - (is_short ? width_of_name(page, "start") : names_width(page));
-        const double width = width_of_name(page, is_short ? "now" : "mean now");
+        const double width = width_of_name(page, name_of_mean(is_short));
         const double first = std::min(row.x, second - width - page.unit);
         return {index == 0 ? std::max(page.area.x, first) + 0.2 * page.unit : second, row.y};
     }
@@ -458,8 +465,7 @@ void HistogramPanel::draw_means(Canvas& canvas, const Page& page,
     };
     const bool several = series_.size() > 1;
     const bool is_short = has_short_names(page);
-    const std::string now_name = is_short ? "now" : "mean now";
-    const std::string present = window() == 0.0 ? now_name : "mean";
+    const std::string present = name_of_mean(is_short);
     for (std::size_t k = series_.size(); k-- > 0;) {
         const Color start_color = several ? ink(k, page).bar : page.theme.muted;
         if (marks_mean_start()) {

@@ -107,6 +107,7 @@ class HistogramPanel : public Panel {
     NamesPlace names_place(const Page& page) const;
     double names_width(const Page& page) const;
     double width_of_name(const Page& page, const std::string& name) const;
+    std::string name_of_mean(bool is_short) const;
     bool has_short_names(const Page& page) const;
     bool is_low_right_of(const Rect& area, double x, const Page& page) const;
     int rows_above(const Page& page) const;

@@ -35,8 +35,11 @@ std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spe
             spec.reference_initial
                 ? std::vector<std::string>{"slow below ½, fast above 1½ of the mean at the start",
                                            "below ½, above 1½ of the mean at the start"}
-                : std::vector<std::string>{"slow below ½, fast above 1½ of the mean speed now",
-                                           "slow below ½, fast above 1½ of the mean"},
+                : std::vector<
+                      std::string>{spec.at ? "slow below ½, fast above 1½ of each time’s "
+                                             "mean speed"
+                                           : "slow below ½, fast above 1½ of the mean speed now",
+                                   "slow below ½, fast above 1½ of the mean"},
         .top = 100.0,
         .column = "share (per cent)",
         .names = {"slow", "medium", "fast"}};

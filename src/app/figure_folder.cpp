@@ -57,33 +57,52 @@ std::vector<std::string> FigureFolder::foreign(std::span<const std::string> file
     for (const std::string& file : files) {
         if (!is_there(path_ / file)) continue;
         const auto known = manifest_.files.find(file);
-        if (known == manifest_.files.end() ||
-            fingerprint_of_file(path_ / file) != known->second.content)
+        const auto content = fingerprint_of_file(path_ / file);
+        if (known == manifest_.files.end() || !content ||
+            (content != known->second.content && content != known->second.coming))
             found.push_back(file);
     }
     return found;
 }
 
-void FigureFolder::write(const std::string& file, std::span<const std::uint8_t> bytes,
-                         const std::string& figure, const std::string& inputs) {
-    const std::string content = fingerprint(text_of(bytes));
-    if (fingerprint_of_file(path_ / file) != content) {
-        AtomicFile output(path_ / file);
-        output.write(bytes);
-        output.commit();
+// Of a file that is there already, and was carom's, both contents are known until it is replaced.
+void FigureFolder::announce(const std::string& file, const std::string& figure,
+                            const std::string& content) {
+    manifest_.files.try_emplace(file, WrittenFile{figure, "", ""}).first->second.coming = content;
+}
+
+void FigureFolder::write(std::span<const NewFile> files) {
+    std::vector<std::string> contents;
+    bool any = false;
+    for (const NewFile& one : files) {
+        contents.push_back(fingerprint(text_of(one.bytes)));
+        if (fingerprint_of_file(path_ / one.file) == contents.back()) continue;
+        announce(one.file, one.figure, contents.back());
+        any = true;
     }
+    if (any) save();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const NewFile& one = files[i];
+        if (fingerprint_of_file(path_ / one.file) != contents[i]) {
+            AtomicFile output(path_ / one.file);
+            output.write(one.bytes);
+            output.commit();
+        }
+        manifest_.files[one.file] = {one.figure, one.inputs, contents[i]};
+    }
+}
+
+void FigureFolder::take_in(const fs::path& from, const std::string& file, const std::string& figure,
+                           const std::string& inputs) {
+    const std::string content = fingerprint_of_file(from / file).value_or("");
+    announce(file, figure, content);
+    save();
+    std::error_code error;
+    fs::rename(from / file, path_ / file, error);
+    if (error)
+        throw SystemError(
+            fmt::format("{}: cannot be written: {}", (path_ / file).string(), error.message()));
     manifest_.files[file] = {figure, inputs, content};
-}
-
-void FigureFolder::write(const std::string& file, std::string_view text, const std::string& figure,
-                         const std::string& inputs) {
-    write(file, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), figure,
-          inputs);
-}
-
-void FigureFolder::note(const std::string& file, const std::string& figure,
-                        const std::string& inputs) {
-    manifest_.files[file] = {figure, inputs, fingerprint_of_file(path_ / file).value_or("")};
 }
 
 void FigureFolder::remember(const std::string& figure, WrittenWords words) {

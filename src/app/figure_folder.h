@@ -16,7 +16,16 @@ namespace carom {
 struct WrittenFile {
     std::string figure;   ///< whose; empty: of the whole folder
     std::string inputs;   ///< fingerprint of all that it was made from
-    std::string content;  ///< fingerprint of its bytes
+    std::string content;  ///< fingerprint of its bytes; empty: it was not there yet
+    std::string coming =
+        {};  ///< of those that were about to replace them; empty: nothing was on its way
+};
+
+/// A file to be written.
+struct NewFile {
+    std::string file;
+    std::vector<std::uint8_t> bytes;
+    std::string figure, inputs;  ///< as of a WrittenFile
 };
 
 /// What a figure says, kept so that captions need no run of the physics.
@@ -49,14 +58,13 @@ class FigureFolder {
     /// Those of `files` that are there and were not written by carom, or changed since.
     std::vector<std::string> foreign(std::span<const std::string> files) const;
 
-    /// Writes a file, whole or not at all, unless these very bytes are there.
-    void write(const std::string& file, std::span<const std::uint8_t> bytes,
-               const std::string& figure, const std::string& inputs);
-    void write(const std::string& file, std::string_view text, const std::string& figure,
-               const std::string& inputs);
+    /// Writes files, each whole or not at all, unless these very bytes are there. figures.json
+    /// tells first what they will be: wherever the work is cut off, the folder knows its files.
+    void write(std::span<const NewFile> files);
 
-    /// Notes a file that others have written into the folder.
-    void note(const std::string& file, const std::string& figure, const std::string& inputs);
+    /// Moves a file of `from` that others have written into the folder, in the same way.
+    void take_in(const std::filesystem::path& from, const std::string& file,
+                 const std::string& figure, const std::string& inputs);
 
     void remember(const std::string& figure, WrittenWords words);
 
@@ -64,6 +72,8 @@ class FigureFolder {
     void save();
 
   private:
+    void announce(const std::string& file, const std::string& figure, const std::string& content);
+
     std::filesystem::path path_;
     std::string saved_;
     Manifest manifest_;

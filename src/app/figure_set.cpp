@@ -76,6 +76,21 @@ std::map<std::string, std::string> film_files(const SetPart& part) {
     return files;
 }
 
+// Where a film is made that is not part of the figures' folder yet.
+struct HiddenFolder {
+    std::filesystem::path path;
+
+    explicit HiddenFolder(std::filesystem::path where) : path(std::move(where)) { clear(); }
+    ~HiddenFolder() { clear(); }
+    HiddenFolder(const HiddenFolder&) = delete;
+    HiddenFolder& operator=(const HiddenFolder&) = delete;
+
+    void clear() const {
+        std::error_code error;
+        std::filesystem::remove_all(path, error);
+    }
+};
+
 void refuse_same_names(const FigureSet& set) {
     std::map<std::string, const SetPart*> names;
     for (const SetPart& part : set.parts)
@@ -191,20 +206,22 @@ class Maker {
                 return of_part(figure) && is_due(figure);
             }))
             return;
-        const FigureRun run(part.scene, simulate);
+        const FigureRun run(part.scene, simulate, options_.threads);
+        std::vector<NewFile> files;
         for (const PlannedFigure& figure : figures_)
-            if (of_part(figure) && is_due(figure)) draw(run, figure);
+            if (of_part(figure) && is_due(figure)) draw(run, figure, files);
+        folder_.write(files);
     }
 
-    void draw(const FigureRun& run, const PlannedFigure& planned) {
+    void draw(const FigureRun& run, const PlannedFigure& planned, std::vector<NewFile>& files) {
         const std::string& name = planned.spec->name;
         const Figure& figure = *std::ranges::find_if(
             run.figures(), [&](const Figure& one) { return one.spec->name == name; });
         const FigureWords words = words_of(run, figure);
         for (const PlannedFile& file : planned.files)
             if (!file.current)
-                folder_.write(file.file, bytes_of(run, figure, words, file.format), name,
-                              file.inputs);
+                files.push_back(
+                    {file.file, bytes_of(run, figure, words, file.format), name, file.inputs});
         folder_.remember(name, {planned.inputs, words.caption, words.alt});
     }
 
@@ -242,13 +259,15 @@ class Maker {
         if (!options_.films || (is_current_film(part) && !options_.force)) return;
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
+        const HiddenFolder hidden(set_.folder / ".film");
         render(
             part.scene,
-            {.output = set_.folder / files.at("film"), .threads = options_.threads, .words = true},
+            {.output = hidden.path / files.at("film"), .threads = options_.threads, .words = true},
             progress);
         render_still(part.scene, poster_at * part.scene.run.until,
-                     set_.folder / files.at("poster"));
-        for (const auto& [what, file] : files) folder_.note(file, "", inputs_of(part.scene, film_));
+                     hidden.path / files.at("poster"));
+        for (const auto& [what, file] : files)
+            folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));
         ++report_.films;
     }
 
@@ -257,9 +276,14 @@ class Maker {
         std::vector<SetFilm> films;
         for (const SetPart& part : set_.parts)
             if (is_current_film(part)) films.push_back({&part, film_files(part)});
-        folder_.write(captions_name, captions_json(set_.title, figures), "", "");
+        std::vector<NewFile> files;
+        const auto add = [&](const std::string& file, const std::string& text) {
+            files.push_back({file, {text.begin(), text.end()}, "", ""});
+        };
+        add(captions_name, captions_json(set_.title, figures));
         for (const PageTemplate& page : set_.pages)
-            folder_.write(set_.stem + page.ending, page_text(set_, page, figures, films), "", "");
+            add(set_.stem + page.ending, page_text(set_, page, figures, films));
+        folder_.write(files);
     }
 
     std::vector<std::string> gone() const {

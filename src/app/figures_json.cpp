@@ -42,8 +42,10 @@ std::string captions_json(const std::string& title, std::span<const SetFigure> f
 
 std::string manifest_json(const Manifest& manifest) {
     Json files = Json::object(), figures = Json::object();
-    for (const auto& [name, file] : manifest.files)
+    for (const auto& [name, file] : manifest.files) {
         files[name] = {{"figure", file.figure}, {"inputs", file.inputs}, {"content", file.content}};
+        if (!file.coming.empty()) files[name]["coming"] = file.coming;
+    }
     for (const auto& [name, words] : manifest.figures)
         figures[name] = {{"inputs", words.inputs}, {"caption", words.caption}, {"alt", words.alt}};
     return dumped({{"about", "what carom wrote into this folder, and from what; keep it here"},
@@ -59,7 +61,8 @@ std::optional<Manifest> read_manifest(std::string_view text) {
         for (const auto& [name, file] : json.at("files").items())
             manifest.files[name] = {file.at("figure").get<std::string>(),
                                     file.at("inputs").get<std::string>(),
-                                    file.at("content").get<std::string>()};
+                                    file.at("content").get<std::string>(),
+                                    file.value("coming", "")};
         for (const auto& [name, words] : json.at("figures").items())
             manifest.figures[name] = {words.at("inputs").get<std::string>(),
                                       words.at("caption").get<std::string>(),

@@ -24,6 +24,10 @@ struct PageFields {
 /// `text` as a page of this kind shows it, on one line.
 std::string escaped(std::string_view text, PageKind kind);
 
+/// The letters of a LaTeX page, each once, that pdfLaTeX cannot set without packages; LuaLaTeX and
+/// XeLaTeX may.
+std::vector<std::string> beyond_pdflatex(std::string_view page);
+
 /// Fills a template. `{{name}}` is a text; `{{#name}}…{{/name}}` stays for each item of a list, or
 /// if there is such a text; `{{^name}}…{{/name}}` if there is none; `{{! words}}` is left out. A
 /// line that holds nothing but one of the last four leaves none. Throws SceneError with the places

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "figures/figure_drawing.h"
+
 namespace carom {
 namespace {
 
@@ -81,8 +83,35 @@ Json facts_json(const Scene& scene, const SceneFacts& facts) {
             {"film", film_json(scene.film, facts)}};
 }
 
+double two_digits(double centimetres) { return std::round(100.0 * centimetres) / 100.0; }
+
+Json set_json(const FigureSet& set) {
+    Json sections = Json::array(), pages = Json::array();
+    for (const SetPart& part : set.parts) {
+        Json figures = Json::array();
+        for (const std::string& name : part.figures) {
+            const FigureSpec& spec = *figure_spec(part.scene, name);
+            const auto [width, height] = figure_size(part.scene, spec);
+            figures.push_back({{"name", name},
+                               {"kind", spec.panel.kind},
+                               {"times", spec.times},
+                               {"size_cm", {two_digits(width), two_digits(height)}}});
+            for (const ComparedRun& run : spec.compare) figures.back()["runs"].push_back(run.label);
+        }
+        sections.push_back({{"scene", part.compares ? Json(nullptr) : Json(part.stem)},
+                            {"title", part.title},
+                            {"figures", std::move(figures)}});
+    }
+    for (const PageTemplate& page : set.pages) pages.push_back(set.stem + page.ending);
+    return {{"title", set.title},
+            {"sections", std::move(sections)},
+            {"formats", set.formats},
+            {"pages", std::move(pages)}};
+}
+
 Json checked_json(const CheckedScene& checked) {
-    Json json{{"scene", checked.path}, {"valid", checked.scene.has_value()}};
+    Json json{{checked.is_set ? "set" : "scene", checked.path}, {"valid", checked.is_valid()}};
+    if (checked.set) json.update(set_json(*checked.set));
     if (checked.scene) json.update(facts_json(*checked.scene, checked.facts));
     json["errors"] = Json::array();
     for (const Diagnostic& error : checked.errors) json["errors"].push_back(error_json(error));

@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// A list with one object for each scene, in UTF-8; `null` for what there is none of; ends with a
-/// line break.
+/// A list with one object for each scene or set, in UTF-8; `null` for what there is none of; ends
+/// with a line break.
 std::string check_json(std::span<const CheckedScene> scenes);
 
 }  // namespace carom

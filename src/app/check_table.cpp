@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "app/progress.h"
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
 #include "util/text.h"
 
 namespace carom {
@@ -95,7 +97,43 @@ std::string costs(const std::vector<FilmCost>& costs) {
                        fmt::join(words, "; "), cores, cores == 1 ? "core" : "cores");
 }
 
+// "speeds, a speed-histogram at time 4, 8.9 by 6.2 cm".
+std::string figure(const Scene& scene, const FigureSpec& spec) {
+    const auto [width, height] = figure_size(scene, spec);
+    const bool over = spec.panel.over && spec.panel.over->since == Over::Since::window;
+    const std::string kind =
+        spec.compare.empty() ? spec.panel.kind
+                             : fmt::format("{} of {} runs", spec.panel.kind, spec.compare.size());
+    return fmt::format("{}: {} {} time {}, {:.3g} by {:.3g} cm", spec.name, kind,
+                       over ? "over" : "at", shown_times(spec), width, height);
+}
+
+std::string table_of_set(const CheckedScene& checked) {
+    const FigureSet& set = *checked.set;
+    std::string text = fmt::format("{}: valid\n", checked.path) + row("title", set.title);
+    std::size_t figures = 0;
+    for (const SetPart& part : set.parts) {
+        figures += part.figures.size();
+        if (part.compares) continue;
+        text += row("scene", part.stem);
+        for (const std::string& name : part.figures)
+            text += row("", figure(part.scene, *figure_spec(part.scene, name)));
+    }
+    for (const SetPart& part : set.parts)
+        if (part.compares) {
+            std::vector<std::string> labels;
+            const FigureSpec& spec = part.scene.figures.front();
+            for (const ComparedRun& run : spec.compare) labels.push_back(run.label);
+            text += row("comparison", figure(part.scene, spec)) + row("", listed(labels));
+        }
+    text += row("figures", fmt::format("{}, each as {}", figures, listed(set.formats)));
+    std::vector<std::string> pages;
+    for (const PageTemplate& page : set.pages) pages.push_back(set.stem + page.ending);
+    return text + row("pages", listed(pages));
+}
+
 std::string table(const CheckedScene& checked) {
+    if (checked.set) return table_of_set(checked);
     if (!checked.scene)
         return fmt::format("{}: not valid, {} {}\n", checked.path, checked.errors.size(),
                            checked.errors.size() == 1 ? "error" : "errors");
@@ -115,7 +153,7 @@ std::string table(const CheckedScene& checked) {
 std::string check_table(std::span<const CheckedScene> scenes) {
     std::string text;
     for (const CheckedScene& checked : scenes) {
-        if (!text.empty() && checked.scene) text += "\n";
+        if (!text.empty() && checked.is_valid()) text += "\n";
         text += table(checked);
     }
     return text;

@@ -1,4 +1,4 @@
-// carom check: whether scenes are valid, what they are, and what they will cost.
+// carom check: whether scenes and figure sets are valid, what they are, and what they will cost.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +7,11 @@
 #include "app/check_json.h"
 #include "app/check_table.h"
 #include "app/command.h"
+#include "app/figure_pages.h"
 #include "app/output.h"
 #include "app/resources.h"
 #include "app/scene_facts.h"
+#include "app/set_loading.h"
 #include "panels/text_panel.h"
 #include "util/diagnostics.h"
 
@@ -35,7 +37,28 @@ std::pair<Scene, bool> loaded(const std::string& path, const Overrides& override
     }
 }
 
+// With all its scenes, figures and pages.
+CheckedScene checked_set(const std::string& path, const CheckArguments& arguments) {
+    CheckedScene found{
+        .path = path, .scene = {}, .facts = {}, .errors = {}, .is_set = true, .set = {}};
+    try {
+        FigureSet set = set_of_file(path, overrides_of(arguments));
+        for (const SetPart& part : set.parts) refuse_long_words(part.scene);
+        for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
+        refuse_same_names(set);
+        found.set = std::move(set);
+    } catch (const SceneError& error) {
+        found.errors = error.diagnostics();
+    } catch (const UsageError& error) {
+        Diagnostic& told = found.errors.emplace_back();
+        told.span.file = path;
+        told.message = error.what();
+    }
+    return found;
+}
+
 CheckedScene checked(const std::string& path, const CheckArguments& arguments) {
+    if (path != standard_input && is_figure_set(path)) return checked_set(path, arguments);
     CheckedScene found{
         .path = path == standard_input ? "<stdin>" : path, .scene = {}, .facts = {}, .errors = {}};
     try {
@@ -55,12 +78,13 @@ void refuse_invalid(const std::vector<CheckedScene>& scenes, bool json) {
     std::size_t invalid = 0;
     for (const CheckedScene& scene : scenes) {
         errors.insert(errors.end(), scene.errors.begin(), scene.errors.end());
-        invalid += scene.scene ? 0 : 1;
+        invalid += scene.is_valid() ? 0 : 1;
     }
     if (invalid == 0) return;
     if (!json) throw SceneError(std::move(errors));
-    throw UsageError(fmt::format("{} of {} {} not valid", invalid, scenes.size(),
-                                 scenes.size() == 1 ? "scene is" : "scenes are"));
+    const bool any_set = std::ranges::any_of(scenes, &CheckedScene::is_set);
+    throw UsageError(fmt::format("{} of {} {}{} not valid", invalid, scenes.size(),
+                                 any_set ? "file" : "scene", scenes.size() == 1 ? " is" : "s are"));
 }
 
 void check_scenes(const CheckArguments& arguments) {
@@ -78,11 +102,13 @@ void check_scenes(const CheckArguments& arguments) {
 
 void add_check(CLI::App& app) {
     CLI::App& command =
-        *app.add_subcommand("check", "whether scenes are valid, and what they will cost");
+        *app.add_subcommand("check", "whether scenes and sets are valid, and what they will cost");
     const auto arguments = std::make_shared<CheckArguments>();
-    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
+    command
+        .add_option("scenes", arguments->scenes,
+                    "files of scenes and of figure sets; - for a scene from standard input")
         ->required();
-    command.add_flag("--json", arguments->json, "for programs: a list with an object per scene");
+    command.add_flag("--json", arguments->json, "for programs: a list with an object per file");
     add_scene_options(command, *arguments);
     add_picture_options(command, *arguments);
     command.callback([arguments] { check_scenes(*arguments); });

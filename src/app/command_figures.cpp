@@ -8,9 +8,8 @@
 #include "app/command.h"
 #include "app/figure_pages.h"
 #include "app/figure_set.h"
-#include "app/letters.h"
 #include "app/progress.h"
-#include "app/resources.h"
+#include "app/set_loading.h"
 #include "scene/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -28,42 +27,14 @@ struct FiguresArguments : SceneOptions {
     SetOptions options;
 };
 
-// In one order, each once.
-std::vector<std::string> in_order(const std::vector<std::string>& asked) {
-    std::vector<std::string> formats;
-    for (const std::string& format : figure_formats)
-        if (asked.empty() || std::ranges::find(asked, format) != asked.end())
-            formats.push_back(format);
-    return formats;
-}
-
 fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
     if (arguments.output.empty()) return fs::path("out") / scene_stem(name);
     const fs::path output = arguments.output;
     return arguments.scenes.size() > 1 ? output / scene_stem(name) : output;
 }
 
-std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
-    std::vector<PageTemplate> pages;
-    for (const std::string& page : asked) pages.push_back(page_template(page));
-    return pages;
-}
-
-std::vector<std::string> figure_names(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const FigureSpec& figure : scene.figures) names.push_back(figure.name);
-    return names;
-}
-
 FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& name) {
-    SetPart part;
-    part.scene = load_scene(name, templates_folder(), overrides_of(arguments));
-    part.stem = scene_stem(name);
-    require_letters(part.scene);
-    if (part.scene.figures.empty())
-        throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
-    part.title = part.scene.title;
-    part.figures = figure_names(part.scene);
+    SetPart part = part_of_scene(name, overrides_of(arguments));
     FigureSet set{.of = name == standard_input ? "stdin" : fs::path(name).filename().string(),
                   .stem = scene_stem(name),
                   .folder = folder_of(arguments, name),
@@ -76,54 +47,12 @@ FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& nam
     return set;
 }
 
-[[noreturn]] void fail(Diagnostic place, std::string message, std::string hint) {
-    place.message = std::move(message);
-    place.hint = std::move(hint);
-    throw SceneError({std::move(place)});
-}
-
-SetPart part_of_set(const FiguresArguments& arguments, const SetScene& listed_scene) {
-    SetPart part;
-    const fs::path& path = listed_scene.path;
-    part.scene = load_scene(path, templates_folder(), overrides_of(arguments));
-    require_letters(part.scene);
-    part.stem = scene_stem(path.string());
-    part.title = listed_scene.title.value_or(part.scene.title);
-    part.description = listed_scene.description.value_or(part.scene.description);
-    const std::vector<std::string> names = figure_names(part.scene);
-    if (names.empty())
-        fail(listed_scene.place, fmt::format("the scene {} lists no figures", path.string()), "");
-    for (const auto& [name, place] : listed_scene.figures) {
-        const auto near = nearest_spelling(name, names);
-        if (std::ranges::find(names, name) == names.end())
-            fail(place, fmt::format("{} has no figure `{}`", path.string(), name),
-                 near ? fmt::format("did you mean `{}`?", *near)
-                      : "its figures: " + listed(names, "and", "`"));
-        part.figures.push_back(name);
-    }
-    if (part.figures.empty()) part.figures = names;
-    return part;
-}
-
 // What is said on the command line wins over the file.
-FigureSet set_of_file(const FiguresArguments& arguments, const std::string& name) {
-    const SetFile file = load_figure_set(name);
-    FigureSet set{.of = fs::path(name).filename().string(),
-                  .stem = scene_stem(name),
-                  .folder = folder_of(arguments, name),
-                  .title = file.title,
-                  .description = file.description,
-                  .parts = {},
-                  .formats = in_order(arguments.formats.empty() ? file.formats : arguments.formats),
-                  .pages = pages_of(arguments.pages.empty() ? file.templates : arguments.pages)};
-    set.parts =
-        all_made(file.scenes, [&](const SetScene& scene) { return part_of_set(arguments, scene); });
-    return set;
-}
-
 FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
-    const bool is_set = name != standard_input && is_figure_set(name);
-    return is_set ? set_of_file(arguments, name) : set_of_scene(arguments, name);
+    if (name == standard_input || !is_figure_set(name)) return set_of_scene(arguments, name);
+    FigureSet set = set_of_file(name, overrides_of(arguments), arguments.formats, arguments.pages);
+    set.folder = folder_of(arguments, name);
+    return set;
 }
 
 // All scenes before any work: a mistake in the last one must not cost the time of the first.
@@ -162,6 +91,12 @@ void warn(const FigureSet& set, const SetReport& report) {
     if (!report.replaced.empty())
         say(fmt::format("carom: {}: replaced {}, which carom had not written so\n",
                         set.folder.string(), listed(report.replaced)));
+    for (const auto& [page, letters] : report.unset)
+        say(
+            fmt::format("carom: {}: pdfLaTeX cannot set {}; LuaLaTeX and XeLaTeX can, with a font "
+                        "that has {}\n",
+                        (set.folder / page).string(), fmt::join(letters, " "),
+                        letters.size() == 1 ? "it" : "them"));
     if (!report.gone.empty())
         say(fmt::format("carom: {}: {} of figures that are no longer there; left as {}\n",
                         set.folder.string(), listed(report.gone),

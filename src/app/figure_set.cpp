@@ -36,11 +36,6 @@ struct PlannedFigure {
     bool chosen = true;
 };
 
-const FigureSpec* spec_of(const Scene& scene, const std::string& name) {
-    const auto found = std::ranges::find(scene.figures, name, &FigureSpec::name);
-    return found == scene.figures.end() ? nullptr : &*found;
-}
-
 // Texts that are put together keep their borders.
 std::string all_of(std::initializer_list<std::string_view> texts) {
     std::string all;
@@ -54,6 +49,15 @@ std::string inputs_of(const Scene& scene, std::string_view what) {
     for (const std::string& one : scene.source.overrides) overrides += all_of({one});
     return fingerprint(
         all_of({CAROM_VERSION, scene.source.text, scene.source.template_text, overrides, what}));
+}
+
+// A figure that compares runs is made from all their scenes, too.
+std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
+    std::string all = inputs_of(scene, figure.name);
+    if (figure.compare.empty()) return all;
+    for (const ComparedRun& run : figure.compare)
+        all += all_of({run.label, inputs_of(*run.scene, figure.name)});
+    return fingerprint(all);
 }
 
 std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
@@ -91,29 +95,6 @@ struct HiddenFolder {
     }
 };
 
-void refuse_same_names(const FigureSet& set) {
-    std::map<std::string, const SetPart*> names;
-    for (const SetPart& part : set.parts)
-        for (const std::string& name : part.figures)
-            if (const auto [first, added] = names.try_emplace(name, &part); !added)
-                throw UsageError(fmt::format(
-                    "{}: {} and {} both have a figure `{}`, and all go into one folder; give one "
-                    "of them another name",
-                    set.of, first->second->scene.source.path, part.scene.source.path, name));
-    std::set<std::string> stems;
-    for (const SetPart& part : set.parts)
-        if (!stems.insert(part.stem).second)
-            throw UsageError(
-                fmt::format("{}: two of its scenes are called {}, and so would be "
-                            "their films; list it once, or copy it to another name",
-                            set.of, part.stem));
-    std::set<std::string> endings;
-    for (const PageTemplate& page : set.pages)
-        if (!endings.insert(page.ending).second)
-            throw UsageError(fmt::format("{}: two pages would be written to {}{}", set.of, set.stem,
-                                         page.ending));
-}
-
 void refuse_unknown(const FigureSet& set, const std::vector<std::string>& only) {
     std::vector<std::string> names;
     for (const SetPart& part : set.parts)
@@ -132,7 +113,7 @@ class Maker {
     Maker(const FigureSet& set, const SetOptions& options)
         : set_(set), options_(options), folder_(set.folder, set.of) {
         for (const SetPart& part : set.parts)
-            for (const std::string& name : part.figures) plan(part, *spec_of(part.scene, name));
+            for (const std::string& name : part.figures) plan(part, *figure_spec(part.scene, name));
     }
 
     SetReport make() {
@@ -154,7 +135,7 @@ class Maker {
 
   private:
     void plan(const SetPart& part, const FigureSpec& spec) {
-        PlannedFigure figure{&part, &spec, inputs_of(part.scene, spec.name), {}};
+        PlannedFigure figure{&part, &spec, inputs_of(part.scene, spec), {}};
         const auto& only = options_.only;
         figure.chosen = only.empty() || std::ranges::find(only, spec.name) != only.end();
         for (const std::string& format : set_.formats) {
@@ -183,7 +164,7 @@ class Maker {
         files.push_back(captions_name);
         for (const PageTemplate& page : set_.pages) files.push_back(set_.stem + page.ending);
         for (const SetPart& part : set_.parts)
-            if (options_.films && !is_current_film(part))
+            if (options_.films && !part.compares && !is_current_film(part))
                 for (const auto& [what, file] : film_files(part)) files.push_back(file);
         report_.replaced = folder_.foreign(files);
         if (report_.replaced.empty() || options_.force) return;
@@ -256,7 +237,7 @@ class Maker {
     }
 
     void render_film(const SetPart& part) {
-        if (!options_.films || (is_current_film(part) && !options_.force)) return;
+        if (!options_.films || part.compares || (is_current_film(part) && !options_.force)) return;
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
         const HiddenFolder hidden(set_.folder / ".film");
@@ -275,14 +256,19 @@ class Maker {
         const std::vector<SetFigure> figures = present();
         std::vector<SetFilm> films;
         for (const SetPart& part : set_.parts)
-            if (is_current_film(part)) films.push_back({&part, film_files(part)});
+            if (!part.compares && is_current_film(part)) films.push_back({&part, film_files(part)});
         std::vector<NewFile> files;
         const auto add = [&](const std::string& file, const std::string& text) {
             files.push_back({file, {text.begin(), text.end()}, "", ""});
         };
         add(captions_name, captions_json(set_.title, figures));
-        for (const PageTemplate& page : set_.pages)
-            add(set_.stem + page.ending, page_text(set_, page, figures, films));
+        for (const PageTemplate& page : set_.pages) {
+            const std::string text = page_text(set_, page, figures, films);
+            add(set_.stem + page.ending, text);
+            if (page.kind != PageKind::latex) continue;
+            if (auto letters = beyond_pdflatex(text); !letters.empty())
+                report_.unset[set_.stem + page.ending] = std::move(letters);
+        }
         folder_.write(files);
     }
 
@@ -309,6 +295,34 @@ class Maker {
 };
 
 }  // namespace
+
+const FigureSpec* figure_spec(const Scene& scene, const std::string& name) {
+    const auto found = std::ranges::find(scene.figures, name, &FigureSpec::name);
+    return found == scene.figures.end() ? nullptr : &*found;
+}
+
+void refuse_same_names(const FigureSet& set) {
+    std::map<std::string, const SetPart*> names;
+    for (const SetPart& part : set.parts)
+        for (const std::string& name : part.figures)
+            if (const auto [first, added] = names.try_emplace(name, &part); !added)
+                throw UsageError(fmt::format(
+                    "{}: {} and {} both have a figure `{}`, and all go into one folder; give one "
+                    "of them another name",
+                    set.of, first->second->scene.source.path, part.scene.source.path, name));
+    std::set<std::string> stems;
+    for (const SetPart& part : set.parts)
+        if (!part.compares && !stems.insert(part.stem).second)
+            throw UsageError(
+                fmt::format("{}: two of its scenes are called {}, and so would be "
+                            "their films; list it once, or copy it to another name",
+                            set.of, part.stem));
+    std::set<std::string> endings;
+    for (const PageTemplate& page : set.pages)
+        if (!endings.insert(page.ending).second)
+            throw UsageError(fmt::format("{}: two pages would be written to {}{}", set.of, set.stem,
+                                         page.ending));
+}
 
 SetReport make_figures(const FigureSet& set, const SetOptions& options) {
     refuse_same_names(set);

@@ -20,6 +20,7 @@ struct SetPart {
     std::string title;        ///< the scene's, if it has no other here
     std::string description;  ///< under the title; may be empty
     std::vector<std::string> figures;
+    bool compares = false;  ///< it has one figure, of several scenes, and no film
 };
 
 /// A page to be made, of the name of its set with this ending.
@@ -72,7 +73,15 @@ struct SetReport {
     int films = 0;                      ///< rendered
     std::vector<std::string> replaced;  ///< files that carom had not written, or not so
     std::vector<std::string> gone;      ///< files of figures that are no more
+    std::map<std::string, std::vector<std::string>>
+        unset;  ///< by LaTeX page: letters that pdfLaTeX cannot set
 };
+
+/// The figure of this name; null if the scene has none.
+const FigureSpec* figure_spec(const Scene& scene, const std::string& name);
+
+/// Throws UsageError where two figures, films or pages of a set would have one name.
+void refuse_same_names(const FigureSet& set);
 
 /// Makes what is not there yet or not from the present scenes. Throws UsageError before anything
 /// is written when a file of others would be replaced, or figures share a name; SceneError,

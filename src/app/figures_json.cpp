@@ -1,6 +1,7 @@
 #include "app/figures_json.h"
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace carom {
@@ -27,6 +28,14 @@ Json figure_json(const SetFigure& figure) {
               {"times", spec.times}};
     if (spec.panel.over && spec.panel.over->since == Over::Since::window)
         json["over"] = {spec.times.back() - spec.panel.over->window, spec.times.back()};
+    for (const ComparedRun& run : spec.compare)
+        json["runs"].push_back(
+            {{"label", run.label},
+             {"scene", std::filesystem::path(run.scene->source.path).stem().string()},
+             {"scene_title", run.scene->title},
+             {"seed", run.scene->seed},
+             {"overrides", run.scene->source.overrides},
+             {"times", run.scene->figures.front().times}});
     json["size_cm"] = {two_digits(figure.size[0]), two_digits(figure.size[1])};
     json["files"] = figure.files;
     return json;
@@ -59,10 +68,9 @@ std::optional<Manifest> read_manifest(std::string_view text) {
         const Json json = Json::parse(text);
         Manifest manifest{json.at("of").get<std::string>(), {}, {}};
         for (const auto& [name, file] : json.at("files").items())
-            manifest.files[name] = {file.at("figure").get<std::string>(),
-                                    file.at("inputs").get<std::string>(),
-                                    file.at("content").get<std::string>(),
-                                    file.value("coming", "")};
+            manifest.files[name] = {
+                file.at("figure").get<std::string>(), file.at("inputs").get<std::string>(),
+                file.at("content").get<std::string>(), file.value("coming", "")};
         for (const auto& [name, words] : json.at("figures").items())
             manifest.figures[name] = {words.at("inputs").get<std::string>(),
                                       words.at("caption").get<std::string>(),

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/figure_set.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -31,12 +32,16 @@ struct SceneFacts {
 /// SceneError (a law that gives no mass above zero).
 SceneFacts facts_of(const Scene& scene, bool has_film, int cores);
 
-/// A scene file as `carom check` found it.
+/// A scene file as `carom check` found it, or the file of a figure set.
 struct CheckedScene {
     std::string path;
-    std::optional<Scene> scene;  ///< none: not valid
+    std::optional<Scene> scene;  ///< none: not valid, or a set
     SceneFacts facts;            ///< of a valid scene
     std::vector<Diagnostic> errors;
+    bool is_set = false;
+    std::optional<FigureSet> set = {};  ///< none: not valid, or a scene
+
+    bool is_valid() const { return scene || set; }
 };
 
 }  // namespace carom

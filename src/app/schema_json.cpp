@@ -184,6 +184,12 @@ void part_dimensions(Json& plane, const Json& wire) {
     plane["else"] = {{"properties", in_plane}};
 }
 
+Json header(const char* title, const char* description) {
+    return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", title},
+            {"description", description}};
+}
+
 }  // namespace
 
 // Draft 07: the newest draft that yaml-language-server, which editors read YAML with, takes whole;
@@ -191,10 +197,15 @@ void part_dimensions(Json& plane, const Json& wire) {
 std::string scene_schema_json() {
     Json plane = section_schema(scene_section(2));
     part_dimensions(plane, section_schema(scene_section(1)));
-    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-                {"title", "A scene of carom"},
-                {"description", "What is in the box, what happens to it, what the viewer sees."}};
+    Json schema =
+        header("A scene of carom", "What is in the box, what happens to it, what the viewer sees.");
     schema.update(plane);
+    return schema.dump(1) + "\n";
+}
+
+std::string set_schema_json() {
+    Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
+    schema.update(section_schema(set_section()));
     return schema.dump(1) + "\n";
 }
 

@@ -10,4 +10,7 @@ namespace carom {
 /// What depends on several places (overlaps, packing, counts against lists) only loading tells.
 std::string scene_schema_json();
 
+/// The same of figure sets.
+std::string set_schema_json();
+
 }  // namespace carom

@@ -79,7 +79,7 @@ class FigureRun::OfSeed {
         equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
         const Cast cast{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_, false};
         for (const FigureSpec& spec : scene_.figures)
-            if (spec.panel.seeds > later)
+            if (spec.panel.seeds > later && spec.compare.empty())
                 figures.push_back({&spec, spec.panel.kind == "gas" ? make_gas_panel(cast)
                                                                    : make_panel(cast, spec.panel)});
     }
@@ -119,6 +119,7 @@ Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
 }
 
 void FigureRun::OfSeed::survey() {
+    if (figures.empty()) return;
     Simulation simulation = fresh_(scene_);
     simulation.record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
@@ -132,6 +133,7 @@ void FigureRun::OfSeed::survey() {
 
 // Of frames that show one time the last: at a reversal the one after it.
 void FigureRun::OfSeed::look() {
+    if (figures.empty()) return start_.reset();
     start_->record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->wants_collisions(); }));
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
@@ -148,30 +150,51 @@ void FigureRun::OfSeed::look() {
     start_.reset();
 }
 
-FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads) {
+FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads)
+    : scene_(alone(scene, 0)) {
     int seeds = 1;
-    for (const FigureSpec& spec : scene.figures) seeds = std::max(seeds, spec.panel.seeds);
+    struct Job {
+        std::unique_ptr<OfSeed>* run;
+        const Scene* scene;
+        int later;
+    };
+    std::vector<Job> jobs;
+    for (const FigureSpec& spec : scene_.figures) {
+        seeds = std::max(seeds, spec.panel.seeds);
+        if (!spec.compare.empty()) compared_.emplace_back(spec.compare.size());
+    }
     runs_.resize(static_cast<std::size_t>(seeds));
-    on_threads(threads, runs_.size(), [&](std::size_t k) {
-        runs_[k] = std::make_unique<OfSeed>(scene, static_cast<int>(k), fresh);
-        runs_[k]->survey();
+    for (int k = 0; k < seeds; ++k)
+        jobs.push_back({&runs_[static_cast<std::size_t>(k)], &scene_, k});
+    std::size_t comparison = 0;
+    for (const FigureSpec& spec : scene_.figures)
+        if (!spec.compare.empty()) {
+            for (std::size_t k = 0; k < spec.compare.size(); ++k)
+                jobs.push_back({&compared_[comparison][k], spec.compare[k].scene.get(), 0});
+            ++comparison;
+        }
+    on_threads(threads, jobs.size(), [&](std::size_t i) {
+        const Job& job = jobs[i];
+        *job.run = std::make_unique<OfSeed>(*job.scene, job.later, fresh);
+        (*job.run)->survey();
     });
     settle();
-    on_threads(threads, runs_.size(), [&](std::size_t k) { runs_[k]->look(); });
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(); });
     take_means();
+    collect();
 }
 
 FigureRun::~FigureRun() = default;
 
-const Scene& FigureRun::scene() const { return runs_.front()->scene(); }
+const Scene& FigureRun::scene() const { return scene_; }
 
 const Particles& FigureRun::particles() const { return runs_.front()->particles(); }
 
-const std::vector<Figure>& FigureRun::figures() const { return runs_.front()->figures; }
+const std::vector<Figure>& FigureRun::figures() const { return figures_; }
 
-// The runs of all seeds of a figure have the same axes.
+// The runs of all seeds of a figure have the same axes, and so have those that it compares.
 void FigureRun::settle() {
-    for (const Figure& figure : figures()) {
+    for (const Figure& figure : runs_.front()->figures) {
         std::vector<Panel*> others;
         for (std::size_t k = 1; k < static_cast<std::size_t>(figure.spec->panel.seeds); ++k)
             others.push_back(runs_[k]->figure_of(figure.spec->name).panel.get());
@@ -179,6 +202,18 @@ void FigureRun::settle() {
             figure.panel->settle();
         else
             figure.panel->settle_with(others);
+    }
+    std::size_t comparison = 0;
+    for (const FigureSpec& spec : scene_.figures) {
+        if (spec.compare.empty()) continue;
+        const auto& runs = compared_[comparison++];
+        std::vector<Panel*> others;
+        std::vector<std::string> names{spec.compare.front().label};
+        for (std::size_t k = 1; k < runs.size(); ++k) {
+            others.push_back(runs[k]->figures.front().panel.get());
+            names.push_back(spec.compare[k].label);
+        }
+        runs.front()->figures.front().panel->settle_beside(others, names);
     }
 }
 
@@ -192,6 +227,40 @@ void FigureRun::take_means() {
                 states.push_back(runs_[k]->figure_of(figure.spec->name).moments[i].state);
             figure.moments[i].state = figure.panel->mean_of(states);
         }
+    }
+}
+
+// The first run's figure, which shows all of them.
+Figure FigureRun::side_by_side(std::size_t comparison) {
+    const auto& runs = compared_[comparison];
+    Figure figure = std::move(runs.front()->figures.front());
+    std::vector<std::shared_ptr<const PanelState>> states{figure.moments.front().state};
+    for (std::size_t k = 1; k < runs.size(); ++k)
+        states.push_back(runs[k]->figures.front().moments.front().state);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const FigureMoment& moment =
+            k == 0 ? figure.moments.front() : runs[k]->figures.front().moments.front();
+        figure.sides.push_back(
+            {"", runs[k]->particles().count(), moment.time, moment.collisions, ""});
+    }
+    figure.moments.front().state = figure.panel->beside(states);
+    const std::vector<std::string> told = figure.panel->told_of_runs(*figure.moments.front().state);
+    for (std::size_t k = 0; k < runs.size(); ++k) figure.sides[k].told = told.at(k);
+    return figure;
+}
+
+void FigureRun::collect() {
+    std::size_t comparison = 0, alone = 0;
+    for (const FigureSpec& spec : scene_.figures) {
+        if (spec.compare.empty()) {
+            figures_.push_back(std::move(runs_.front()->figures.at(alone++)));
+        } else {
+            Figure figure = side_by_side(comparison++);
+            for (std::size_t k = 0; k < figure.sides.size(); ++k)
+                figure.sides[k].label = spec.compare[k].label;
+            figures_.push_back(std::move(figure));
+        }
+        figures_.back().spec = &spec;
     }
 }
 

@@ -1,6 +1,7 @@
 // The figures of a scene before they are drawn: their panels with axes that hold for the whole run,
 // as in a film, and what they show at their times. All figures of a scene share two runs of the
-// physics; those that show means of several seeds share two for each of these.
+// physics; those that show means of several seeds share two for each of these; one that compares
+// runs has two of each of its own.
 #pragma once
 
 #include <functional>
@@ -21,11 +22,21 @@ struct FigureMoment {
     std::shared_ptr<const PanelState> state;
 };
 
+/// One of the runs that a figure compares.
+struct FigureSide {
+    std::string label;
+    Eigen::Index particles = 0;
+    double time = 0.0;           ///< that it is seen at
+    CollisionCounts collisions;  ///< until then
+    std::string told;            ///< what a caption says of it: "mean speed 1.25"
+};
+
 /// One figure: its panel, and a moment for each of its times.
 struct Figure {
     const FigureSpec* spec;
     std::unique_ptr<Panel> panel;
     std::vector<FigureMoment> moments = {};
+    std::vector<FigureSide> sides = {};  ///< of a comparison; its moments are the first one's
 };
 
 /// Gives a simulation of a scene at time 0; from any thread.
@@ -49,9 +60,15 @@ class FigureRun {
     class OfSeed;
     void settle();
     void take_means();
+    Figure side_by_side(std::size_t comparison);
+    void collect();
 
+    Scene scene_;
     std::vector<std::unique_ptr<OfSeed>>
         runs_;  ///< of the scene's own seed, then of those after it
+    std::vector<std::vector<std::unique_ptr<OfSeed>>>
+        compared_;  ///< the runs of each figure that compares some, in their order
+    std::vector<Figure> figures_;
 };
 
 }  // namespace carom

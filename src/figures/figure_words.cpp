@@ -24,7 +24,50 @@ std::string time_words(const FigureSpec& spec) {
                        shown_times(spec));
 }
 
+bool have_one_time(const Figure& figure) {
+    return std::ranges::all_of(figure.sides, [&](const FigureSide& side) {
+        return side.time == figure.sides.front().time;
+    });
+}
+
+std::string counted(std::int64_t count, const std::string& word) {
+    return fmt::format("{} {}{}", grouped(count), word, count == 1 ? "" : "s");
+}
+
+// "Speed histogram at time 20 of 3 runs", "Entropy of 2 runs, each to its end".
+std::string comparison_words(const Scene& scene, const Figure& figure) {
+    const std::string kind = kind_words(scene, *figure.spec);
+    const std::size_t runs = figure.sides.size();
+    if (have_one_time(figure))
+        return fmt::format("{} {} of {} runs", kind, time_words(*figure.spec), runs);
+    return fmt::format("{} of {} runs, each at its end", kind, runs);
+}
+
+std::string caption_of_runs(const Scene& scene, const Figure& figure) {
+    std::vector<std::string> runs;
+    for (std::size_t k = 0; k < figure.sides.size(); ++k) {
+        const FigureSide& side = figure.sides[k];
+        const Scene& its = *figure.spec->compare[k].scene;
+        std::string words =
+            fmt::format("{} ({}, {} between them, {}", side.label,
+                        counted(side.particles, its.gas.box.dimension == 2 ? "disk" : "bead"),
+                        counted(side.collisions.particle, "collision"), side.told);
+        if (!have_one_time(figure)) words += " at time " + plain_number(side.time);
+        runs.push_back(words + ")");
+    }
+    return fmt::format("{} {}: {}; reduced units.", sentence(scene.title),
+                       comparison_words(scene, figure), listed(runs));
+}
+
+std::string alt_of_runs(const Scene& scene, const Figure& figure) {
+    std::vector<std::string> runs;
+    for (const FigureSide& side : figure.sides) runs.push_back(side.label + ", " + side.told);
+    return fmt::format("{} in one panel: {}. {}", comparison_words(scene, figure),
+                       fmt::join(runs, "; "), scene.description);
+}
+
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
+    if (!figure.sides.empty()) return caption_of_runs(scene, figure);
     const char* things = scene.gas.box.dimension == 2 ? "disks" : "beads";
     if (figure.spec->panel.seeds > 1)
         return fmt::format(
@@ -70,7 +113,9 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
         figure.spec->caption.value_or(made_caption(scene, figure, run.particles().count()));
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
     if (!finding.empty()) words.caption += " " + finding;
-    words.alt = figure.spec->alt.value_or(made_alt(scene, figure));
+    const bool compares = !figure.sides.empty();
+    words.alt = figure.spec->alt.value_or(compares ? alt_of_runs(scene, figure)
+                                                   : made_alt(scene, figure));
     return words;
 }
 

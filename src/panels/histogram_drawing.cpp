@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "panels/chosen.h"
+#include "panels/comparison.h"
 #include "panels/histogram_panel.h"
 #include "util/text.h"
 
@@ -49,6 +50,10 @@ HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
 // One choice of particles has the colours of all histograms, several have their own.
 HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) const {
     const Theme& theme = page.theme;
+    if (compares()) {
+        const Color color = compared_color(series, theme);
+        return {color, color, color};
+    }
     if (series_.size() == 1) return {theme.bar, theme.accent, theme.highlight};
     const Color color = choice_color(cast_, series_[series].chosen, series, theme);
     std::vector<Color> tints{theme.page};
@@ -100,7 +105,7 @@ bool HistogramPanel::is_low_right_of(const Rect& area, double x, const Page& pag
 // Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
 // means are far right, or over the bars where neither keeps clear of the marks.
 HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
-    if (fills_the_middle()) return NamesPlace::above;
+    if (fills_the_middle() || compares()) return NamesPlace::above;
     if (window() != 0.0) return NamesPlace::right;  // the mean over a while settles soon
     const Rect area = plot_area(page);
     const Scale x{bins_.low, bins_.high, area.x, area.right()};
@@ -119,6 +124,7 @@ HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
 // says the mean too.
 int HistogramPanel::rows_above(const Page& page) const {
     const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(series_.size())) : 0;
+    if (compares()) return fits + key_rows(page, names_);
     const bool marks = marks_mean_now() || marks_mean_start();
     return fits + (fits == 0 && marks && names_place(page) == NamesPlace::above ? 1 : 0);
 }
@@ -171,17 +177,34 @@ std::string HistogramPanel::title(const Page& page) const {
     return fitting_title(page, {words + ", " + curve, shortest + ", " + curve, shortest});
 }
 
+std::string HistogramPanel::title_of_runs(const Page& page) const {
+    const std::string of = spec_.of.empty() ? subject_.title
+                                            : capitalised(subject_.quantity) + " of " +
+                                                  name_of(cast_, series_.front().chosen);
+    const std::string unit = percent_ ? ", per cent" : "";
+    const std::string time = same_time_ ? ": " + time_words() : "";
+    const std::string words = escape_markup(spec_.title.value_or(of)) + unit + time;
+    const std::string shortest = capitalised(subject_.quantity) + unit + time;
+    if (curve_top() == 0.0) return fitting_title(page, {words, shortest});
+    return fitting_title(page,
+                         {words + ", thin lines: in equilibrium", words + ", thin: equilibrium",
+                          shortest + ", thin: equilibrium", shortest});
+}
+
 void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    draw_panel_title(canvas, page, title(page));
+    draw_panel_title(canvas, page, compares() ? title_of_runs(page) : title(page));
     const Scales s = scales(page);
+    if (compares()) draw_key_of_runs(canvas, page, {page.area.x, row_above(page, 0).y}, names_);
     draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(page));
     AxisStyle counts = axis_style(page);
-    counts.whole = window() == 0.0 && runs_ == 1;  // means over a while may be any number
+    counts.whole =
+        window() == 0.0 && runs_ == 1 && !percent_;  // means over a while may be any number
     draw_y_axis(canvas, s.area, s.y, "", counts);
 }
 
 void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     const std::vector<MeanHistogram>& now = histograms(state);
+    if (compares()) return draw_runs(canvas, page, now);
     for (std::size_t k = 0; k < series_.size(); ++k) {
         draw_bars(canvas, page, k, now[k]);
         if (series_.size() > 1) draw_outline(canvas, page, k, now[k]);
@@ -196,6 +219,45 @@ void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& st
         if (spec_.fit) draw_fit(canvas, page, k, now[k]);
     }
     draw_means(canvas, page, now);
+}
+
+// Several runs: only the upper edges of their bars, as areas of more than two would hide one
+// another.
+void HistogramPanel::draw_runs(Canvas& canvas, const Page& page,
+                               const std::vector<MeanHistogram>& now) const {
+    constexpr double thin = 0.07;  // units
+    for (std::size_t k = 0; k < series_.size(); ++k)
+        canvas.stroke_path(path_of(page, series_[k].curve), thin * page.unit, ink(k, page).curve);
+    for (std::size_t k = series_.size(); k-- > 0;) draw_outline(canvas, page, k, now[k]);
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        if (spec_.fit) draw_fit(canvas, page, k, now[k]);
+        if (marks_mean_start())
+            draw_mark(canvas, page, series_[k].mean_start, false, ink(k, page).curve);
+        if (marks_mean_now()) draw_mark(canvas, page, now[k].mean, true, ink(k, page).curve);
+    }
+    draw_cuts(canvas, page, now);
+    draw_beyond_runs(canvas, page, now);
+}
+
+// How many of a run lie beyond the ends of the axis: from the fewest of a run to the most.
+void HistogramPanel::draw_beyond_runs(Canvas& canvas, const Page& page,
+                                      const std::vector<MeanHistogram>& now) const {
+    const auto words = [&](double MeanHistogram::*beyond) -> std::string {
+        const auto [fewest, most] = std::ranges::minmax(now, {}, beyond);
+        if (!(most.*beyond > 0.0)) return "";
+        const std::string unit = percent_ ? " %" : "";
+        const std::string high = count_words(most.*beyond), low = count_words(fewest.*beyond);
+        return low == high ? high + unit : low + " to " + high + unit;
+    };
+    const std::string below = words(&MeanHistogram::below), above = words(&MeanHistogram::above);
+    const Rect area = scales(page).area;
+    const double top = area.y + 0.8 * page.unit;
+    if (!below.empty())
+        draw_name(canvas, page, {area.x + 0.6 * page.unit, top}, "← " + below, page.theme.muted);
+    if (above.empty()) return;
+    const std::string higher = above + " →";
+    const double width = measure_text(higher, label_style(page)).width;
+    draw_name(canvas, page, {area.right() - width, top}, higher, page.theme.muted);
 }
 
 void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t series,
@@ -229,6 +291,9 @@ void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t 
         path.push_back({s.x(bins_.edge(i)), y});
         path.push_back({s.x(bins_.edge(i + 1)), y});
     }
+    if (compares())
+        return canvas.stroke_path(path, curve_width * page.unit, ink(series, page).bar,
+                                  compared_dashes(series, page));
     canvas.stroke_path(path, 0.1 * page.unit, edge_of(ink(series, page).bar, page.theme),
                        line_dashes(series, series_.size(), page));
 }
@@ -397,7 +462,8 @@ std::vector<Point> HistogramPanel::fit_curve(std::size_t series, const MeanHisto
     std::vector<Point> curve;
     if (!(now.deviation > 0.0)) return curve;
     constexpr int points = 120;
-    const double numbers = numbers_each_ * static_cast<double>(series_[series].members.size());
+    const double numbers =
+        series_[series].unit * numbers_each_ * static_cast<double>(series_[series].members.size());
     for (int i = 0; i <= points; ++i) {
         const double value = bins_.low + (bins_.high - bins_.low) * i / points;
         const double z = (value - now.mean) / now.deviation;
@@ -420,7 +486,8 @@ void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t seri
     canvas.stroke_path(path_of(page, fit_curve(series, now)), curve_width * page.unit, color,
                        dashes);
     if (series >= most_fit_rows) return;
-    const Point row = row_above(page, static_cast<int>(series));
+    const Point row =
+        row_above(page, static_cast<int>(series) + (compares() ? key_rows(page, names_) : 0));
     if (!dashes.empty())  // a sample of it, left of the words
         canvas.stroke_path(std::array{Point{row.x - 2.9 * page.unit, row.y - 0.35 * page.unit},
                                       Point{row.x - 0.5 * page.unit, row.y - 0.35 * page.unit}},
@@ -428,9 +495,8 @@ void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t seri
     TextStyle style = label_style(page);
     style.color = legible(color, page.theme);
     style.max_width = plot_area(page).width;
-    const std::string whose = series_.size() == 1
-                                  ? "normal curve"
-                                  : escape_markup(name_of(cast_, series_[series].chosen));
+    const std::string whose =
+        series_.size() == 1 ? "normal curve" : escape_markup(name_of_series(series));
     const std::string numbers_of_it =
         fmt::format("mean {}, deviation {}", three_digits(now.mean), three_digits(now.deviation));
     const std::string whole = whose + ": " + numbers_of_it;  // without the name the colour tells

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "panels/chosen.h"
+#include "panels/comparison.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
 #include "util/diagnostics.h"
@@ -49,6 +50,7 @@ HistogramPanel::HistogramPanel(const Cast& cast, const PanelSpec& spec, Histogra
                 all ? cast.equilibrium : among(*cast.equilibrium, cast.particles, series.members);
         series_.push_back(std::move(series));
     }
+    own_ = series_.size();
 }
 
 const std::vector<MeanHistogram>& HistogramPanel::histograms(const PanelState& state) {
@@ -113,7 +115,7 @@ void HistogramPanel::survey(const Observation& observation) {
 }
 
 void HistogramPanel::settle() {
-    choose_bins();
+    choose_bins(reach(), numbers_in_bars());
     choose_curves();
     finish();
     for (const Series& one : series_)
@@ -127,7 +129,7 @@ void HistogramPanel::settle_with(const std::vector<Panel*>& others) {
     runs_ = runs.size();
     for (const HistogramPanel* run : std::span(runs).subspan(1))
         pool_.insert(pool_.end(), run->pool_.begin(), run->pool_.end());
-    choose_bins();
+    choose_bins(reach(), numbers_in_bars());
     choose_curves();
     for (HistogramPanel* run : std::span(runs).subspan(1)) {
         run->bins_ = bins_;
@@ -148,6 +150,59 @@ void HistogramPanel::settle_with(const std::vector<Panel*>& others) {
     for (HistogramPanel* run : runs) run->finish();
     for (const Series& one : series_)
         if (spec_.test) require_testable(one);
+}
+
+// One axis for the values of all runs, however many particles each has, in bins that suit the one
+// with the fewest. Bars of runs of different counts are comparable as shares only.
+void HistogramPanel::settle_beside(const std::vector<Panel*>& others,
+                                   const std::vector<std::string>& names) {
+    std::vector<HistogramPanel*> runs{this};
+    for (Panel* other : others) runs.push_back(&dynamic_cast<HistogramPanel&>(*other));
+    names_ = names;
+    double farthest = 0.0, fewest = numbers_in_bars();
+    for (const HistogramPanel* run : runs) {
+        farthest = std::max(farthest, run->reach());
+        fewest = std::min(fewest, run->numbers_in_bars());
+        percent_ |= run->numbers_at_a_time() != numbers_at_a_time();
+        same_time_ &= run->time_words() == time_words();
+    }
+    for (const HistogramPanel* run : std::span(runs).subspan(1))
+        pool_.insert(pool_.end(), run->pool_.begin(), run->pool_.end());
+    choose_bins(farthest, fewest);
+    for (HistogramPanel* run : runs) {
+        run->bins_ = bins_;
+        if (percent_) run->series_.front().unit = 100.0 / run->numbers_at_a_time();
+        run->choose_curves();
+    }
+    for (const HistogramPanel* run : std::span(runs).subspan(1))
+        series_.push_back(run->series_.front());
+    for (HistogramPanel* run : runs) run->finish();
+}
+
+std::shared_ptr<const PanelState> HistogramPanel::beside(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    auto all = std::make_shared<HistogramState>();
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        MeanHistogram one = histograms(*states[k]).front();
+        const double unit = series_[k].unit;
+        for (double& count : one.counts) count *= unit;
+        one.below *= unit;
+        one.above *= unit;
+        all->histograms.push_back(std::move(one));
+    }
+    return all;
+}
+
+std::vector<std::string> HistogramPanel::told_of_runs(const PanelState& state) const {
+    std::vector<std::string> told;
+    for (const MeanHistogram& one : histograms(state))
+        told.push_back(fmt::format("mean {} {}", subject_.quantity, three_digits(one.mean)) +
+                       (subject_.symmetric ? ", deviation " + three_digits(one.deviation) : ""));
+    return told;
+}
+
+std::string HistogramPanel::name_of_series(std::size_t series) const {
+    return compares() ? names_[series] : name_of(cast_, series_[series].chosen);
 }
 
 void HistogramPanel::take_mean_of_curves(const std::vector<HistogramPanel*>& runs) {
@@ -179,7 +234,8 @@ void HistogramPanel::choose_curves() {
         for (const MassGroup& group : one.equilibrium->groups) sharing += group.count;
         for (int i = 0; i <= points; ++i) {
             const double value = first + (bins_.high - first) * i / points;
-            one.curve.push_back({value, numbers_each_ * sharing * expected_share(one, value)});
+            one.curve.push_back(
+                {value, one.unit * numbers_each_ * sharing * expected_share(one, value)});
         }
     }
 }
@@ -202,7 +258,13 @@ double HistogramPanel::curve_top() const {
 
 // The axis holds a quarter more than 97 of a hundred values of the whole run: 99 of a hundred of a
 // gas in equilibrium, whatever the start. Those beyond are counted.
-void HistogramPanel::choose_bins() {
+double HistogramPanel::reach() const {
+    std::vector<double> sizes = pool_;
+    for (double& size : sizes) size = std::abs(size);
+    return sizes.empty() ? 0.0 : 1.25 * quantile(sizes, 0.97);
+}
+
+void HistogramPanel::choose_bins(double reach, double numbers) {
     if (pool_.empty()) pool_.push_back(0.0);
     double high = 1.0;
     double low = 0.0;
@@ -211,10 +273,7 @@ void HistogramPanel::choose_bins() {
     } else if (subject_.extent) {
         std::tie(low, high) = *subject_.extent;
     } else {
-        std::vector<double> sizes = pool_;
-        for (double& size : sizes) size = std::abs(size);
-        high = 1.25 * quantile(sizes, 0.97);
-        high = high > 0.0 ? round_up_for_axis(high) : 1.0;
+        high = reach > 0.0 ? round_up_for_axis(reach) : 1.0;
         if (subject_.symmetric) low = -high;
     }
     bins_ = {low, high, 1};
@@ -222,8 +281,7 @@ void HistogramPanel::choose_bins() {
         bins_.count = *spec_.bins;
         return;
     }
-    bins_.count =
-        freedman_diaconis(pool_, numbers_in_bars(), low, high, fewest_bins, most_bins_by_rule);
+    bins_.count = freedman_diaconis(pool_, numbers, low, high, fewest_bins, most_bins_by_rule);
     // Equal values at the start must not lie on an edge, where round-off would deal them out to two
     // bins; nor may 0, where particles at rest are, between two of an even number.
     if (subject_.symmetric && bins_.count % 2 == 0) ++bins_.count;
@@ -242,7 +300,7 @@ void HistogramPanel::choose_height() {
         RunningHistogram running(bins_, window());
         for (const Probe& probe : one.probes) {
             running.add(probe.time, probe.values);
-            tops.push_back(std::ranges::max(running.mean().counts));
+            tops.push_back(one.unit * std::ranges::max(running.mean().counts));
         }
         if (!tops.empty()) bars = std::max(bars, quantile(tops, settles ? 0.5 : 0.9));
     }
@@ -257,7 +315,7 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const Observation& obser
     // A held frame is no new sample of a mean; at a reversal the present changes while time stands.
     const bool counts = window() == 0.0 || observation.tick.time > seen_until_;
     seen_until_ = observation.tick.time;
-    for (Series& one : series_) {
+    for (Series& one : std::span(series_).first(own_)) {
         if (counts) one.running.front().add(observation.tick.time, values_of(one, all));
         state->histograms.push_back(one.running.front().mean());
     }
@@ -295,16 +353,26 @@ std::shared_ptr<const PanelState> HistogramPanel::mean_of(
 }
 
 Table HistogramPanel::table(const PanelState& state, const Theme&) const {
+    if (!compares()) return table_of(state, 0, series_.size());
+    Table all;
+    for (std::size_t k = 0; k < series_.size(); ++k)
+        add_table_of_run(all, names_[k], table_of(state, k, k + 1));
+    return all;
+}
+
+// Of the series `from` to `to` - 1.
+Table HistogramPanel::table_of(const PanelState& state, std::size_t from, std::size_t to) const {
     const std::vector<std::vector<double>>& errors = HistogramPanel::errors(state);
     Table table{{"part", "of", column_name(subject_.quantity + " from", subject_.unit),
-                 column_name(subject_.quantity + " to", subject_.unit), "value (count)"}};
+                 column_name(subject_.quantity + " to", subject_.unit),
+                 percent_ ? "value (per cent)" : "value (count)"}};
     if (!errors.empty()) table.columns.push_back("standard error (count)");
-    for (std::size_t k = 0; k < series_.size(); ++k) {
+    for (std::size_t k = from; k < to; ++k) {
         const Series& one = series_[k];
         const MeanHistogram& now = histograms(state)[k];
-        const auto add = [&, of = name_of(cast_, one.chosen)](const char* part, Cell from, Cell to,
+        const auto add = [&, of = name_of(cast_, one.chosen)](const char* part, Cell low, Cell high,
                                                               Cell value) {
-            table.rows.push_back({part, of, std::move(from), std::move(to), std::move(value)});
+            table.rows.push_back({part, of, std::move(low), std::move(high), std::move(value)});
         };
         for (int i = 0; i < bins_.count; ++i) {
             add("bar", bins_.edge(i), bins_.edge(i + 1), now.counts[static_cast<std::size_t>(i)]);

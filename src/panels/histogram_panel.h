@@ -41,6 +41,11 @@ class HistogramPanel : public Panel {
     void settle_with(const std::vector<Panel*>& others) override;
     std::shared_ptr<const PanelState> mean_of(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    void settle_beside(const std::vector<Panel*>& others,
+                       const std::vector<std::string>& names) override;
+    std::shared_ptr<const PanelState> beside(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    std::vector<std::string> told_of_runs(const PanelState& state) const override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
@@ -71,6 +76,7 @@ class HistogramPanel : public Panel {
         std::optional<EquilibriumGas> equilibrium = {};
         std::vector<EquilibriumGas> others = {};  ///< of the other runs of a mean
         double mean_start = 0.0;
+        double unit = 1.0;  ///< what one number counts: 1, or a share in per cent
         double lowest_mean = 0.0, highest_mean = 0.0;  ///< of the whole run, that at the start too
         std::vector<Probe> probes = {};  ///< whole samples at a few frames, for the height of bars
         std::vector<Point> curve = {};   ///< value, expected number in a bin around it
@@ -87,7 +93,8 @@ class HistogramPanel : public Panel {
     double numbers_in_bars() const;
     double expected_share(const Series& series, double value) const;
     double curve_top() const;
-    void choose_bins();
+    double reach() const;
+    void choose_bins(double reach, double numbers);
     void choose_curves();
     void finish();
     void take_mean_of_curves(const std::vector<HistogramPanel*>& runs);
@@ -96,8 +103,13 @@ class HistogramPanel : public Panel {
     Expected expected_in_run(const Series& series, const EquilibriumGas& gas) const;
     void require_testable(const Series& series) const;
     bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
-    bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means); }
-    bool marks_mean_start() const { return spec_.mean_start.value_or(subject_.means); }
+    bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means && !compares()); }
+    bool marks_mean_start() const {
+        return spec_.mean_start.value_or(subject_.means && !compares());
+    }
+    bool compares() const { return !names_.empty(); }
+    std::string name_of_series(std::size_t series) const;
+    Table table_of(const PanelState& state, std::size_t from, std::size_t to) const;
 
     Scales scales(const Page& page) const;
     Ink ink(std::size_t series, const Page& page) const;
@@ -112,6 +124,10 @@ class HistogramPanel : public Panel {
     bool is_low_right_of(const Rect& area, double x, const Page& page) const;
     int rows_above(const Page& page) const;
     Point row_above(const Page& page, int row) const;
+    std::string title_of_runs(const Page& page) const;
+    void draw_runs(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
+    void draw_beyond_runs(Canvas& canvas, const Page& page,
+                          const std::vector<MeanHistogram>& now) const;
     void draw_bars(Canvas& canvas, const Page& page, std::size_t series,
                    const MeanHistogram& now) const;
     void draw_outline(Canvas& canvas, const Page& page, std::size_t series,
@@ -137,9 +153,13 @@ class HistogramPanel : public Panel {
     PanelSpec spec_;
     HistogramSubject subject_;
     std::vector<Series> series_;
-    std::size_t runs_ = 1;       ///< of which bars show the mean
-    double numbers_each_ = 1.0;  ///< of one particle at a time
-    std::vector<double> pool_;   ///< values of the whole run, thinned
+    std::size_t own_ = 0;                  ///< those of series_ that are of this run: the first
+    std::vector<std::string> names_ = {};  ///< of runs side by side, for each of series_; or none
+    bool percent_ = false;                 ///< whether runs of different counts are shown as shares
+    bool same_time_ = true;                ///< whether all of these runs are seen at one time
+    std::size_t runs_ = 1;                 ///< of which bars show the mean
+    double numbers_each_ = 1.0;            ///< of one particle at a time
+    std::vector<double> pool_;             ///< values of the whole run, thinned
     int surveyed_ = 0;
     double span_ = 0.0;       ///< of simulated time in the film
     double seen_until_ = -1;  ///< time of the last sample in a mean

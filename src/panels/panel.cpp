@@ -19,6 +19,15 @@ std::shared_ptr<const PanelState> Panel::mean_of(
     return states.front();
 }
 
+void Panel::settle_beside(const std::vector<Panel*>&, const std::vector<std::string>&) {
+    throw std::logic_error("a panel of a kind that cannot be compared");
+}
+
+std::shared_ptr<const PanelState> Panel::beside(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    return states.front();
+}
+
 const Theme& theme_of(ThemeName name) {
     if (name == ThemeName::light) return theme(ThemeKind::light);
     return theme(name == ThemeName::print ? ThemeKind::print : ThemeKind::dark);

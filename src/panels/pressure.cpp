@@ -106,7 +106,9 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
         .notes = {time_words(over)},
         .column =
             column_name("pressure", box.dimension == 2 ? "mass/time^2" : "mass length/time^2"),
-        .names = {"on the walls", "from collisions"}};
+        .names = {"on the walls", "from collisions"},
+        .compared = 1,
+        .compared_title = spec.title ? escape_markup(*spec.title) : "Pressure from collisions"};
     return std::make_unique<SeriesPanel>(cast, std::move(subject));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "panels/comparison.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
 #include "util/text.h"
@@ -14,14 +15,14 @@ namespace carom {
 namespace {
 
 struct SeriesState : PanelState {
-    std::size_t shown = 0;
+    std::vector<std::size_t> shown;  // of each run
 };
 
 // A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
 Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
 
-constexpr double band_alpha = 0.3;  // of standard errors
-constexpr double row_height = 1.5;  // of the note under the title, in units
+constexpr double band_alpha = 0.3;             // of standard errors
+constexpr double row_height = key_row_height;  // of the notes under the title, in units
 
 }  // namespace
 
@@ -46,9 +47,10 @@ void SeriesPanel::survey(const Observation& observation) {
 
 void SeriesPanel::settle() {
     std::vector<double> all;
-    for (const std::vector<double>& line : history_.lines)
-        for (double value : line)
-            if (value > 0.0 && std::isfinite(value)) all.push_back(value);
+    for (const History* history : histories())
+        for (const std::vector<double>& line : history->lines)
+            for (double value : line)
+                if (value > 0.0 && std::isfinite(value)) all.push_back(value);
     for (std::size_t k = 0; k < history_.errors.size(); ++k)  // room for the bands
         for (std::size_t i = 0; i < history_.time.size(); ++i)
             if (const double top = history_.lines[k][i] + history_.errors[k][i];
@@ -56,8 +58,12 @@ void SeriesPanel::settle() {
                 all.push_back(top);
     first_ = *std::ranges::min_element(history_.time);
     last_ = *std::ranges::max_element(history_.time);
+    for (const History& history : beside_) {
+        first_ = std::min(first_, *std::ranges::min_element(history.time));
+        last_ = std::max(last_, *std::ranges::max_element(history.time));
+    }
     if (last_ <= first_) last_ = first_ + 1.0;
-    if (subject_.reference && !reference_) reference_ = subject_.reference();
+    if (subject_.reference && !reference_ && !compares()) reference_ = subject_.reference();
     if (subject_.top) high_ = *subject_.top;
     if (all.empty() || subject_.top) return;
 
@@ -95,6 +101,67 @@ void SeriesPanel::settle_with(const std::vector<Panel*>& others) {
     settle();
 }
 
+// One line of each run. A level that they do not share is each one's own.
+void SeriesPanel::settle_beside(const std::vector<Panel*>& others,
+                                const std::vector<std::string>& names) {
+    std::vector<SeriesPanel*> runs{this};
+    for (Panel* other : others) runs.push_back(&dynamic_cast<SeriesPanel&>(*other));
+    names_ = names;
+    for (SeriesPanel* run : runs) {
+        run->history_.lines = {run->history_.lines[subject_.compared]};
+        same_reversals_ &= run->reversals() == reversals();
+        const auto level =
+            run->subject_.reference ? run->subject_.reference() : std::optional<ReferenceLevel>{};
+        levels_.push_back(level.value_or(ReferenceLevel{"", std::nan("")}));
+        if (run != this) beside_.push_back(run->history_);
+    }
+    const std::string first = three_digits(levels_.front().value);
+    if (std::ranges::all_of(levels_, [&](const ReferenceLevel& level) {
+            return std::isfinite(level.value) && three_digits(level.value) == first;
+        }))
+        reference_ = levels_.front();
+    if (reference_ || std::ranges::none_of(levels_, [](const ReferenceLevel& level) {
+            return std::isfinite(level.value);
+        }))
+        levels_.clear();
+    settle();
+}
+
+std::shared_ptr<const PanelState> SeriesPanel::beside(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    auto all = std::make_shared<SeriesState>();
+    for (const auto& state : states)
+        all->shown.push_back(static_cast<const SeriesState&>(*state).shown.front());
+    return all;
+}
+
+// The last number of each that there is.
+std::vector<std::string> SeriesPanel::told_of_runs(const PanelState& state) const {
+    std::vector<std::string> told;
+    const std::vector<const History*> all = histories();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::vector<double>& line = all[k]->lines.front();
+        std::size_t last = static_cast<const SeriesState&>(state).shown.at(k);
+        while (last > 0 && !std::isfinite(line[last - 1])) --last;
+        const std::string quantity = subject_.column.substr(0, subject_.column.find(" ("));
+        told.push_back(quantity + " " + (last == 0 ? "unknown" : three_digits(line[last - 1])));
+    }
+    return told;
+}
+
+std::vector<const SeriesPanel::History*> SeriesPanel::histories() const {
+    std::vector<const History*> all{&history_};
+    for (const History& history : beside_) all.push_back(&history);
+    return all;
+}
+
+std::vector<double> SeriesPanel::reversals() const {
+    std::vector<double> times;
+    for (const RunEvent& event : cast_.scene.run.events)
+        if (std::holds_alternative<ReverseVelocities>(event.action)) times.push_back(event.at);
+    return times;
+}
+
 void SeriesPanel::tell_means(std::size_t runs) {
     const std::string mean = fmt::format("mean of {} runs", runs);
     const std::string whole = mean + " \u00B1 standard error";
@@ -106,7 +173,7 @@ void SeriesPanel::tell_means(std::size_t runs) {
 
 std::shared_ptr<const PanelState> SeriesPanel::state(const Observation&) {
     auto state = std::make_shared<SeriesState>();
-    state->shown = ++seen_;
+    state->shown = {++seen_};
     return state;
 }
 
@@ -114,25 +181,54 @@ double SeriesPanel::reference_value() const { return reference_ ? reference_->va
 
 SeriesPanel::Scales SeriesPanel::scales(const Page& page) const {
     Rect area = plot_area(page);
-    const double note = subject_.notes.empty() ? 0.0 : row_height * page.unit;
+    const int rows = (notes().empty() ? 0 : 1) + (compares() ? key_rows(page, names_) : 0);
+    const double note = rows * row_height * page.unit;
     area.y += note;
     area.height = std::max(page.unit, area.height - note);
     return {area, {first_, last_, area.x, area.right()}, {low_, high_, area.bottom(), area.y}};
 }
 
+// Under the title: the first that is not cut.
+std::vector<std::string> SeriesPanel::notes() const {
+    if (levels_.empty()) return subject_.notes;
+    const std::string level = "thin: " + levels_.front().name;
+    std::vector<std::string> notes;
+    for (const std::string& note : subject_.notes) notes.push_back(note + "; " + level);
+    notes.push_back(level);
+    return notes;
+}
+
 void SeriesPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    draw_panel_title(canvas, page, subject_.title(page.theme));
+    const bool own_title = compares() && !subject_.compared_title.empty();
+    draw_panel_title(canvas, page,
+                     own_title ? subject_.compared_title : subject_.title(page.theme));
     TextStyle note = label_style(page);
     note.max_width = page.area.width;
-    if (!subject_.notes.empty())
-        draw_text(canvas, {page.area.x, page.area.y + 2.5 * page.unit},
-                  fitting_title(page, subject_.notes), note);
+    const std::vector<std::string> remarks = notes();
+    Point row{page.area.x, page.area.y + 2.5 * page.unit};
+    if (!remarks.empty()) {
+        draw_text(canvas, row, fitting_title(page, remarks), note);
+        row.y += row_height * page.unit;
+    }
+    if (compares()) draw_key_of_runs(canvas, page, row, names_);
     const Scales s = scales(page);
     draw_x_axis(canvas, s.area, s.x, "time", axis_style(page));
     if (logarithmic_) draw_log_y_axis(canvas, s.area, s.y, "", axis_style(page));
     if (!logarithmic_) draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
-    draw_reversals(canvas, page);
+    if (same_reversals_) draw_reversals(canvas, page);
     draw_reference(canvas, page);
+    draw_levels(canvas, page);
+}
+
+// Each run's own, where they differ.
+void SeriesPanel::draw_levels(Canvas& canvas, const Page& page) const {
+    const Scales s = scales(page);
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+        if (!std::isfinite(levels_[k].value)) continue;
+        const double y = s.height(levels_[k].value, logarithmic_);
+        canvas.stroke_line({s.area.x, y}, {s.area.right(), y}, 0.07 * page.unit,
+                           compared_color(k, page.theme));
+    }
 }
 
 void SeriesPanel::draw_reference(Canvas& canvas, const Page& page) const {
@@ -160,14 +256,15 @@ bool SeriesPanel::is_crossed(const Rect& part, const Page& page) const {
         const double level = s.height(reference_->value, logarithmic_);
         if (meets(part.x, level, level) || part.y < s.area.y + u) return true;
     }
-    for (const std::vector<double>& line : history_.lines)
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            if (!std::isfinite(line[i]) || !std::isfinite(line[i - 1])) continue;
-            const double before = s.height(std::max(line[i - 1], 1e-300), logarithmic_);
-            const double now = s.height(std::max(line[i], 1e-300), logarithmic_);
-            if (meets(s.x(history_.time[i]), std::min(before, now), std::max(before, now)))
-                return true;
-        }
+    for (const History* history : histories())
+        for (const std::vector<double>& line : history->lines)
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                if (!std::isfinite(line[i]) || !std::isfinite(line[i - 1])) continue;
+                const double before = s.height(std::max(line[i - 1], 1e-300), logarithmic_);
+                const double now = s.height(std::max(line[i], 1e-300), logarithmic_);
+                if (meets(s.x(history->time[i]), std::min(before, now), std::max(before, now)))
+                    return true;
+            }
     return false;
 }
 
@@ -177,9 +274,8 @@ void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
     const double u = page.unit;
     TextStyle style = label_style(page);
     const double width = measure_text("reversed", style).width;
-    for (const RunEvent& event : cast_.scene.run.events) {
-        if (!std::holds_alternative<ReverseVelocities>(event.action)) continue;
-        const double x = s.x(folded_time(cast_.scene.run, event.at));
+    for (const double at : reversals()) {
+        const double x = s.x(folded_time(cast_.scene.run, at));
         canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * u, page.theme.muted);
         const bool on_left = x > s.area.x + s.area.width / 2;
         const double left = on_left ? x - 0.4 * u - width : x + 0.4 * u;
@@ -194,24 +290,30 @@ void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
     }
 }
 
-void SeriesPanel::draw_line(Canvas& canvas, const Page& page, std::size_t index,
-                            std::size_t shown) const {
+// `index`: of a line, or of a run beside others.
+SeriesPanel::Look SeriesPanel::look(std::size_t index, const Page& page) const {
+    if (compares()) return {compared_color(index, page.theme), compared_dashes(index, page)};
+    return {subject_.color(index, page.theme), line_dashes(index, history_.lines.size(), page)};
+}
+
+void SeriesPanel::draw_line(Canvas& canvas, const Page& page, const History& history,
+                            std::size_t index, const Look& look, std::size_t shown) const {
     const Scales s = scales(page);
-    const std::vector<double>& line = history_.lines[index];
-    const Color color = subject_.color(index, page.theme);
-    const Color edge = edge_of(color, page.theme);
+    const std::vector<double>& line = history.lines[index];
+    const Color color = look.color;
+    const Color edge = compares() ? color : edge_of(color, page.theme);
     const bool has_edge = to_pixel(edge) != to_pixel(color);
-    const std::vector<double> dashes = line_dashes(index, history_.lines.size(), page);
+    const std::vector<double>& dashes = look.dashes;
     std::vector<Point> path;
     for (std::size_t i = 0; i < shown; ++i) {
         if (!std::isfinite(line[i])) continue;
-        const Point last{s.x(history_.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
-        const bool leg_ends = i + 1 == shown || history_.leg[i + 1] != history_.leg[i];
+        const Point last{s.x(history.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
+        const bool leg_ends = i + 1 == shown || history.leg[i + 1] != history.leg[i];
         // Points nearer than half the line's width show nothing new, and a long film has thousands.
         if (leg_ends || path.empty() || is_apart(path.back(), last, 0.08 * page.unit))
             path.push_back(last);
         if (!leg_ends) continue;
-        const bool way_back = history_.leg[i] % 2 == 1;
+        const bool way_back = history.leg[i] % 2 == 1;
         const double wider = way_back ? 0.1 * page.unit : 0.0;
         const bool dashed = !dashes.empty();
         if (has_edge && !dashed) canvas.stroke_path(path, 0.26 * page.unit + wider, edge);
@@ -254,33 +356,52 @@ void SeriesPanel::draw_band(Canvas& canvas, const Page& page, std::size_t index,
 
 void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& now = static_cast<const SeriesState&>(state);
-    for (std::size_t k = 0; k < history_.errors.size(); ++k) draw_band(canvas, page, k, now.shown);
-    for (std::size_t k = history_.lines.size(); k-- > 0;) draw_line(canvas, page, k, now.shown);
+    const std::size_t shown = now.shown.front();
+    for (std::size_t k = 0; k < history_.errors.size(); ++k) draw_band(canvas, page, k, shown);
+    if (!compares())
+        for (std::size_t k = history_.lines.size(); k-- > 0;)
+            draw_line(canvas, page, history_, k, look(k, page), shown);
+    const std::vector<const History*> runs = histories();
+    for (std::size_t k = compares() ? runs.size() : 0; k-- > 0;)
+        draw_line(canvas, page, *runs[k], 0, look(k, page), now.shown.at(k));
 }
 
 // Frames in which time stands show one point.
 Table SeriesPanel::table(const PanelState& state, const Theme&) const {
+    const auto& now = static_cast<const SeriesState&>(state);
+    if (!compares()) return table_of(history_, now.shown.front(), reference_);
+    Table all;
+    const std::vector<const History*> runs = histories();
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        std::optional<ReferenceLevel> level = reference_;
+        if (!levels_.empty() && std::isfinite(levels_[k].value)) level = levels_[k];
+        add_table_of_run(all, names_[k], table_of(*runs[k], now.shown.at(k), level));
+    }
+    return all;
+}
+
+Table SeriesPanel::table_of(const History& history, std::size_t shown,
+                            const std::optional<ReferenceLevel>& reference) const {
     Table table{
         {"part", "of", column_name("time", reduced::time), "reversals (count)", subject_.column}};
-    if (!history_.errors.empty()) table.columns.push_back("standard error of " + subject_.column);
-    const std::size_t shown = static_cast<const SeriesState&>(state).shown;
-    for (std::size_t k = 0; k < history_.lines.size(); ++k) {
-        const std::vector<double>& line = history_.lines[k];
+    if (!history.errors.empty()) table.columns.push_back("standard error of " + subject_.column);
+    for (std::size_t k = 0; k < history.lines.size(); ++k) {
+        const std::vector<double>& line = history.lines[k];
         for (std::size_t i = 0; i < shown; ++i) {
-            const bool stands = i > 0 && history_.time[i] == history_.time[i - 1] &&
-                                history_.leg[i] == history_.leg[i - 1] && line[i] == line[i - 1];
+            const bool stands = i > 0 && history.time[i] == history.time[i - 1] &&
+                                history.leg[i] == history.leg[i - 1] && line[i] == line[i - 1];
             if (!std::isfinite(line[i]) || stands) continue;
-            table.rows.push_back({"line", subject_.names.at(k), history_.time[i],
-                                  std::int64_t{history_.leg[i]}, line[i]});
-            if (!history_.errors.empty()) table.rows.back().emplace_back(history_.errors[k][i]);
+            table.rows.push_back({"line", subject_.names.at(compares() ? subject_.compared : k),
+                                  history.time[i], std::int64_t{history.leg[i]}, line[i]});
+            if (!history.errors.empty()) table.rows.back().emplace_back(history.errors[k][i]);
         }
     }
-    if (reference_)
+    if (reference)
         for (const double time : {first_, last_})
-            table.rows.push_back({"reference", reference_->name, time, {}, reference_->value});
-    for (const RunEvent& event : cast_.scene.run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action))
-            table.rows.push_back({"reversal", {}, folded_time(cast_.scene.run, event.at), {}, {}});
+            table.rows.push_back({"reference", reference->name, time, {}, reference->value});
+    if (same_reversals_)
+        for (const double at : reversals())
+            table.rows.push_back({"reversal", {}, folded_time(cast_.scene.run, at), {}, {}});
     for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
     return table;
 }

@@ -30,6 +30,8 @@ struct SeriesSubject {
     bool spreads = false;                 ///< over powers of ten, if need be
     std::string column = {};              ///< of a table, with its unit: "entropy (1)"
     std::vector<std::string> names = {};  ///< of the lines, in a table
+    std::size_t compared = 0;             ///< the line that stands for a run beside others
+    std::string compared_title = {};      ///< markup, of that line; empty: the title
 };
 
 class SeriesPanel : public Panel {
@@ -39,6 +41,11 @@ class SeriesPanel : public Panel {
     void survey(const Observation& observation) override;
     void settle() override;
     void settle_with(const std::vector<Panel*>& others) override;
+    void settle_beside(const std::vector<Panel*>& others,
+                       const std::vector<std::string>& names) override;
+    std::shared_ptr<const PanelState> beside(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    std::vector<std::string> told_of_runs(const PanelState& state) const override;
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
@@ -56,23 +63,41 @@ class SeriesPanel : public Panel {
         std::vector<std::vector<double>> lines;        // line x frame
         std::vector<std::vector<double>> errors = {};  // of means over several runs, or none
     };
+    // How a line is drawn.
+    struct Look {
+        Color color;
+        std::vector<double> dashes;
+    };
     struct Scales;
     Scales scales(const Page& page) const;
+    bool compares() const { return !names_.empty(); }
+    std::vector<const History*> histories() const;
+    std::vector<double> reversals() const;
+    std::vector<std::string> notes() const;
     double reference_value() const;
+    Table table_of(const History& history, std::size_t shown,
+                   const std::optional<ReferenceLevel>& reference) const;
     void tell_means(std::size_t runs);
     void draw_band(Canvas& canvas, const Page& page, std::size_t index, std::size_t shown) const;
     void draw_reference(Canvas& canvas, const Page& page) const;
+    void draw_levels(Canvas& canvas, const Page& page) const;
     bool is_crossed(const Rect& part, const Page& page) const;
     void draw_reversals(Canvas& canvas, const Page& page) const;
-    void draw_line(Canvas& canvas, const Page& page, std::size_t index, std::size_t shown) const;
+    Look look(std::size_t index, const Page& page) const;
+    void draw_line(Canvas& canvas, const Page& page, const History& history, std::size_t index,
+                   const Look& look, std::size_t shown) const;
 
     Cast cast_;
     SeriesSubject subject_;
     History history_;
     std::size_t seen_ = 0;
-    double low_ = 0.0, high_ = 1.0;    // of the vertical axis; powers of ten if logarithmic
-    double first_ = 0.0, last_ = 1.0;  // of the time axis
-    std::optional<ReferenceLevel> reference_;
+    double low_ = 0.0, high_ = 1.0;            // of the vertical axis; powers of ten if logarithmic
+    double first_ = 0.0, last_ = 1.0;          // of the time axis
+    std::optional<ReferenceLevel> reference_;  // where runs side by side differ in it, none
+    std::vector<std::string> names_ = {};      // of runs side by side, this one's first; or none
+    std::vector<History> beside_ = {};         // of the other runs
+    std::vector<ReferenceLevel> levels_ = {};  // of the runs, where they differ
+    bool same_reversals_ = true;
     bool logarithmic_ = false;
 };
 

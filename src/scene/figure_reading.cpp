@@ -93,6 +93,48 @@ void check_test(const Fields& fields, const Gas& gas, Errors& errors) {
                    "leave out `test`");
 }
 
+std::vector<ComparedRun> runs_of_seeds(const Fields& compare, const Gas& gas) {
+    std::vector<ComparedRun> runs;
+    const auto count = static_cast<std::uint64_t>(compare.integer("seeds").value_or(0));
+    for (std::uint64_t seed = gas.seed; seed < gas.seed + count; ++seed)
+        runs.push_back({fmt::format("seed {}", seed),
+                        {fmt::format("seed={}", seed)},
+                        place_of(compare.node())});
+    return runs;
+}
+
+std::vector<ComparedRun> read_runs(const Node& list, const Section& section, Errors& errors) {
+    std::vector<ComparedRun> runs;
+    for (const Node& item : list.items) {
+        if (!item.valid || !item.is_mapping()) continue;
+        const Fields fields{item, section};
+        ComparedRun run{fields.text("label").value_or(""), read_changes(fields, errors),
+                        place_of(item)};
+        if (std::ranges::find(runs, run.label, &ComparedRun::label) != runs.end())
+            errors.add(item, fmt::format("there is another run with the label `{}`", run.label),
+                       "they could not be told apart");
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+std::vector<ComparedRun> read_compare(const Fields& figure, const Gas& gas, Errors& errors) {
+    const Node* compare = figure.given("compare");
+    if (compare == nullptr) return {};
+    const Key& key = figure.section().keys.at(figure.section().index("compare"));
+    const std::vector<const Section*> sections = sections_in(key.forms);  // of seeds, of a run
+    if (compare->is_mapping()) return runs_of_seeds({*compare, *sections.front()}, gas);
+    return read_runs(*compare, *sections.back(), errors);
+}
+
+// The key names runs, not what is drawn of each.
+void check_one_line(const Fields& fields, const FigureSpec& figure, Errors& errors) {
+    if (const Node* of = fields.given("of"); of != nullptr && figure.panel.of.size() > 1)
+        errors.add(*of,
+                   "a comparison shows one line of each run: `of` takes one species or particle",
+                   "make a figure for each");
+}
+
 FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors) {
     FigureSpec figure;
     figure.name = fields.text("name").value_or("");
@@ -106,10 +148,40 @@ FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors)
     figure.theme = read_theme(fields.text("theme").value());
     figure.caption = fields.text("caption");
     figure.alt = fields.text("alt");
+    figure.compare = read_compare(fields, shown.gas, errors);
+    if (fields.mentions("compare")) check_one_line(fields, figure, errors);
     return figure;
 }
 
 }  // namespace
+
+std::vector<std::string> read_changes(const Fields& run, Errors& errors) {
+    std::vector<std::string> changes;
+    const Node* set = run.given("set");
+    if (set == nullptr) return changes;
+    const std::vector<Node> single{*set};
+    for (const Node& one : set->is_list() ? set->items : single) {
+        const std::size_t sign = one.text.find('=');
+        if (sign == 0 || sign == std::string::npos)
+            errors.add(one, fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(one.text)),
+                       "for instance gas.0.temperature=4");
+        changes.push_back(one.text);
+    }
+    return changes;
+}
+
+std::pair<std::string, std::string> parted_change(const std::string& change) {
+    const std::size_t sign = std::min(change.find('='), change.size());
+    return {change.substr(0, sign), sign < change.size() ? change.substr(sign + 1) : ""};
+}
+
+FigureSpec read_comparison(const Node& comparison, const Shown& shown, Errors& errors) {
+    const Fields fields{comparison, section_of(scene_section(), "figures")};
+    FigureSpec figure = read_figure(fields, shown, errors);
+    if (const Node* name = fields.given("name")) check_name(*name, {}, figure.name, errors);
+    check_one_line(fields, figure, errors);
+    return figure;
+}
 
 std::vector<FigureSpec> read_figures(const Fields& scene, const Shown& shown, Errors& errors) {
     std::vector<FigureSpec> figures;

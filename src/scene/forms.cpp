@@ -171,6 +171,15 @@ const Section* section_in(const std::vector<Form>& forms) {
     return nullptr;
 }
 
+std::vector<const Section*> sections_in(const std::vector<Form>& forms) {
+    std::vector<const Section*> sections;
+    for (const Form& form : forms) {
+        if (form.section) sections.push_back(form.section.get());
+        for (const Section* inner : sections_in(form.items)) sections.push_back(inner);
+    }
+    return sections;
+}
+
 const Section& section_of(const Section& parent, std::string_view key) {
     const Section* section = section_in(parent.keys.at(parent.index(key)).forms);
     assert(section != nullptr);

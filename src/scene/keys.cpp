@@ -1,5 +1,6 @@
 #include "scene/keys.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -34,6 +35,18 @@ const vector<string>& averaged() {
         "speed-histogram",    "energy-histogram",  "velocity-histogram",
         "position-histogram", "energy-by-species", "speed-classes",
         "temperature",        "entropy",           "pressure"};
+    return kinds;
+}
+
+// Those that can show several runs in one panel: one line of each.
+const vector<string>& compared() {
+    static const vector<string> kinds{"speed-histogram",
+                                      "energy-histogram",
+                                      "velocity-histogram",
+                                      "position-histogram",
+                                      "temperature",
+                                      "entropy",
+                                      "pressure"};
     return kinds;
 }
 
@@ -368,6 +381,31 @@ Section panel() {
     return complete({.name = "a panel", .keys = panel_keys(panel_kind(), panel_over())});
 }
 
+// What is laid over the scene of a compared run.
+Key changes() {
+    Form change = text(3, most_title_letters);
+    change.phrase = "KEY.PATH=VALUE";
+    return left_to(
+        "nothing",
+        {"set",
+         "What its scene has otherwise: KEY.PATH=VALUE as for `--set`, or a list of these.",
+         {change, list_of({change}, 1, most_changes, "a list of KEY.PATH=VALUE")}});
+}
+
+vector<Form> compared_runs() {
+    const Section seeds =
+        complete({.name = "`compare`",
+                  .keys = {required({"seeds",
+                                     "How many runs: of the scene's seed and those that follow it.",
+                                     {integer(2, most_compared)}})}});
+    const Section run = complete(
+        {.name = "an item of `compare`",
+         .keys = {required({"label", "Its name in the figure.", {text(1, most_name_letters)}}),
+                  changes()}});
+    return {mapping(seeds, "{seeds: number}"),
+            list_of({mapping(run)}, 2, most_compared, "a list of {label, set}")};
+}
+
 Section figure() {
     vector<string> kinds{panel_kinds().begin(), panel_kinds().end()};
     kinds.emplace_back("gas");
@@ -394,6 +432,13 @@ Section figure() {
                         "Of how many independent runs it shows the mean, with its standard error: "
                         "of the scene's seed and those that follow it.",
                         {integer(1, most_seeds)}})));
+    keys.push_back(only_with(
+        compared(),
+        left_to("the scene's run alone",
+                {"compare",
+                 "Several runs in one panel with shared axes and a key: of several seeds, or of "
+                 "the scene with other values, each with its label.",
+                 compared_runs()})));
     keys.push_back(
         left_to("the end of the run", {"at", "The simulated time that it shows.", {time}}));
     keys.push_back(only_with({"gas"}, {"strip",
@@ -416,7 +461,9 @@ Section figure() {
         left_to("made from what the figure shows",
                 {"alt", "What is seen, for those who cannot see it.", {lines(1, most_letters)}}));
     return complete(
-        {.name = "a figure", .keys = std::move(keys), .choices = {{{"at", "over", "strip"}}}});
+        {.name = "a figure",
+         .keys = std::move(keys),
+         .choices = {{{"at", "over", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}}});
 }
 
 Section trails() {
@@ -584,6 +631,40 @@ Section set_scene() {
                                                    "a list of names")}})}});
 }
 
+// A figure whose runs are those of several scenes.
+Section comparison() {
+    const Section run = complete(
+        {.name = "an item of a comparison's `scenes`",
+         .keys = {required({"scene",
+                            "The scene's file, relative to the set; it may lie in the folder above "
+                            "the set's.",
+                            {text(1, most_title_letters)}}),
+                  left_to("the scene's title",
+                          {"label", "Its name in the figure.", {text(1, most_name_letters)}}),
+                  changes()}});
+    Form file = text(1, most_title_letters);
+    file.phrase = "the path of a scene";
+    vector<Key> keys;
+    for (const Key& key : figure().keys) {
+        const bool left_out = key.name == "seeds" || key.name == "test" || key.name == "strip" ||
+                              key.name == "compare" || key.name == "numbers" ||
+                              key.name == "words" || key.name == "reference";
+        if (left_out) continue;
+        keys.push_back(key);
+        std::erase_if(keys.back().with, [](const string& kind) {
+            return std::ranges::find(compared(), kind) == compared().end();
+        });
+        if (key.name != "kind") continue;
+        keys.back().forms = {one_of(compared())};
+        keys.push_back(
+            required({"scenes",
+                      "The scenes whose runs it shows in one panel with shared axes and a key.",
+                      {list_of({file, mapping(run)}, 2, most_compared, "a list of scenes")}}));
+    }
+    return complete(
+        {.name = "a comparison", .keys = std::move(keys), .choices = {{{"at", "over"}}}});
+}
+
 Section figure_set() {
     const Form page = text(1, most_title_letters);
     const Form format = one_of({"svg", "pdf", "png", "csv"});
@@ -599,6 +680,11 @@ Section figure_set() {
                  {"scenes",
                   "The scenes whose figures it holds, in the order of the pages' sections.",
                   {list_of({file, mapping(set_scene())}, 1, most_set_scenes, "a list of scenes")}}),
+             left_to(
+                 "none",
+                 {"comparisons",
+                  "Figures of several scenes in one panel, in the last section of the pages.",
+                  {list_of({mapping(comparison())}, 1, most_figures, "a list of comparisons")}}),
              otherwise("html",
                        {"template",
                         "The pages: `markdown`, `html`, `latex`, or a template beside the set, a "

@@ -95,6 +95,9 @@ const Section& section_of(const Section& parent, std::string_view key);
 /// The section of a mapping among these forms, or of one in their lists; null if there is none.
 const Section* section_in(const std::vector<Form>& forms);
 
+/// All of these sections, each as it comes.
+std::vector<const Section*> sections_in(const std::vector<Form>& forms);
+
 /// The kinds of panel that a film's `panels` may name.
 std::span<const std::string> panel_kinds();
 

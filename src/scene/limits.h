@@ -48,6 +48,8 @@ inline constexpr Limit most_slow_spans{100, "spans of slow motion"};
 inline constexpr Limit most_figures{200, "figures of a scene"};
 inline constexpr Limit most_set_scenes{100, "scenes of a figure set"};
 inline constexpr Limit most_strip{12, "moments in a strip"};
+inline constexpr Limit most_compared{6, "runs compared in one figure"};
+inline constexpr Limit most_changes{20, "values that a compared run sets"};
 inline constexpr Limit largest_figure{100, "centimetres on a side of a figure"};
 inline constexpr Limit smallest_figure{2, "centimetres on a side of a figure, at least"};
 inline constexpr Limit most_monitors{8, "numbers in a row of monitors"};
@@ -66,7 +68,7 @@ inline constexpr std::array limits{most_file_bytes,     most_nesting,       most
                                    smallest_side,       largest_side,       most_panels,
                                    most_slow_spans,     most_monitors,      most_bins,
                                    most_chosen,         largest_grid,       most_figures,
-                                   most_set_scenes,     most_strip,         largest_figure,
-                                   smallest_figure};
+                                   most_set_scenes,     most_strip,         most_compared,
+                                   most_changes,        largest_figure,     smallest_figure};
 
 }  // namespace carom

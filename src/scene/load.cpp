@@ -140,8 +140,54 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     return scene;
 }
 
+// The scene of a compared run, as `reload` makes it of overrides, with that figure alone.
+template <typename Reload>
+Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides overrides,
+                     const Reload& reload) {
+    for (const std::string& value : run.values) overrides.values.push_back(parted_change(value));
+    Diagnostic error = run.place;
+    try {
+        Scene scene = reload(figure.name, overrides);
+        for (FigureSpec& one : scene.figures) one.compare.clear();
+        if (!scene.figures.empty() && scene.figures.front().panel.kind == figure.panel.kind)
+            return scene;
+        error.message = fmt::format("with this the scene has no figure `{}` of kind `{}`",
+                                    figure.name, figure.panel.kind);
+    } catch (const SceneError& refused) {
+        error.message =
+            "with this the scene is not valid: " + refused.diagnostics().front().message;
+        error.hint = refused.diagnostics().front().hint;
+    }
+    throw SceneError({std::move(error)});
+}
+
+// Of all figures, told together.
+template <typename Reload>
+void load_compared(Scene& scene, const Overrides& overrides, const Reload& reload) {
+    std::vector<Diagnostic> errors;
+    for (FigureSpec& figure : scene.figures)
+        for (ComparedRun& run : figure.compare) try {
+                run.scene = std::make_shared<Scene>(compared_scene(figure, run, overrides, reload));
+            } catch (const SceneError& error) {
+                errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());
+            }
+    if (!errors.empty()) throw SceneError(std::move(errors));
+}
+
+// Of the figures only the one of this name: what is asked of the others is not of this run.
+void keep_figure(Node& root, const std::string& name) {
+    Node* list = find(root, "figures");
+    if (list == nullptr || !list->is_list()) return;
+    std::erase_if(list->items, [&](const Node& figure) {
+        const Node* its = figure.is_mapping() ? find(figure, "name") : nullptr;
+        return its == nullptr || its->text != name;
+    });
+}
+
+// With `figure`, as a run that this figure compares: the only one that is looked at, if it is here.
 Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
-           const Overrides& overrides, Wanted wanted) {
+           const Overrides& overrides, Wanted wanted,
+           const std::optional<std::string>& figure = {}) {
     const Source& source = sources.front();
     Errors errors;
     Tree tree;
@@ -157,6 +203,7 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
                        described(tree.root));
         errors.throw_if_any();
     }
+    if (figure) keep_figure(tree.root, *figure);
     refuse_newer_format(tree.root);
     tree.dimension = dimension_of(tree.root);
     check_mapping(tree.root, scene_section(tree.dimension), errors);
@@ -168,13 +215,17 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     scene.source = {source.name, source.text, used != nullptr ? used->text : "", {}};
     for (const auto& [key, value] : overrides.values)
         scene.source.overrides.push_back(key + "=" + value);
+    if (!figure)
+        load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
+            Sources again(1);
+            again.front() = {source.name, source.text, Origin::scene};
+            return load(again, path, templates, others, wanted, name);
+        });
     return scene;
 }
 
-}  // namespace
-
-Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides,
-                 Wanted wanted) {
+Scene load_file(const fs::path& path, const fs::path& templates, const Overrides& overrides,
+                Wanted wanted, const std::optional<std::string>& figure) {
     const bool streamed = path == standard_input;
     const fs::path name = streamed ? "<stdin>" : path;
     Sources sources(1);
@@ -184,7 +235,18 @@ Scene load_scene(const fs::path& path, const fs::path& templates, const Override
                          : file_text(path, sources.front(), errors);
     errors.throw_if_any();
     sources.front().text = std::move(text.value());
-    return load(sources, name, templates, overrides, wanted);
+    return load(sources, name, templates, overrides, wanted, figure);
+}
+
+}  // namespace
+
+Scene load_run(const fs::path& path, const fs::path& templates, const Overrides& overrides) {
+    return load_file(path, templates, overrides, Wanted::film, "");
+}
+
+Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides,
+                 Wanted wanted) {
+    return load_file(path, templates, overrides, wanted, {});
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name, const fs::path& templates,

@@ -30,6 +30,10 @@ inline constexpr std::string_view standard_input = "-";
 Scene load_scene(const std::filesystem::path& path, const std::filesystem::path& templates,
                  const Overrides& overrides = {}, Wanted wanted = Wanted::film);
 
+/// The same without what it lists under `figures`, for figures of others that show its run.
+Scene load_run(const std::filesystem::path& path, const std::filesystem::path& templates,
+               const Overrides& overrides);
+
 /// The same from text; `name` stands in for the path in messages.
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const std::filesystem::path& templates, const Overrides& overrides = {},

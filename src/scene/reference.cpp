@@ -126,12 +126,12 @@ class Page {
         text_ += fmt::format("## {}\n\n", capital(plane.name)) + table(rows) + choices(plane) +
                  on_wire(plane, wire);
         for (const Key& key : plane.keys) {
-            const Section* inner = section_in(key.forms);
             const std::size_t index = wire.index(key.name);
-            if (inner == nullptr) continue;
-            const Section* other =
-                index < wire.keys.size() ? section_in(wire.keys[index].forms) : nullptr;
-            add(*inner, other != nullptr ? *other : *inner);
+            const std::vector<const Section*> inner = sections_in(key.forms);
+            const std::vector<const Section*> others =
+                index < wire.keys.size() ? sections_in(wire.keys[index].forms) : inner;
+            for (std::size_t k = 0; k < inner.size(); ++k)
+                add(*inner[k], k < others.size() ? *others[k] : *inner[k]);
         }
     }
 

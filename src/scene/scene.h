@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -134,6 +135,17 @@ struct SlowSpan {
     double factor = 1.0;  ///< 0.1: ten times slower
 };
 
+struct Scene;
+
+/// One of the runs that a figure shows side by side.
+struct ComparedRun {
+    std::string label;                ///< in the figure's key
+    std::vector<std::string> values;  ///< laid over its scene, as KEY.PATH=VALUE
+    Diagnostic place = {};            ///< with an empty message, for errors found later
+    std::shared_ptr<const Scene> scene =
+        {};  ///< with these values and this figure only, which compares nothing there
+};
+
 /// A picture of a moment, or of several side by side, for a text or a slide.
 struct FigureSpec {
     std::string name;  ///< of its files
@@ -144,6 +156,7 @@ struct FigureSpec {
     bool slide = false;            ///< large type
     ThemeName theme = ThemeName::print;
     std::optional<std::string> caption, alt;  ///< none: made from what the figure shows
+    std::vector<ComparedRun> compare = {};    ///< side by side in one panel; none: the scene's run
 };
 
 struct Film {

@@ -7,6 +7,7 @@
 
 #include "scene/check.h"
 #include "scene/fields.h"
+#include "scene/figure_reading.h"
 #include "scene/file_text.h"
 #include "scene/yaml.h"
 #include "util/text.h"
@@ -70,6 +71,34 @@ SetScene read_scene(const Node& item, const fs::path& set, Errors& errors) {
     return scene;
 }
 
+SetRun read_run(const Node& item, const Section& section, const fs::path& set, Errors& errors) {
+    if (item.is_scalar()) return {scene_path(item, set, errors), place_of(item), {}, {}};
+    const Fields fields{item, section};
+    SetRun run{{}, place_of(item), fields.text("label"), read_changes(fields, errors)};
+    if (const Node* path = fields.given("scene")) run.path = scene_path(*path, set, errors);
+    return run;
+}
+
+std::vector<SetComparison> read_comparisons(const Fields& set, const fs::path& path,
+                                            const std::shared_ptr<const Source>& source,
+                                            Errors& errors) {
+    std::vector<SetComparison> comparisons;
+    const Node* list = set.given("comparisons");
+    if (list == nullptr) return comparisons;
+    const Section& section = section_of(set_section(), "comparisons");
+    for (const Node& item : list->items) {
+        if (!item.valid || !item.is_mapping()) continue;
+        SetComparison comparison{source, item, {}};
+        if (const Node* scenes = Fields{item, section}.given("scenes"))
+            for (const Node& one : scenes->items)
+                if (one.valid)
+                    comparison.runs.push_back(
+                        read_run(one, section_of(section, "scenes"), path, errors));
+        comparisons.push_back(std::move(comparison));
+    }
+    return comparisons;
+}
+
 std::string template_of(const Node& written, const fs::path& set, Errors& errors) {
     const std::string& name = written.text;
     if (std::ranges::find(page_names, name) != page_names.end()) return name;
@@ -92,9 +121,17 @@ bool is_figure_set(const fs::path& path) {
            find(*root, "box") == nullptr;
 }
 
+FigureSpec figure_of(const SetComparison& comparison, const Scene& scene) {
+    Errors errors;
+    FigureSpec figure = read_comparison(comparison.node, {scene.gas, scene.run}, errors);
+    errors.throw_if_any();
+    return figure;
+}
+
 SetFile load_figure_set(const fs::path& path) {
     Errors errors;
-    Source source;
+    const auto kept = std::make_shared<Source>();
+    Source& source = *kept;
     auto root = tree_of(path, source, errors);
     if (root && !root->is_mapping())
         errors.add(source, root->kind == Node::Kind::null ? "the set is empty"
@@ -106,6 +143,8 @@ SetFile load_figure_set(const fs::path& path) {
     SetFile set;
     set.title = fields.text("title").value_or("");
     set.description = fields.text("description").value_or("");
+    set.text = source.text;
+    set.comparisons = read_comparisons(fields, path, kept, errors);
     if (const Node* scenes = fields.given("scenes"))
         for (const Node& item : scenes->items)
             if (item.valid) set.scenes.push_back(read_scene(item, path, errors));

@@ -211,3 +211,82 @@ TEST_CASE("values of the command line are checked as in the file") {
     CHECK(run({program, "check", "--quiet", "--set", "gas.0.count=-5", scene}).exit_code == 2);
     CHECK(run({program, "check"}).exit_code == 2);
 }
+
+TEST_CASE("carom check tells what a set would make, and carom figures makes it") {
+    const TemporaryFolder folder;
+    const std::string scene =
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
+        "run: {until: 10}\nfilm: {seconds: 1}\nfigures:\n  - {name: ";
+    folder.write("one.yaml", scene + "start, kind: gas, at: 0}\n");
+    folder.write("two.yaml", scene + "speeds, kind: speed-histogram, over: [2, 8]}\n");
+    folder.write("set.yaml",
+                 "title: Both\nscenes: [one.yaml, {scene: two.yaml, title: Second}]\n"
+                 "formats: [csv, svg]\ntemplate: [html, markdown]\ncomparisons:\n"
+                 "  - {name: seeds, kind: entropy, at: 4, scenes: [one.yaml, {scene: two.yaml, "
+                 "label: other, set: seed=7}]}\n");
+    const Outcome outcome =
+        run({program, "check", "--json", "set.yaml", "one.yaml"}, folder.path());
+    CHECK(outcome.exit_code == 0);
+    const json all = json::parse(outcome.out), found = all.at(0);
+    CHECK(all.at(1).at("scene") == "one.yaml");
+    CHECK(found.at("set") == "set.yaml");
+    CHECK(found.at("valid") == true);
+    CHECK(found.at("title") == "Both");
+    CHECK(found.at("formats") == json{"svg", "csv"});
+    CHECK(found.at("pages") == json{"set.html", "set.md"});
+    const json sections = found.at("sections");
+    REQUIRE(sections.size() == 3);
+    CHECK(sections[1].at("scene") == "two");
+    CHECK(sections[1].at("title") == "Second");
+    CHECK(sections[2].at("scene").is_null());
+    CHECK(sections[2].at("figures")[0].at("runs") == json{"T", "other"});
+    CHECK(sections[2].at("figures")[0].at("times") == json{4.0});
+    const std::string table = run({program, "check", "set.yaml"}, folder.path()).out;
+    CHECK(has(table, "set.yaml: valid\n  title        Both\n"));
+    CHECK(has(table, "speeds: speed-histogram over time 2 to 8, 8.9 by"));
+    CHECK(has(table, "seeds: entropy of 2 runs at time 4"));
+    CHECK(has(table, "figures      3, each as svg and csv\n"));
+    REQUIRE(run({program, "figures", "set.yaml"}, folder.path()).exit_code == 0);
+    for (const json& section : sections)
+        for (const json& figure : section.at("figures"))
+            for (const std::string format : found.at("formats"))
+                CHECK(fs::exists(folder.path() / "out/set" /
+                                 (figure.at("name").get<std::string>() + "." + format)));
+    for (const std::string page : found.at("pages"))
+        CHECK(fs::exists(folder.path() / "out/set" / page));
+}
+
+TEST_CASE("carom check tells the mistakes of a set, of its scenes and of its pages") {
+    const TemporaryFolder folder;
+    const std::string scene =
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
+        "run: {until: 10}\nfilm: {seconds: 1}\nfigures:\n  - {name: a, kind: gas, at: ";
+    folder.write("one.yaml", scene + "0}\n");
+    folder.write("two.yaml", scene + "12}\n");
+    folder.write("same.yaml", scene + "1}\n");
+    folder.write("page.html", "<p>{{titel}}</p>\n");
+    const auto message = [&](const std::string& set) {
+        folder.write("set.yaml", "title: T\n" + set);
+        const Outcome outcome = run({program, "check", "set.yaml"}, folder.path());
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.out, "set.yaml: not valid, 1 error\n"));
+        return outcome.err;
+    };
+    CHECK(
+        has(message("scenes: [one.yaml, two.yaml]\n"), "two.yaml:7:30: error: the run ends at 10"));
+    CHECK(has(message("scenes: [one.yaml, same.yaml]\n"), "both have a figure `a`"));
+    CHECK(has(message("scenes: [one.yaml]\ntemplate: page.html\n"),
+              "`titel` is no placeholder of a page"));
+    CHECK(
+        has(message("scenes: [one.yaml]\ncomparisons: [{name: c, kind: temperature, of: b, scenes: "
+                    "[one.yaml, {scene: one.yaml, label: x}]}]\n"),
+            "there is no species `b`"));
+    CHECK(has(message("scenes: [one.yaml]\ncomparisons: [{name: c, kind: entropy, scenes: "
+                      "[one.yaml, same.yaml]}]\n"),
+              "set.yaml:3:59: error: another run has the label `T`"));
+    folder.write("set.yaml", "title: T\nscenes: [nowhere.yaml]\n");
+    const Outcome outcome = run({program, "check", "--json", "set.yaml"}, folder.path());
+    CHECK(outcome.exit_code == 2);
+    CHECK(json::parse(outcome.out).at(0).at("errors").size() == 1);
+    CHECK(has(outcome.err, "1 of 1 file is not valid"));
+}

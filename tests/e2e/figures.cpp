@@ -276,6 +276,49 @@ TEST_CASE("the sets of the library make their pages, and the same bytes twice") 
     }
 }
 
+TEST_CASE("a comparison of a set is made from all its scenes, and anew when one of them changes") {
+    const TemporaryFolder folder;
+    folder.write("one.yaml", ten_disks);
+    folder.write("two.yaml", ten_disks);
+    folder.write("set.yaml",
+                 "title: Both\nscenes: [{scene: one.yaml, figures: [start]}]\nformats: [svg, csv]\n"
+                 "template: markdown\ncomparisons:\n"
+                 "  - name: both\n    kind: speed-histogram\n    at: 5\n    scenes:\n"
+                 "      - {scene: one.yaml, label: first}\n"
+                 "      - {scene: two.yaml, label: \"second, faster\", set: gas.0.speed=4}\n");
+    const Outcome made = figures(folder, {"set.yaml"});
+    CAPTURE(made.err);
+    REQUIRE(made.exit_code == 0);
+    CHECK(made.out == "out/set: 2 figures made\n");
+    const fs::path out = folder.path() / "out/set";
+    const json words = json::parse(contents(out / "captions.json"));
+    const json runs = words.at("figures")[1].at("runs");
+    CHECK(runs[0].at("label") == "first");
+    CHECK(runs[1].at("scene") == "two");
+    CHECK(runs[1].at("overrides") == json{"gas.0.speed=4"});
+    CHECK(has(contents(out / "both.csv"), "\n\"second, faster\",bar,all,"));
+    const std::string page = contents(out / "set.md");
+    CHECK(page.find("## Ten disks") < page.find("## Side by side"));
+    CHECK(page.find("## Side by side") < page.find("(both.svg)"));
+    CHECK(has(page, "second, faster (10 disks, "));
+    CHECK(has(figures(folder, {"set.yaml"}).out, "up to date, 2 figures"));
+    const std::string before = contents(out / "both.svg");
+    std::string slower = ten_disks;
+    folder.write("two.yaml", slower.replace(slower.find("radius: 1,"), 10, "radius: 2,"));
+    CHECK(figures(folder, {"set.yaml"}).out == "out/set: 1 figure made, 1 up to date\n");
+    CHECK(contents(out / "both.svg") != before);
+    for (const std::string threads : {"1", "3"})
+        CHECK(figures(folder, {"set.yaml", "-o", "t" + threads, "--threads", threads}).exit_code ==
+              0);
+    CHECK(files_in(folder.path() / "t1") == files_in(folder.path() / "t3"));
+    // Films are of scenes, and a comparison has none.
+    CHECK(figures(folder, {"set.yaml", "--films", "--quiet", "--set", "film.size=[320, 180]"})
+              .exit_code == 0);
+    CHECK(fs::exists(out / "one.mp4"));
+    CHECK_FALSE(fs::exists(out / "both.mp4"));
+    CHECK_FALSE(fs::exists(out / ".film"));
+}
+
 TEST_CASE("what a set asks of its scenes must be there, and be told apart") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

@@ -22,10 +22,10 @@ namespace {
 const std::string python = "/usr/bin/python3";
 
 // What the validator says of each file: null where it takes it.
-json verdicts(const std::vector<fs::path>& files) {
+json verdicts(const std::vector<fs::path>& files, const std::string& what = "scene") {
     const TemporaryFolder folder;
     const fs::path schema = folder.path() / "schema.json";
-    const Outcome made = run({program, "schema"});
+    const Outcome made = run({program, "schema", "--for", what});
     REQUIRE(made.exit_code == 0);
     CHECK(made.err.empty());
     std::ofstream(schema) << made.out;
@@ -49,6 +49,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"count_missing", several_places},        // a count, or a list of positions
     {"event_at_the_end", several_places},     // `at` against `until`
     {"events_too_dense", several_places},
+    {"figure_compare_run", several_places},  // `set` of a run against the scene
     {"figure_test_over", several_places},
     {"film_slow_between", several_places},  // spans against one another and the film's length
     {"film_slow_in", several_places},
@@ -92,6 +93,44 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"yaml_tag", below_json},
 };
 
+struct Case {
+    std::string scene;
+    bool good;
+};
+
+std::string with_comparison(const std::string& options) {
+    return "title: T\nscenes: [scene.yaml]\ncomparisons: [{name: c, kind: entropy, " + options +
+           "}]\n";
+}
+
+// Sets with one fault each, or none; beside them lies a good scene, scene.yaml, whose figures are a
+// and b.
+const std::vector<Case> sets{
+    {"title: T\nscenes: [scene.yaml]\n", true},
+    {"title: T\nscenes: [{scene: scene.yaml, title: Other, figures: [b, a]}]\n", true},
+    {"title: T\nscenes: []\n", false},
+    {"title: T\n", false},
+    {"scenes: [scene.yaml]\n", false},
+    {"title: T\nscenes: [scene.yaml]\nbox: {size: [1, 1]}\n", false},
+    {"title: T\nscenes: [{title: Other}]\n", false},
+    {"title: T\nscenes: [{scene: scene.yaml, figure: [a]}]\n", false},
+    {"title: T\nscenes: [scene.yaml]\nformats: [svg, csv]\ntemplate: [html, latex]\n", true},
+    {"title: T\nscenes: [scene.yaml]\nformats: svg\n", false},
+    {"title: T\nscenes: [scene.yaml]\nformats: [jpg]\n", false},
+    {with_comparison("scenes: [scene.yaml, {scene: scene.yaml, label: x, set: seed=2}]"), true},
+    {with_comparison("at: 3, scenes: [scene.yaml, {scene: scene.yaml, label: x, set: [seed=2]}]"),
+     true},
+    {with_comparison("scenes: [scene.yaml]"), false},
+    {with_comparison("scenes: [scene.yaml, {scene: scene.yaml}], seeds: 3"), false},
+    {with_comparison("scenes: [scene.yaml, {label: x}]"), false},
+    {with_comparison("bins: 9, scenes: [scene.yaml, {scene: scene.yaml, label: x}]"), false},
+    {with_comparison("at: 3, over: [1, 3], scenes: [scene.yaml, {scene: scene.yaml, label: x}]"),
+     false},
+    {"title: T\nscenes: [scene.yaml]\ncomparisons: [{name: c, kind: gas, scenes: [scene.yaml, "
+     "{scene: scene.yaml, label: x}]}]\n",
+     false},
+};
+
 // A scene of a plane and one of a wire, and lines that replace the one with the same key.
 std::string plane(const std::string& species, const std::string& more = "") {
     return "title: T\nbox: {size: [40, 30]}\ngas: [{name: a, count: 2" + species +
@@ -102,11 +141,6 @@ std::string wire(const std::string& species, const std::string& box = "length: 4
     return "title: T\nbox: {" + box + "}\ngas: [{name: a, count: 2" + species +
            "}]\nrun: {until: 10}\n";
 }
-
-struct Case {
-    std::string scene;
-    bool good;
-};
 
 // One fault each, or none.
 const std::vector<Case> cases{
@@ -162,6 +196,47 @@ TEST_CASE("the schema in scenes/ is current") {
         contents(root / "scenes/scene.schema.json") == run({program, "schema"}).out;
     INFO("make it anew with ./dev docs");
     CHECK(current);
+}
+
+TEST_CASE("the schema of sets is current, and the library's sets fit it and name it") {
+    const bool current =
+        contents(root / "scenes/set.schema.json") == run({program, "schema", "--for", "set"}).out;
+    INFO("make it anew with ./dev docs");
+    CHECK(current);
+    const std::vector<fs::path> files = yaml_files(root / "scenes/sets");
+    CHECK(files.size() >= 2);
+    const json found = verdicts(files, "set");
+    const std::string mark = "# yaml-language-server: $schema=";
+    for (const fs::path& file : files) {
+        CAPTURE(file.string());
+        CHECK(found.at(file.string()).is_null());
+        const std::string text = contents(file);
+        REQUIRE(text.starts_with(mark));
+        const std::string schema = text.substr(mark.size(), text.find('\n') - mark.size());
+        CHECK(fs::equivalent(file.parent_path() / schema, root / "scenes/set.schema.json"));
+    }
+    CHECK(run({program, "schema", "--for", "film"}).exit_code == 2);
+}
+
+TEST_CASE("the schema of sets and carom check say the same of single faults") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 plane("",
+                       "film: {seconds: 1}\nfigures: [{name: a, kind: entropy}, {name: b, "
+                       "kind: gas}]\n"));
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        files.push_back(folder.write(std::to_string(i) + ".yaml", sets[i].scene));
+    const json found = verdicts(files, "set");
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const json verdict = found.at(files[i].string());
+        const Outcome outcome = run({program, "check", "--quiet", files[i].string()});
+        CAPTURE(sets[i].scene);
+        CAPTURE(verdict);
+        CAPTURE(outcome.err);
+        CHECK(verdict.is_null() == sets[i].good);
+        CHECK(outcome.exit_code == (sets[i].good ? 0 : 2));
+    }
 }
 
 TEST_CASE("every good scene fits the schema") {

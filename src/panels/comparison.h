@@ -1,0 +1,32 @@
+// Runs that a figure compares in one panel: how their lines are told apart, by colour and by dashes
+// in every theme, and the key of them over the plot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "panels/panel.h"
+
+namespace carom {
+
+/// The colour of a run's line, to be seen on the page of the theme.
+Color compared_color(std::size_t run, const Theme& theme);
+
+/// How its line is dashed; empty: it is solid.
+std::vector<double> compared_dashes(std::size_t run, const Page& page);
+
+/// The rows that the key of these runs (plain words) takes in a panel's width.
+int key_rows(const Page& page, const std::vector<std::string>& names);
+
+/// Draws the key, a sample of its line before each name; `at` is the left end of the first row's
+/// baseline.
+void draw_key_of_runs(Canvas& canvas, const Page& page, Point at,
+                      const std::vector<std::string>& names);
+
+/// The height of a row of the key, in units.
+inline constexpr double key_row_height = 1.5;
+
+/// The table of a run with its name in a first column, under those of the runs before it.
+void add_table_of_run(Table& all, const std::string& run, Table one);
+
+}  // namespace carom

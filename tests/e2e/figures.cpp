@@ -347,3 +347,129 @@ TEST_CASE("what a set asks of its scenes must be there, and be told apart") {
     CHECK(page.find("(speeds.svg)") < page.find("## Ten disks"));
     CHECK(page.find("Words.") < page.find("(start.svg)"));
 }
+
+TEST_CASE("a figure depends on its film's template, too, and tells what was laid over its scene") {
+    const TemporaryFolder folder;
+    const std::string layout =
+        "layout: {grid: [80, 45], title: [1, 1, 78, 4], gas: [1, 6, 50, 38], color_bar: [52, 6, "
+        "27, "
+        "4]}\n";
+    folder.write("mine.yaml", "color_by: speed\n" + layout);
+    std::string scene = ten_disks;
+    scene.replace(scene.find("seconds: 2"), 10, "seconds: 2, template: mine");
+    folder.write("scene.yaml", scene);
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).exit_code == 0);
+    CHECK(captions(folder)["figures"][0]["overrides"] == json::array());
+    folder.write("mine.yaml", "color_by: mass\n" + layout);
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg"}).out == "out/scene: 2 figures made\n");
+    CHECK(figures(folder, {"scene.yaml", "--formats", "svg", "--set", "gas.0.speed=3"}).out ==
+          "out/scene: 2 figures made\n");
+    CHECK(captions(folder)["figures"][0]["overrides"] == json{"gas.0.speed=3"});
+    CHECK(captions(folder)["figures"][0]["times"] == json{0.0});
+    CHECK(captions(folder)["figures"][1]["kind"] == "speed-histogram");
+    CHECK(captions(folder)["figures"][1]["scene_title"] == "Ten disks");
+}
+
+TEST_CASE("pages show what there is of each figure, and say what is missing") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    folder.write("mine.tex",
+                 "{{#figures}}\n{{number}} {{name}} {{picture}} {{width}}x{{height}} {{kind}} "
+                 "{{seed}} [{{csv}}][{{svg}}]\n{{/figures}}\n");
+    CHECK(figures(folder, {"scene.yaml", "--page", "mine.tex", "--formats", "png,csv"}).exit_code ==
+          0);
+    const std::string page = contents(folder.path() / "out/scene/scene.tex");
+    CHECK(has(page, "2 speeds speeds.png 10x6 speed-histogram 1 [speeds.csv][]\n"));
+    CHECK(page.starts_with("1 start start.png 8.9x"));
+    const Outcome missing =
+        figures(folder, {"scene.yaml", "-o", "b", "--page", "latex", "--formats", "svg"});
+    CHECK(missing.exit_code == 2);
+    CHECK(has(missing.err, "shows figures as pdf or png, and there is no such file of `start`"));
+    CHECK(has(
+        figures(folder, {"scene.yaml", "-o", "c", "--page", "markdown", "--formats", "pdf"}).err,
+        "shows figures as svg or png"));
+    // All of them, the best there is: vectors.
+    CHECK(figures(folder, {"scene.yaml", "--page", "mine.tex"}).exit_code == 0);
+    CHECK(has(contents(folder.path() / "out/scene/scene.tex"), "2 speeds speeds.pdf"));
+}
+
+TEST_CASE("the pictures in an HTML page are the files beside it") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    CHECK(figures(folder, {"scene.yaml", "--page", "html", "--formats", "svg,png"}).exit_code == 0);
+    const std::string page = contents(folder.path() / "out/scene/scene.html");
+    std::size_t at = 0;
+    for (const std::string name : {"start", "speeds"}) {
+        const std::string mark = "<img src=\"data:image/svg+xml;base64,";
+        at = page.find(mark, at);
+        REQUIRE(at != std::string::npos);
+        at += mark.size();
+        folder.write("picture.64", page.substr(at, page.find('"', at) - at));
+        CHECK(run({"base64", "-d", "picture.64"}, folder.path()).out ==
+              contents(folder.path() / "out/scene" / (name + ".svg")));
+    }
+}
+
+TEST_CASE("a still speaks of no present") {
+    const TemporaryFolder folder;
+    std::string scene = ten_disks;
+    scene +=
+        "  - {name: narrow, kind: speed-histogram, at: 5, size: [5, 4]}\n"
+        "  - {name: wide, kind: energy-histogram, at: 5}\n"
+        "  - {name: middle, kind: velocity-histogram, at: 5, mean_now: true}\n"
+        "  - {name: classes, kind: speed-classes, at: 5}\n";
+    folder.write("scene.yaml", scene);
+    REQUIRE(figures(folder, {"scene.yaml", "--formats", "pdf"}).exit_code == 0);
+    for (const std::string name : {"narrow", "wide", "middle", "classes"}) {
+        CAPTURE(name);
+        const Outcome text = run({"pdftotext", "out/scene/" + name + ".pdf", "-"}, folder.path());
+        CAPTURE(text.out);
+        CHECK(has(text.out, "mean"));
+        CHECK_FALSE(has(text.out, "now"));
+    }
+    for (const json& figure : captions(folder).at("figures"))
+        CHECK_FALSE(has(figure.at("caption"), "so far"));
+}
+
+TEST_CASE("a set has its figures in the order in which it lists them, of scenes of any folder") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "other");
+    folder.write("scene.yaml", ten_disks);
+    folder.write("set.yaml",
+                 "title: T\nformats: [svg]\nscenes: [{scene: scene.yaml, figures: [speeds, "
+                 "start]}]\n");
+    CHECK(figures(folder, {"set.yaml"}).exit_code == 0);
+    const json words = json::parse(contents(folder.path() / "out/set/captions.json"));
+    CHECK(words["figures"][0]["name"] == "speeds");
+    CHECK(words["figures"][1]["name"] == "start");
+    const std::string page = contents(folder.path() / "out/set/set.html");
+    CHECK(page.find("id=\"speeds\"") < page.find("id=\"start\""));
+    // Films of two scenes of one name would overwrite each other.
+    std::string renamed = ten_disks;
+    renamed.replace(renamed.find("name: start"), 11, "name: begin");
+    renamed.replace(renamed.find("name: speeds"), 12, "name: fast");
+    folder.write("other/scene.yaml", renamed);
+    folder.write("set.yaml", "title: T\nscenes: [scene.yaml, other/scene.yaml]\n");
+    const Outcome same = figures(folder, {"set.yaml"});
+    CHECK(same.exit_code == 2);
+    CHECK(has(same.err, "two of its scenes are called scene"));
+    // A figure that the set no longer shows is told, and left.
+    folder.write("set.yaml",
+                 "title: T\nformats: [svg]\nscenes: [{scene: scene.yaml, figures: [start]}]\n");
+    CHECK(has(figures(folder, {"set.yaml"}).err, "speeds.svg of figures that are no longer there"));
+    CHECK(fs::exists(folder.path() / "out/set/speeds.svg"));
+}
+
+TEST_CASE("a LaTeX page with letters that pdfLaTeX cannot set is told, and made") {
+    const TemporaryFolder folder;
+    std::string scene = ten_disks;
+    scene.replace(scene.find("Ten & more"), 10, "Ten 二 & λ₂");
+    folder.write("scene.yaml", scene);
+    const Outcome made = figures(folder, {"scene.yaml", "--page", "latex"});
+    CHECK(made.exit_code == 0);
+    CHECK(made.err ==
+          "carom: out/scene/scene.tex: pdfLaTeX cannot set 二; LuaLaTeX and XeLaTeX "
+          "can, with a font that has it\n");
+    CHECK(has(contents(folder.path() / "out/scene/scene.tex"),
+              "Ten 二 \\& \\(\\lambda\\)\\(_{2}\\)"));
+}

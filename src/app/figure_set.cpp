@@ -61,10 +61,11 @@ std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
 }
 
 std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
-                                   const FigureWords& words, const std::string& format) {
+                                   const FigureWords& words, const std::string& origin,
+                                   const std::string& format) {
     for (const FigureFormat one : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
         if (name_of(one) == format)
-            return draw_figure(run, figure, one, {run.scene().title, words.alt}).file();
+            return draw_figure(run, figure, one, {run.scene().title, words.alt, origin}).file();
     if (format == "csv") {
         const std::string text = csv(table_of(figure));
         return {text.begin(), text.end()};
@@ -176,6 +177,17 @@ class Maker {
             one ? "it" : "them", one ? "it" : "them"));
     }
 
+    // Where a picture comes from that has left its folder; `made from` is as in figures.json.
+    std::string origin_of(const PlannedFigure& planned) const {
+        const Scene& scene = planned.part->scene;
+        std::string origin = fmt::format("carom {}; {} {}; seed {}", CAROM_VERSION,
+                                         planned.part->compares ? "figure" : "scene",
+                                         planned.part->stem, scene.seed);
+        if (!scene.source.overrides.empty())
+            origin += fmt::format("; set {}", fmt::join(scene.source.overrides, " "));
+        return origin + "; made from " + planned.inputs;
+    }
+
     // One run of the physics for all figures of a scene, as many as are to be drawn: their axes
     // must not depend on what is drawn.
     void draw(const SetPart& part) {
@@ -201,8 +213,9 @@ class Maker {
         const FigureWords words = words_of(run, figure);
         for (const PlannedFile& file : planned.files)
             if (!file.current)
-                files.push_back(
-                    {file.file, bytes_of(run, figure, words, file.format), name, file.inputs});
+                files.push_back({file.file,
+                                 bytes_of(run, figure, words, origin_of(planned), file.format),
+                                 name, file.inputs});
         folder_.remember(name, {planned.inputs, words.caption, words.alt});
     }
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "draw/png.h"
 #include "draw/svg.h"
 #include "util/diagnostics.h"
 
@@ -73,6 +74,8 @@ void set_metadata(cairo_surface_t* pdf, const PictureWords& words) {
     constexpr const char* date = "2000-01-01T00:00:00Z";
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_TITLE, words.title.c_str());
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_SUBJECT, words.description.c_str());
+    if (!words.origin.empty())
+        cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_KEYWORDS, words.origin.c_str());
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, date);
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_MOD_DATE, date);
 }
@@ -193,6 +196,12 @@ Canvas::Canvas(PixelSize size, Backdrop backdrop)
     : implementation_(std::make_unique<Implementation>(size, backdrop)) {}
 Canvas::Canvas(PixelSize size, VectorFormat format, PictureWords words)
     : implementation_(std::make_unique<Implementation>(size, format, std::move(words))) {}
+
+void Canvas::describe(PictureWords words) {
+    assert(is_raster());
+    implementation_->words = std::move(words);
+}
+
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
@@ -329,7 +338,7 @@ std::vector<std::uint8_t> Canvas::png() const {
 }
 
 std::vector<std::uint8_t> Canvas::file() {
-    if (is_raster()) return png();
+    if (is_raster()) return with_words(png(), implementation_->words);
     cairo_surface_finish(implementation_->surface.get());
     check(cairo_surface_status(implementation_->surface.get()), "write the picture");
     if (implementation_->format == VectorFormat::svg)

@@ -32,6 +32,7 @@ enum class VectorFormat { svg, pdf };
 struct PictureWords {
     std::string title;
     std::string description;
+    std::string origin = {};  ///< what it was made from, for those who want to make it again
 };
 
 struct Circle {
@@ -55,6 +56,9 @@ class Canvas {
     ~Canvas();
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
+
+    /// What file() says of a raster.
+    void describe(PictureWords words);
 
     PixelSize size() const;
     bool is_raster() const;

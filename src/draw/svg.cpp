@@ -61,6 +61,7 @@ std::vector<std::uint8_t> finished_svg(std::span<const std::uint8_t> document,
     if (!result || !root)
         throw SystemError(fmt::format("cannot finish an SVG: {}",
                                       result ? "it has no root" : result.description()));
+    if (!words.origin.empty()) prepend_words(root, "metadata", words.origin);
     prepend_words(root, "desc", words.description);
     prepend_words(root, "title", words.title);
     root.append_attribute("role").set_value("img");

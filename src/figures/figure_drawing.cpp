@@ -112,6 +112,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat form
             ? Canvas(size)
             : Canvas(size, format == FigureFormat::svg ? VectorFormat::svg : VectorFormat::pdf,
                      words);
+    if (canvas.is_raster()) canvas.describe(words);
     DiskPainter disks;
     const Page page{
         {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};

@@ -21,7 +21,7 @@ double smallest_type(const FigureSpec& spec);
 /// Width and height, centimetres.
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
-/// The picture of a figure; `words` are its title and description. PNG has 300 pixels to the inch
+/// The picture of a figure; `words` go with it. PNG has 300 pixels to the inch
 /// (a slide 144), vector pictures the same lengths in centimetres to a quarter of a millimetre.
 /// Throws SystemError.
 Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,

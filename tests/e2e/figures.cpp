@@ -473,3 +473,42 @@ TEST_CASE("a LaTeX page with letters that pdfLaTeX cannot set is told, and made"
     CHECK(has(contents(folder.path() / "out/scene/scene.tex"),
               "Ten 二 \\& \\(\\lambda\\)\\(_{2}\\)"));
 }
+
+TEST_CASE("every picture says what it is and what it was made from") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    REQUIRE(figures(folder, {"scene.yaml", "--seed", "7"}).exit_code == 0);
+    const fs::path out = folder.path() / "out/scene";
+    const json known = json::parse(contents(out / "figures.json"));
+    const std::string made_from = known.at("figures").at("start").at("inputs");
+    const std::string origin = "; scene scene; seed 7; set seed=7; made from " + made_from;
+    const std::string svg = contents(out / "start.svg");
+    CHECK(has(svg, "<title>Ten disks</title>"));
+    CHECK(has(svg, "<desc>Ten disks in a box</desc>"));
+    CHECK(has(svg, origin + "</metadata>"));
+    const std::string pdf = run({"pdfinfo", "start.pdf"}, out).out;
+    CHECK(has(pdf, "Ten disks\n"));
+    CHECK(has(pdf, "Ten disks in a box\n"));
+    CHECK(has(pdf, origin + "\n"));
+    // Each chunk with its check sum, by Python's zlib.
+    const std::string read =
+        "import struct, sys, zlib\n"
+        "png = open(sys.argv[1], 'rb').read()\n"
+        "at = 8\n"
+        "while at < len(png):\n"
+        "    size, = struct.unpack('>I', png[at:at + 4])\n"
+        "    body = png[at + 4:at + 8 + size]\n"
+        "    assert struct.unpack('>I', png[at + 8 + size:at + 12 + size])[0] == zlib.crc32(body)\n"
+        "    if body[:4] == b'iTXt':\n"
+        "        print(*body[4:].decode().split('\\0\\0\\0\\0\\0'), sep='=')\n"
+        "    at += 12 + size\n";
+    const Outcome png = run({"/usr/bin/python3", "-c", read, "start.png"}, out);
+    CAPTURE(png.err);
+    CHECK(png.out.starts_with("Title=Ten disks\nDescription=Ten disks in a box\nSource=carom "));
+    CHECK(png.out.ends_with(origin + "\n"));
+    const std::string fonts = run({"pdffonts", "speeds.pdf"}, out).out;
+    CHECK(has(fonts, "Inter"));
+    std::size_t row = fonts.find("---\n");  // emb sub uni: each font of the table is embedded
+    for (row = fonts.find('\n', row) + 1; row < fonts.size(); row = fonts.find('\n', row) + 1)
+        CHECK(has(fonts.substr(row, fonts.find('\n', row) - row), " yes yes "));
+}

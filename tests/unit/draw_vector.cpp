@@ -15,7 +15,7 @@ using namespace carom;
 
 namespace {
 
-const PictureWords words{"Hot & cold <disks>", "Two disks, “one” of them hot."};
+const PictureWords words{"Hot & cold <disks>", "Two disks, “one” of them hot.", "a & b"};
 constexpr PixelSize size{400, 300};
 constexpr Color blue = rgb(0x0000FF);
 
@@ -72,6 +72,7 @@ TEST_CASE("an SVG has a title, a description and the role of a picture") {
     CHECK(first.text().get() == words.title);
     CHECK(std::string(first.next_sibling().name()) == "desc");
     CHECK(first.next_sibling().text().get() == words.description);
+    CHECK(svg.root.child("metadata").text().get() == words.origin);
 }
 
 TEST_CASE("a pixel is a user unit of an SVG and three quarters of a point in a PDF") {

@@ -195,6 +195,9 @@ TEST_CASE("pages show the figures, in words that are escaped") {
     CHECK(has(contents(out / "scene.md"), "![Ten disks in a box](start.svg)\n"));
     CHECK(has(contents(out / "scene.md"),
               "**Figure 1.** Ten \\& more Data: [start.csv](start.csv).\n"));
+    // Of one scene, the title stands above all, once.
+    CHECK(contents(out / "scene.md").starts_with("# Ten disks\n\n10 disks, "));
+    CHECK_FALSE(has(contents(out / "scene.md"), "\n## "));
     const std::string html = contents(out / "scene.html");
     CHECK(has(html, "<b>Figure 1.</b> Ten &amp; more <small>"));
     CHECK_FALSE(has(html, "http"));

@@ -100,7 +100,8 @@ TEST_CASE("captions are the scene's, or made of true numbers") {
     const auto count = simulation.advance_to(5.0).counts.particle;
     CHECK(words_of(run, run.figures()[1]).caption ==
           "Ten disks. Speed histogram at time 5: 10 disks, " + std::to_string(count) +
-              (count == 1 ? " collision" : " collisions") + " between them by then; reduced units.");
+              (count == 1 ? " collision" : " collisions") +
+              " between them by then; reduced units.");
 }
 
 TEST_CASE("cards before and after a film change nothing in its figures") {

@@ -114,8 +114,8 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
     if (!finding.empty()) words.caption += " " + finding;
     const bool compares = !figure.sides.empty();
-    words.alt = figure.spec->alt.value_or(compares ? alt_of_runs(scene, figure)
-                                                   : made_alt(scene, figure));
+    words.alt =
+        figure.spec->alt.value_or(compares ? alt_of_runs(scene, figure) : made_alt(scene, figure));
     return words;
 }
 

@@ -30,6 +30,14 @@ bool have_one_time(const Figure& figure) {
     });
 }
 
+// The thin spaces of numbers as such where no line breaks.
+std::string unbroken(std::string words) {
+    const std::string thin = "\u2009", narrow = "\u202F";
+    for (std::size_t at = words.find(thin); at != std::string::npos; at = words.find(thin, at))
+        words.replace(at, thin.size(), narrow);
+    return words;
+}
+
 std::string counted(std::int64_t count, const std::string& word) {
     return fmt::format("{} {}{}", grouped(count), word, count == 1 ? "" : "s");
 }
@@ -109,8 +117,8 @@ std::string shown_times(const FigureSpec& spec) {
 FigureWords words_of(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
     FigureWords words;
-    words.caption =
-        figure.spec->caption.value_or(made_caption(scene, figure, run.particles().count()));
+    words.caption = figure.spec->caption.value_or(
+        unbroken(made_caption(scene, figure, run.particles().count())));
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
     if (!finding.empty()) words.caption += " " + finding;
     const bool compares = !figure.sides.empty();

@@ -9,6 +9,7 @@
 
 #include "app/resources.h"
 #include "figures/figure_words.h"
+#include "media/base64.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -22,23 +23,6 @@ constexpr std::int64_t most_template_bytes = 4 << 20, most_picture_bytes = 256 <
 
 const std::array<std::pair<std::string, PageKind>, 3> kinds{
     {{".md", PageKind::markdown}, {".html", PageKind::html}, {".tex", PageKind::latex}}};
-
-// RFC 4648.
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(bytes.size() * 4 / 3 + 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
-    }
-    return text;
-}
 
 std::string file_of(const SetFigure& figure, const std::string& format) {
     const std::string name = figure.name + "." + format;

@@ -42,7 +42,7 @@ const std::vector<Door> doors{
     {std::regex("xxhash.*"), {"app/fingerprint.cpp"}},
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},
     {std::regex("lib(av|sw).*"),
-     {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp"}},
+     {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
     {std::regex("CLI/.*"), {"app/command.h"}},
     {std::regex("nlohmann/.*"),
      {"app/run_json.cpp", "app/check_json.cpp", "app/schema_json.cpp", "app/figures_json.cpp"}},

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "media/base64.h"
 #include "media/image_writer.h"
 #include "support/files.h"
 #include "util/atomic_file.h"
@@ -35,4 +36,16 @@ TEST_CASE("an unwritable place for a PNG is named") {
     } catch (const SystemError& error) {
         CHECK(std::string(error.what()).find(path.string()) != std::string::npos);
     }
+}
+
+TEST_CASE("base64 is that of RFC 4648") {
+    const std::vector<std::pair<std::string, std::string>> of_the_rfc{{"", ""},
+                                                                      {"f", "Zg=="},
+                                                                      {"fo", "Zm8="},
+                                                                      {"foo", "Zm9v"},
+                                                                      {"foob", "Zm9vYg=="},
+                                                                      {"fooba", "Zm9vYmE="},
+                                                                      {"foobar", "Zm9vYmFy"}};
+    for (const auto& [bytes, text] : of_the_rfc) CHECK(base64(bytes) == text);
+    CHECK(base64(std::string("\xFF\xFE\x00\xFB", 4)) == "//4A+w==");
 }

@@ -1,0 +1,12 @@
+// Bytes as letters, for files inside of pages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace carom {
+
+/// Base64 (RFC 4648, with padding). At most 1.5 GB; throws std::length_error beyond.
+std::string base64(std::string_view bytes);
+
+}  // namespace carom

@@ -36,6 +36,7 @@ struct Door {
 };
 
 const std::vector<Door> doors{
+    {std::regex("mpfr.*|boost/.*"), {"physics/multiprecision.h"}},
     {std::regex("yaml-cpp/.*"), {"scene/yaml.cpp"}},
     {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},

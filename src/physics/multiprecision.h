@@ -1,0 +1,174 @@
+// Numbers of as many bits as a run asks for, over MPFR: the only file that knows it. Every number
+// has its own precision: one made of a double is that double, 53 bits of it unless more are asked
+// for, and a result has as many bits as its more precise operand, rounded to nearest. Nothing is
+// global, so that runs of different precisions may go on side by side.
+//
+// The operators are for convenience: each makes a new number, which costs as much memory traffic as
+// arithmetic. Where time counts there are the set_ functions, which work in place.
+//
+// Why not through Boost.Multiprecision: in 1.74, that of Debian 12, the precision of new numbers is
+// one setting for the whole process, in decimal digits.
+#pragma once
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace carom {
+
+class Real {
+  public:
+    Real() : Real(0.0) {}
+
+    // Not explicit: arithmetic written for any scalar has constants in it.
+    Real(double value, int bits = std::numeric_limits<double>::digits) {
+        mpfr_init2(value_, bits);
+        mpfr_set_d(value_, value, MPFR_RNDN);
+    }
+    Real(const Real& other) {
+        mpfr_init2(value_, mpfr_get_prec(other.value_));
+        mpfr_set(value_, other.value_, MPFR_RNDN);
+    }
+    Real(Real&& other) noexcept {
+        *value_ = *other.value_;
+        other.value_->_mpfr_d = nullptr;
+    }
+    /// Takes over the other's precision too.
+    Real& operator=(const Real& other) {
+        if (this == &other) return *this;
+        if (value_->_mpfr_d == nullptr)
+            mpfr_init2(value_, mpfr_get_prec(other.value_));
+        else if (bits() != other.bits())
+            mpfr_set_prec(value_, mpfr_get_prec(other.value_));
+        mpfr_set(value_, other.value_, MPFR_RNDN);
+        return *this;
+    }
+    Real& operator=(Real&& other) noexcept {
+        mpfr_swap(value_, other.value_);
+        return *this;
+    }
+    ~Real() {
+        if (value_->_mpfr_d != nullptr) mpfr_clear(value_);
+    }
+
+    /// A decimal number as it is written, to the nearest of so many bits.
+    static Real from_text(const std::string& decimal, int bits) {
+        Real number(0.0, bits);
+        mpfr_set_str(number.value_, decimal.c_str(), 10, MPFR_RNDN);
+        return number;
+    }
+
+    int bits() const { return static_cast<int>(mpfr_get_prec(value_)); }
+    bool is_finite() const { return mpfr_number_p(value_) != 0; }
+    bool is_zero() const { return mpfr_zero_p(value_) != 0; }
+    int sign() const { return mpfr_sgn(value_); }
+
+    /// The nearest double.
+    explicit operator double() const { return mpfr_get_d(value_, MPFR_RNDN); }
+    /// The nearest doubles that are not larger, not smaller.
+    double rounded_down() const { return mpfr_get_d(value_, MPFR_RNDD); }
+    double rounded_up() const { return mpfr_get_d(value_, MPFR_RNDU); }
+
+    // In place; the number keeps its precision.
+    void set(const Real& a) { mpfr_set(value_, a.value_, MPFR_RNDN); }
+    void set(double a) { mpfr_set_d(value_, a, MPFR_RNDN); }
+    void set_sum(const Real& a, const Real& b) { mpfr_add(value_, a.value_, b.value_, MPFR_RNDN); }
+    void set_sum(const Real& a, double b) { mpfr_add_d(value_, a.value_, b, MPFR_RNDN); }
+    void set_difference(const Real& a, const Real& b) {
+        mpfr_sub(value_, a.value_, b.value_, MPFR_RNDN);
+    }
+    void set_difference(const Real& a, double b) { mpfr_sub_d(value_, a.value_, b, MPFR_RNDN); }
+    void set_difference(double a, const Real& b) { mpfr_d_sub(value_, a, b.value_, MPFR_RNDN); }
+    void set_product(const Real& a, const Real& b) {
+        mpfr_mul(value_, a.value_, b.value_, MPFR_RNDN);
+    }
+    void set_product(const Real& a, double b) { mpfr_mul_d(value_, a.value_, b, MPFR_RNDN); }
+    void set_square(const Real& a) { mpfr_sqr(value_, a.value_, MPFR_RNDN); }
+    void set_quotient(const Real& a, const Real& b) {
+        mpfr_div(value_, a.value_, b.value_, MPFR_RNDN);
+    }
+    void set_root(const Real& a) { mpfr_sqrt(value_, a.value_, MPFR_RNDN); }
+    void negate() { mpfr_neg(value_, value_, MPFR_RNDN); }
+    void scale_by_power_of_two(int exponent) { mpfr_mul_2si(value_, value_, exponent, MPFR_RNDN); }
+
+    Real& operator+=(const Real& b) {
+        if (bits() < b.bits()) return *this = *this + b;
+        set_sum(*this, b);
+        return *this;
+    }
+    Real& operator-=(const Real& b) {
+        if (bits() < b.bits()) return *this = *this - b;
+        set_difference(*this, b);
+        return *this;
+    }
+
+    friend Real operator-(Real a) {
+        a.negate();
+        return a;
+    }
+    friend Real operator+(const Real& a, const Real& b) {
+        Real result = room_for(a, b);
+        result.set_sum(a, b);
+        return result;
+    }
+    friend Real operator-(const Real& a, const Real& b) {
+        Real result = room_for(a, b);
+        result.set_difference(a, b);
+        return result;
+    }
+    friend Real operator*(const Real& a, const Real& b) {
+        Real result = room_for(a, b);
+        result.set_product(a, b);
+        return result;
+    }
+    friend Real operator/(const Real& a, const Real& b) {
+        Real result = room_for(a, b);
+        result.set_quotient(a, b);
+        return result;
+    }
+    friend bool operator==(const Real& a, const Real& b) {
+        return mpfr_equal_p(a.value_, b.value_) != 0;
+    }
+    friend bool operator==(const Real& a, double b) { return mpfr_cmp_d(a.value_, b) == 0; }
+    friend std::strong_ordering operator<=>(const Real& a, const Real& b) {
+        return mpfr_cmp(a.value_, b.value_) <=> 0;
+    }
+    friend std::strong_ordering operator<=>(const Real& a, double b) {
+        return mpfr_cmp_d(a.value_, b) <=> 0;
+    }
+
+    friend Real sqrt(Real a) {
+        mpfr_sqrt(a.value_, a.value_, MPFR_RNDN);
+        return a;
+    }
+    friend Real abs(Real a) {
+        mpfr_abs(a.value_, a.value_, MPFR_RNDN);
+        return a;
+    }
+    /// Of a positive number, also where no double is so small or so large.
+    friend double log10(const Real& a) {
+        long exponent = 0;
+        const double digits = mpfr_get_d_2exp(&exponent, a.value_, MPFR_RNDN);
+        return std::log10(digits) + static_cast<double>(exponent) * std::log10(2.0);
+    }
+
+  private:
+    struct Unset {};
+    Real(Unset, mpfr_prec_t bits) { mpfr_init2(value_, bits); }
+    static Real room_for(const Real& a, const Real& b) {
+        return {Unset{}, std::max(mpfr_get_prec(a.value_), mpfr_get_prec(b.value_))};
+    }
+
+    mpfr_t value_;  // without digits when it has been moved from
+};
+
+/// A double with the precision of another number, for arithmetic written for any scalar.
+inline double as_precise_as(double, double value) { return value; }
+inline Real as_precise_as(const Real& other, double value) { return {value, other.bits()}; }
+
+}  // namespace carom

@@ -10,6 +10,13 @@
 
 namespace carom {
 
+/// How a run calculates: with doubles, or with numbers of more bits (multiprecision.h).
+struct Arithmetic {
+    int bits = 53;
+    bool screened = true;  ///< of many bits: doubles sort out what certainly does not happen; the
+                           ///< events are the same without
+};
+
 /// How two particles met.
 template <int Dimension>
 struct Contact {
@@ -25,6 +32,18 @@ inline constexpr unsigned first_cell_side = 4;
 
 /// Collision counts are compared modulo 2^29: an event has that many bits for them.
 inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
+
+/// Moves a body on to a time.
+template <typename Body, typename Scalar>
+inline void fly(Body& b, const Scalar& now) {
+    for (std::size_t a = 0; a < b.x.size(); ++a) b.x[a] += b.v[a] * (now - b.time);
+    b.time = now;
+}
+
+/// To be called when a body has been moved or its velocity changed, for those who keep something
+/// that depends on it.
+template <typename Body>
+void body_has_changed(Body&) {}
 
 /// A periodic coordinate, brought into [0, length).
 inline double wrapped(double x, double length) {

@@ -23,22 +23,31 @@ constexpr std::int32_t buckets_ahead = 16;
 constexpr std::uint32_t cells_after = 2;
 constexpr std::uint32_t bodies_near_after = 4;
 
-template <std::size_t Dimension>
-Eigen::Array2d in_plane(const std::array<double, Dimension>& x) {
+template <typename Scalar, std::size_t Dimension>
+Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
     if constexpr (Dimension == 1)
-        return {x[0], 0.0};
+        return {static_cast<double>(x[0]), 0.0};
     else
-        return {x[0], x[1]};
+        return {static_cast<double>(x[0]), static_cast<double>(x[1])};
+}
+
+template <typename Scalar, std::size_t Dimension>
+std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x) {
+    std::array<double, Dimension> values;
+    for (std::size_t a = 0; a < Dimension; ++a) values[a] = static_cast<double>(x[a]);
+    return values;
 }
 
 }  // namespace
 
-template <int Dimension>
-EventLoop<Dimension>::EventLoop(const Box& box, const Particles& particles)
+template <int Dimension, typename Scalar>
+EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particles,
+                                        const Arithmetic& arithmetic)
     : box_(box),
       bodies_(static_cast<std::size_t>(particles.count())),
-      space_(box, particles.radius),
-      queue_(static_cast<std::int32_t>(particles.count())) {
+      space_(box, particles.radius, arithmetic),
+      queue_(static_cast<std::int32_t>(particles.count())),
+      bits_(arithmetic.bits) {
     many_ = bodies_.size() >= least_fetched_ahead;
     number_.reserve(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -48,33 +57,47 @@ EventLoop<Dimension>::EventLoop(const Box& box, const Particles& particles)
     }
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::forget() {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::forget() {
     counts_ = {};
     transfers_ = {};
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::start(const Sample& state) {
-    clock_ = LocalClock(state.time);
-    now_ = 0.0;
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::start(const Sample& state) {
+    if constexpr (of_doubles) {
+        clock_ = LocalClock(state.time);
+        now_ = 0.0;
+    } else {
+        now_ = with_bits(state.time);
+    }
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         Body& b = bodies_[k];
-        b.time = 0.0;
+        b.time = now_;
         for (std::size_t a = 0; a < Dimension; ++a) {
             const auto axis = static_cast<Eigen::Index>(a);
             const double x = state.position(number_[k], axis);
-            b.x[a] = box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x;
-            b.v[a] = state.velocity(number_[k], axis);
+            b.x[a] = with_bits(box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x);
+            b.v[a] = with_bits(state.velocity(number_[k], axis));
         }
+        body_has_changed(b);
     }
     put_in_order();
     space_.enter(bodies_);
     foresee_all();
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::put_in_order() {
+// A double in the numbers of the loop.
+template <int Dimension, typename Scalar>
+Scalar EventLoop<Dimension, Scalar>::with_bits(double value) const {
+    if constexpr (of_doubles)
+        return value;
+    else
+        return Scalar(value, bits_);
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::put_in_order() {
     laps_since_sorted_ = 0;
     const std::vector<std::int32_t> order = space_.order(bodies_);
     typename Space::Bodies bodies(bodies_.size());
@@ -87,9 +110,9 @@ void EventLoop<Dimension>::put_in_order() {
     number_.swap(number);
 }
 
-// All bodies are at local time 0.
-template <int Dimension>
-void EventLoop<Dimension>::foresee_all() {
+// All bodies are at the present.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::foresee_all() {
     last_collision_ = -1.0;
     at_one_instant_ = 0;
     for (Body& b : bodies_) b.collisions = 0;
@@ -101,27 +124,29 @@ void EventLoop<Dimension>::foresee_all() {
 }
 
 // All bodies fly to a local time, which becomes the epoch.
-template <int Dimension>
-void EventLoop<Dimension>::move_epoch_to(double local_time) {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
     now_ = local_time;
+    for (Body& b : bodies_) fly_to_now(b);
+    now_ = clock_.move_epoch_to(now_);
     for (Body& b : bodies_) {
-        fly_to_now(b);
-        b.time = 0.0;
+        b.time = now_;
+        body_has_changed(b);
     }
-    clock_.advance(now_);
-    now_ = 0.0;
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::reverse(double time) {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::reverse(double time) {
     move_epoch_to(clock_.local(time));
-    for (Body& b : bodies_)
-        for (double& v : b.v) v = -v;
+    for (Body& b : bodies_) {
+        for (Scalar& v : b.v) v = -v;
+        body_has_changed(b);
+    }
     foresee_all();
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::advance(double time, std::vector<Collision>* record) {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* record) {
     constexpr int events_between_looks = 4096;
     int until_look = events_between_looks;
     Collision collision;
@@ -137,8 +162,8 @@ void EventLoop<Dimension>::advance(double time, std::vector<Collision>* record) 
     }
 }
 
-template <int Dimension>
-bool EventLoop<Dimension>::advance_one(double time, Collision& collision) {
+template <int Dimension, typename Scalar>
+bool EventLoop<Dimension, Scalar>::advance_one(double time, Collision& collision) {
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.event(i).time <= clock_.local(time))) return false;
@@ -146,31 +171,47 @@ bool EventLoop<Dimension>::advance_one(double time, Collision& collision) {
     }
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::sample(double time, Sample& state) const {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
     const auto count = static_cast<Eigen::Index>(bodies_.size());
     state.time = time;
     state.position.resize(count, Dimension);
     state.velocity.resize(count, Dimension);
-    const double local = clock_.local(time);
+    const Scalar local = clock_.local(time);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const Body& b = bodies_[k];
         for (std::size_t a = 0; a < Dimension; ++a) {
             const auto axis = static_cast<Eigen::Index>(a);
-            const double x = b.x[a] + b.v[a] * (local - b.time);
+            const auto x = static_cast<double>(place(b, a, local));
             state.position(number_[k], axis) =
                 box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x;
-            state.velocity(number_[k], axis) = b.v[a];
+            state.velocity(number_[k], axis) = static_cast<double>(b.v[a]);
         }
     }
+}
+
+template <int Dimension, typename Scalar>
+std::vector<Scalar> EventLoop<Dimension, Scalar>::places(double time) const {
+    std::vector<Scalar> all(bodies_.size() * Dimension);
+    const Scalar local = clock_.local(time);
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+        for (std::size_t a = 0; a < Dimension; ++a)
+            all[static_cast<std::size_t>(number_[k]) * Dimension + a] = place(bodies_[k], a, local);
+    return all;
+}
+
+template <int Dimension, typename Scalar>
+Scalar EventLoop<Dimension, Scalar>::place(const Body& b, std::size_t axis,
+                                           const Scalar& local_time) const {
+    return b.x[axis] + b.v[axis] * (local_time - b.time);
 }
 
 // Of many particles most lie far from the processor. The calendar tells whose events are near, so
 // what these will need is asked for in time: the body, its cells, those in them, each when the one
 // before has come.
-template <int Dimension>
-void EventLoop<Dimension>::fetch_ahead() {
-    if constexpr (Dimension == 2) {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::fetch_ahead() {
+    if constexpr (Dimension == 2 && of_doubles) {
         const std::int32_t bucket = queue_.bucket();
         if (ahead_ < bucket || ahead_ > bucket + 2 * buckets_ahead) ahead_ = bucket;  // a new lap
         const std::int32_t end = std::min(bucket + buckets_ahead, queue_.buckets() - 1);
@@ -191,37 +232,40 @@ void EventLoop<Dimension>::fetch_ahead() {
 
 // The particle with the earliest event, -1 when nothing will ever happen. Between laps all times
 // are counted from a new epoch, so that they stay small (a whole number of laps: exact).
-template <int Dimension>
-std::int32_t EventLoop<Dimension>::next_particle() {
+template <int Dimension, typename Scalar>
+std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
+    if constexpr (!of_doubles) return queue_.earliest();
     while (true) {
         const std::int32_t i = queue_.earliest();
         if (i >= 0) return i;
-        const double shift = queue_.next_lap();
-        if (!std::isfinite(shift)) return -1;
-        queue_.begin_lap(shift);
-        clock_.advance(shift);
-        now_ -= shift;
-        last_collision_ -= shift;
-        for (Body& b : bodies_) b.time -= shift;
-        if (!Space::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
-            continue;
-        move_epoch_to(now_);  // the time of the last event
-        put_in_order();
-        space_.enter(bodies_);
-        foresee_all();
+        if constexpr (of_doubles) {
+            const double shift = queue_.next_lap();
+            if (!std::isfinite(shift)) return -1;
+            queue_.begin_lap(shift);
+            clock_.advance(shift);
+            now_ -= shift;
+            last_collision_ -= shift;
+            for (Body& b : bodies_) b.time -= shift;
+            if (!Space::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
+                continue;
+            move_epoch_to(now_);  // the time of the last event
+            put_in_order();
+            space_.enter(bodies_);
+            foresee_all();
+        }
     }
 }
 
 // True if it was a collision, which is then told unless `collision` is null.
-template <int Dimension>
-bool EventLoop<Dimension>::process(std::int32_t i, Collision* collision) {
-    const Event event = queue_.event(i);
-    if (event.time > now_)
+template <int Dimension, typename Scalar>
+bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
+    const std::conditional_t<of_doubles, Event, const Event&> event = queue_.event(i);
+    if (static_cast<double>(event.time) > static_cast<double>(now_))
         at_one_instant_ = 0;
     else
         refuse_to_stall();
     now_ = event.time;
-    if (event.contact_time <= event.time) {
+    if (event.is_contact()) {
         const std::int32_t j = event.partner;
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);
@@ -240,9 +284,10 @@ bool EventLoop<Dimension>::process(std::int32_t i, Collision* collision) {
     return false;
 }
 
-// Touching starts take some events at time 0, but far fewer than this.
-template <int Dimension>
-void EventLoop<Dimension>::refuse_to_stall() {
+// Touching starts take some events at time 0, but far fewer than this. An instant is a double's:
+// with many bits the events of disks that are crushed could go on ever faster for ages.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::refuse_to_stall() {
     const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
     if (++at_one_instant_ <= bound) return;
     throw std::runtime_error(
@@ -251,20 +296,20 @@ void EventLoop<Dimension>::refuse_to_stall() {
                     Dimension == 1 ? "beads" : "disks", clock_.absolute(now_)));
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::fly_to_now(Body& b) const {
-    for (std::size_t a = 0; a < Dimension; ++a) b.x[a] += b.v[a] * (now_ - b.time);
-    b.time = now_;
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::fly_to_now(Body& b) const {
+    fly(b, now_);
 }
 
-template <int Dimension>
-bool EventLoop<Dimension>::collide(std::int32_t first, std::int32_t second, Collision* collision) {
+template <int Dimension, typename Scalar>
+bool EventLoop<Dimension, Scalar>::collide(std::int32_t first, std::int32_t second,
+                                           Collision* collision) {
     Body& a = body(first);
     Body& b = body(second);
     fly_to_now(a);
     fly_to_now(b);
     Contact<Dimension> contact;
-    const auto first_before = a.v, second_before = b.v;
+    const auto first_before = in_doubles(a.v), second_before = in_doubles(b.v);
     if (!space_.collide(bodies_, first, second, contact)) return false;
     ++a.collisions;
     ++b.collisions;
@@ -287,8 +332,8 @@ bool EventLoop<Dimension>::collide(std::int32_t first, std::int32_t second, Coll
     return true;
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::count_tie(std::int32_t first, std::int32_t second) {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::count_tie(std::int32_t first, std::int32_t second) {
     const auto was_in_last = [this](std::int32_t i) {
         return i == last_pair_[0] || i == last_pair_[1];
     };
@@ -298,14 +343,16 @@ void EventLoop<Dimension>::count_tie(std::int32_t first, std::int32_t second) {
     last_pair_[1] = second;
 }
 
-template <int Dimension>
-void EventLoop<Dimension>::bounce(std::int32_t i, int side, Collision* collision) {
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* collision) {
     Body& b = body(i);
     fly_to_now(b);
-    double& v = b.v[static_cast<std::size_t>(side / 2)];
-    transfers_.wall[static_cast<std::size_t>(side)] += 2.0 * std::abs(v) / b.inverse_mass;
-    const auto before = b.v;
+    Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
+    transfers_.wall[static_cast<std::size_t>(side)] +=
+        2.0 * std::abs(static_cast<double>(v)) / b.inverse_mass;
+    const auto before = in_doubles(b.v);
     v = -v;
+    body_has_changed(b);
     ++b.collisions;
     ++counts_.wall;
     if (!collision) return;
@@ -325,5 +372,7 @@ void EventLoop<Dimension>::bounce(std::int32_t i, int side, Collision* collision
 
 template class EventLoop<1>;
 template class EventLoop<2>;
+template class EventLoop<1, Real>;
+template class EventLoop<2, Real>;
 
 }  // namespace carom

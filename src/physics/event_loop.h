@@ -1,7 +1,8 @@
 // The event loop of hard particles, disks in the plane or beads on a wire: flies them from one
 // event to the next and nothing else. Each particle has its own time, up to which it has been
-// moved; only those that collide are touched. Does not know runs, reversals at given times or
-// placement (simulation.h), nor who is near whom (plane.h, wire.h).
+// moved; only those that collide are touched. One source for doubles and for numbers of many bits
+// (multiprecision.h). Does not know runs, reversals at given times or placement (simulation.h), nor
+// who is near whom (plane.h, fine_plane.h, wire.h).
 //
 // A particle's next event is the first of: its contact with another, with a wall, or its leaving a
 // cell. It foresees a contact with a particle whose own next event comes earlier; if that changes
@@ -16,6 +17,8 @@
 #include <vector>
 
 #include "physics/event_queue.h"
+#include "physics/exact_queue.h"
+#include "physics/fine_plane.h"
 #include "physics/gas.h"
 #include "physics/local_clock.h"
 #include "physics/particles.h"
@@ -25,11 +28,43 @@
 
 namespace carom {
 
-template <int Dimension>
+/// What the loop is made of, by dimension and kind of number.
+template <int Dimension, typename Scalar>
+struct LoopParts;
+template <>
+struct LoopParts<1, double> {
+    using Space = Wire<double>;
+    using Queue = EventQueue;
+    using Event = carom::Event;
+    using Clock = LocalClock;
+};
+template <>
+struct LoopParts<2, double> {
+    using Space = Plane;
+    using Queue = EventQueue;
+    using Event = carom::Event;
+    using Clock = LocalClock;
+};
+template <>
+struct LoopParts<1, Real> {
+    using Space = Wire<Real>;
+    using Queue = ExactQueue;
+    using Event = ExactEvent;
+    using Clock = WholeClock;
+};
+template <>
+struct LoopParts<2, Real> {
+    using Space = FinePlane;
+    using Queue = ExactQueue;
+    using Event = ExactEvent;
+    using Clock = WholeClock;
+};
+
+template <int Dimension, typename Scalar = double>
 class EventLoop {
   public:
     /// Particles without state: start() gives it.
-    EventLoop(const Box& box, const Particles& particles);
+    EventLoop(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
 
     /// Puts all particles where `state` says, at its time, and foresees all events anew.
     void start(const Sample& state);
@@ -50,26 +85,35 @@ class EventLoop {
     /// periodic coordinates lie in [0, size). Changes nothing in the particles.
     void sample(double time, Sample& state) const;
 
+    /// Positions at `time`, as sample() has them but in full, and periodic ones not brought into
+    /// the box: those of each particle one after the other, in the order listed by the user.
+    std::vector<Scalar> places(double time) const;
+
     /// Collisions, and what they transferred, since the construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
     const Transfers& transfers() const { return transfers_; }
     void forget();
 
   private:
-    using Space = std::conditional_t<Dimension == 1, Wire, Plane>;
+    using Parts = LoopParts<Dimension, Scalar>;
+    using Space = typename Parts::Space;
+    using Event = typename Parts::Event;
     using Body = typename Space::Body;
+    static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
 
+    Scalar with_bits(double value) const;
     void put_in_order();
     void foresee_all();
-    void move_epoch_to(double local_time);
+    void move_epoch_to(const Scalar& local_time);
     std::int32_t next_particle();
     void fetch_ahead();
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
+    Scalar place(const Body& b, std::size_t axis, const Scalar& local_time) const;
     void fly_to_now(Body& b) const;
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
@@ -78,9 +122,10 @@ class EventLoop {
     typename Space::Bodies bodies_;
     std::vector<std::int32_t> number_;  ///< of each body as listed by the user
     Space space_;
-    EventQueue queue_;
-    LocalClock clock_;
-    double now_ = 0.0;  ///< local
+    typename Parts::Queue queue_;
+    typename Parts::Clock clock_;
+    Scalar now_ = 0.0;  ///< local
+    int bits_;
     int laps_since_sorted_ = 0;
     bool many_ = false;       ///< worth fetching ahead
     std::int32_t ahead_ = 0;  ///< bucket of the queue up to which fetch_ahead() has looked
@@ -88,12 +133,14 @@ class EventLoop {
     std::uint32_t coming_count_ = 0;
     CollisionCounts counts_;
     Transfers transfers_;
-    double last_collision_ = -1.0;
+    Scalar last_collision_ = -1.0;
     std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
     std::int32_t last_pair_[2] = {-1, -1};
 };
 
 extern template class EventLoop<1>;
 extern template class EventLoop<2>;
+extern template class EventLoop<1, Real>;
+extern template class EventLoop<2, Real>;
 
 }  // namespace carom

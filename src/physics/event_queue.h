@@ -26,6 +26,8 @@ struct Event {
     std::int32_t partner = 0;     ///< in that contact
     std::uint32_t partner_collisions : 29 = 0;
     std::uint32_t border : 3 = 0;
+
+    bool is_contact() const { return contact_time <= time; }
 };
 
 class EventQueue {

@@ -1,6 +1,9 @@
 // Time as an epoch and a short time since: contacts are computed in the short time, which never
-// loses digits however long the run. Does not decide when to move the epoch.
+// loses digits however long the run. Does not decide when to move the epoch. And the same for
+// numbers with digits to spare, which need no epoch.
 #pragma once
+
+#include "physics/multiprecision.h"
 
 namespace carom {
 
@@ -22,9 +25,22 @@ class LocalClock {
     /// Time on the user's clock of a time since the epoch.
     double absolute(double local_time) const { return high_ + (low_ + local_time); }
 
+    /// Makes a time since the epoch the new epoch; returns it as counted from there.
+    double move_epoch_to(double local_time) {
+        advance(local_time);
+        return 0.0;
+    }
+
   private:
     double high_;
     double low_ = 0.0;
+};
+
+class WholeClock {
+  public:
+    Real local(double time) const { return time; }
+    double absolute(const Real& time) const { return static_cast<double>(time); }
+    Real move_epoch_to(const Real& time) const { return time; }
 };
 
 }  // namespace carom

@@ -148,7 +148,7 @@ Scalar impulse_factor(const RelativeMotion<Scalar>& m, const Scalar& first_inver
 /// is already beyond, `never` at rest.
 template <typename Scalar>
 Scalar wall_time(const Scalar& x, const Scalar& v, const Scalar& low, const Scalar& high) {
-    if (v == 0) return never<Scalar>;
+    if (v == 0) return Scalar(never<double>);
     const Scalar time = ((v < 0 ? low : high) - x) / v;
     return time > 0 ? time : Scalar(0);
 }

@@ -28,7 +28,7 @@ const Plane::Body& at(const Plane::Bodies& bodies, std::int32_t i) {
 
 }  // namespace
 
-Plane::Plane(const Box& box, const Eigen::ArrayXd& radii)
+Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
     : box_(box), grid_(box, radii), nearest_(Images::nearest(box)) {
     const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
     cell_size_ = {grid_.cell_width(), grid_.cell_height()};

@@ -21,7 +21,7 @@ class Plane {
     using Body = FlyingDisk;
     using Bodies = FlyingDisks;
 
-    Plane(const Box& box, const Eigen::ArrayXd& radii);
+    Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic& = {});
 
     /// The order in which bodies shall lie in memory: disks near each other in the box near each
     /// other, along a Z-curve through the cells. Few stay as they are: they fit into the cache.

@@ -14,44 +14,14 @@
 #include "support/relative.h"
 #include "support/same_events.h"
 #include "support/slow_simulator.h"
+#include "support/small_scenes.h"
 #include "util/random.h"
 
 using namespace carom;
 using test::relative;
+using test::small_scene;
 
 namespace {
-
-Wall wall(Random& random) { return random.uniform() < 0.5 ? Wall::periodic : Wall::solid; }
-
-// A small scene of any kind: mixed sizes and masses, fixed and moving infinite masses, all walls,
-// boxes of few cells as well as dilute ones.
-Gas small_scene(std::uint64_t seed) {
-    Random random(seed, "small scene");
-    Gas gas;
-    gas.seed = seed;
-    gas.box.size = {random.uniform(2.5, 9.0), random.uniform(2.5, 9.0)};
-    gas.box.walls = {wall(random), wall(random)};
-    const double r = 0.5 * std::sqrt(gas.box.size.prod()) * random.uniform(0.08, 0.2);
-    gas.species.push_back({.name = "small",
-                           .count = 1 + static_cast<int>(random.below(5)),
-                           .radius = UniformLaw{0.3 * r, r},
-                           .mass = UniformLaw{0.1, 10.0},
-                           .velocity = Temperature{1.0}});
-    gas.species.push_back({.name = "large",
-                           .count = 1 + static_cast<int>(random.below(3)),
-                           .radius = random.uniform(1.0, 2.4) * r,
-                           .mass = Quantity{random.uniform(0.01, 100.0)},
-                           .velocity = Speed{random.uniform(0.0, 2.0)}});
-    if (random.uniform() < 0.3)
-        gas.species.push_back({.name = "fixed", .count = 1, .radius = r, .mass = Infinite{}});
-    if (random.uniform() < 0.15)
-        gas.species.push_back({.name = "driven",
-                               .count = 1,
-                               .radius = r,
-                               .mass = Infinite{},
-                               .velocity = Velocity{{{random.uniform(-1, 1), 0.3}}}});
-    return gas;
-}
 
 // The deepest overlap of any pair or wall, length.
 double deepest_overlap(const Box& box, const Particles& particles, const Sample& sample) {

@@ -10,39 +10,12 @@
 #include "support/relative.h"
 #include "support/same_events.h"
 #include "support/slow_wire.h"
+#include "support/small_scenes.h"
 #include "util/random.h"
 
 using namespace carom;
 using test::relative;
-
-namespace {
-
-// A small wire of any kind: points and rods, mixed masses, a fixed bead, walls or a ring, one bead
-// alone, all at rest.
-Gas small_wire(std::uint64_t seed) {
-    Random random(seed, "small wire");
-    Gas gas;
-    gas.seed = seed;
-    const double length = random.uniform(5.0, 20.0);
-    const Wall ends = random.uniform() < 0.5 ? Wall::periodic : Wall::solid;
-    gas.box = {1, {length, 0.0}, {ends, Wall::solid}};
-    const double rod = random.uniform() < 0.4 ? 0.0 : 0.04 * length * random.uniform();
-    gas.species.push_back({.name = "points",
-                           .count = 1 + static_cast<int>(random.below(5)),
-                           .radius = 0.0,
-                           .mass = UniformLaw{0.1, 10.0},
-                           .velocity = Temperature{1.0}});
-    gas.species.push_back({.name = "rods",
-                           .count = static_cast<int>(random.below(5)),
-                           .radius = rod,
-                           .mass = Quantity{random.uniform(0.01, 100.0)},
-                           .velocity = Speed{random.uniform() < 0.2 ? 0.0 : 1.0}});
-    if (random.uniform() < 0.3)
-        gas.species.push_back({.name = "fixed", .count = 1, .radius = rod, .mass = Infinite{}});
-    return gas;
-}
-
-}  // namespace
+using test::small_wire;
 
 TEST_CASE("on a wire the same events in the same order as the slow, obvious simulator") {
     int compared = 0;

@@ -18,10 +18,10 @@ namespace carom::test {
 /// SlowSimulator or SlowWire: at most `most` of them, before the time `end`. Round-off of the
 /// doubles grows with every collision of a particle (of disks by some 4 to 13 bits); events are
 /// compared while it is small, and a wrong event shows as a jump. Returns how many were compared.
-template <int dimension, class Slow>
+template <int dimension, class Slow, class Scalar = double>
 int require_same_events(const Box& box, const Particles& particles, const Sample& start, double end,
-                        int most) {
-    EventLoop<dimension> fast(box, particles);
+                        int most, const Arithmetic& arithmetic = {}) {
+    EventLoop<dimension, Scalar> fast(box, particles, arithmetic);
     fast.start(start);
     Slow slow(box, particles, start);
     double deviation = 1e-14;

@@ -1,0 +1,75 @@
+// Small scenes of every kind, in the plane and on a wire, each from a number.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "physics/gas.h"
+#include "util/random.h"
+
+namespace carom::test {
+
+inline Wall any_wall(Random& random) {
+    return random.uniform() < 0.5 ? Wall::periodic : Wall::solid;
+}
+
+/// A small scene of any kind: mixed sizes and masses, fixed and moving infinite masses, all walls,
+/// boxes of few cells as well as dilute ones.
+inline Gas small_scene(std::uint64_t seed) {
+    Random random(seed, "small scene");
+    Gas gas;
+    gas.seed = seed;
+    gas.box.size = {random.uniform(2.5, 9.0), random.uniform(2.5, 9.0)};
+    gas.box.walls = {any_wall(random), any_wall(random)};
+    const double r = 0.5 * std::sqrt(gas.box.size.prod()) * random.uniform(0.08, 0.2);
+    gas.species.push_back({.name = "small",
+                           .count = 1 + static_cast<int>(random.below(5)),
+                           .radius = UniformLaw{0.3 * r, r},
+                           .mass = UniformLaw{0.1, 10.0},
+                           .velocity = Temperature{1.0}});
+    gas.species.push_back({.name = "large",
+                           .count = 1 + static_cast<int>(random.below(3)),
+                           .radius = random.uniform(1.0, 2.4) * r,
+                           .mass = Quantity{random.uniform(0.01, 100.0)},
+                           .velocity = Speed{random.uniform(0.0, 2.0)}});
+    if (random.uniform() < 0.3)
+        gas.species.push_back({.name = "fixed", .count = 1, .radius = r, .mass = Infinite{}});
+    if (random.uniform() < 0.15)
+        gas.species.push_back({.name = "driven",
+                               .count = 1,
+                               .radius = r,
+                               .mass = Infinite{},
+                               .velocity = Velocity{{{random.uniform(-1, 1), 0.3}}}});
+    return gas;
+}
+
+/// Whether a disk may come between a moving and a fixed infinite mass, where collisions have no
+/// end.
+inline bool may_crush(const Gas& gas) { return gas.species.size() > 3; }
+
+/// A small wire of any kind: points and rods, mixed masses, a fixed bead, walls or a ring, one bead
+/// alone, all at rest.
+inline Gas small_wire(std::uint64_t seed) {
+    Random random(seed, "small wire");
+    Gas gas;
+    gas.seed = seed;
+    const double length = random.uniform(5.0, 20.0);
+    const Wall ends = random.uniform() < 0.5 ? Wall::periodic : Wall::solid;
+    gas.box = {1, {length, 0.0}, {ends, Wall::solid}};
+    const double rod = random.uniform() < 0.4 ? 0.0 : 0.04 * length * random.uniform();
+    gas.species.push_back({.name = "points",
+                           .count = 1 + static_cast<int>(random.below(5)),
+                           .radius = 0.0,
+                           .mass = UniformLaw{0.1, 10.0},
+                           .velocity = Temperature{1.0}});
+    gas.species.push_back({.name = "rods",
+                           .count = static_cast<int>(random.below(5)),
+                           .radius = rod,
+                           .mass = Quantity{random.uniform(0.01, 100.0)},
+                           .velocity = Speed{random.uniform() < 0.2 ? 0.0 : 1.0}});
+    if (random.uniform() < 0.3)
+        gas.species.push_back({.name = "fixed", .count = 1, .radius = rod, .mass = Infinite{}});
+    return gas;
+}
+
+}  // namespace carom::test

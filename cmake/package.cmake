@@ -7,6 +7,7 @@ target_sources(carom_physics PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_
     ${PROJECT_SOURCE_DIR}/src/physics/gas.h
     ${PROJECT_SOURCE_DIR}/src/physics/particles.h
     ${PROJECT_SOURCE_DIR}/src/physics/placement.h
+    ${PROJECT_SOURCE_DIR}/src/physics/whereabouts.h
     ${PROJECT_SOURCE_DIR}/src/physics/run.h
     ${PROJECT_SOURCE_DIR}/src/physics/simulation.h
     ${PROJECT_SOURCE_DIR}/src/physics/theory.h)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "util/interrupt.h"
@@ -143,6 +144,68 @@ void EventLoop<Dimension, Scalar>::reverse(double time) {
         body_has_changed(b);
     }
     foresee_all();
+}
+
+template <int Dimension, typename Scalar>
+std::optional<std::int32_t> EventLoop<Dimension, Scalar>::displace(
+    std::int64_t particle, const std::array<std::string, 2>& by, double time) {
+    move_epoch_to(clock_.local(time));
+    const auto moved = static_cast<std::size_t>(
+        std::find(number_.begin(), number_.end(), static_cast<std::int32_t>(particle)) -
+        number_.begin());
+    Body& b = bodies_.at(moved);
+    for (std::size_t a = 0; a < Dimension; ++a) {
+        if constexpr (of_doubles)
+            b.x[a] += std::strtod(by[a].c_str(), nullptr);
+        else
+            b.x[a] += Real::from_text(by[a], bits_);
+    }
+    const auto obstacle = overlapped(moved);
+    if constexpr (Dimension == 2) {
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            const double size = box_.size[static_cast<Eigen::Index>(a)];
+            if (box_.walls[a] == Wall::solid) continue;
+            if (b.x[a] < 0.0) b.x[a] += size;
+            if (b.x[a] >= size) b.x[a] -= size;
+        }
+        for (Body& one : bodies_) body_has_changed(one);
+        space_.enter(bodies_);
+    }
+    foresee_all();
+    return obstacle;
+}
+
+// Contact is no overlap, and with doubles a little more is not either: it comes of round-off.
+template <int Dimension, typename Scalar>
+std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
+    const double slack = of_doubles ? 1e-12 : 0.0;
+    const Body& b = bodies_[moved];
+    for (std::size_t a = 0; a < Dimension; ++a) {
+        if (box_.walls[a] == Wall::periodic) continue;
+        const double size = box_.size[static_cast<Eigen::Index>(a)];
+        const auto low = static_cast<std::int32_t>(2 * a);
+        if (b.x[a] < b.radius - slack * size) return -1 - low;
+        if (b.x[a] > size - b.radius + slack * size) return -2 - low;
+    }
+    if constexpr (Dimension == 1) {
+        const auto k = space_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
+        return k ? std::optional(number_of(*k)) : std::nullopt;
+    } else {
+        for (std::size_t k = 0; k < bodies_.size(); ++k) {
+            if (k == moved) continue;
+            const double sigma = b.radius + bodies_[k].radius;
+            Scalar square = 0.0;
+            for (std::size_t a = 0; a < Dimension; ++a) {
+                Scalar apart = bodies_[k].x[a] - b.x[a];
+                const double size = box_.size[static_cast<Eigen::Index>(a)];
+                if (box_.walls[a] == Wall::periodic)
+                    apart -= with_bits(size) * std::round(static_cast<double>(apart) / size);
+                square += apart * apart;
+            }
+            if (square < with_bits(sigma) * sigma * (1.0 - 2.0 * slack)) return number_[k];
+        }
+        return std::nullopt;
+    }
 }
 
 template <int Dimension, typename Scalar>

@@ -13,6 +13,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -81,6 +83,12 @@ class EventLoop {
     /// the next, and foresees all events anew.
     void reverse(double time);
 
+    /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and foresees
+    /// all events anew. Returns what it would overlap then, if anything: a particle, or -1 - side
+    /// for a wall.
+    std::optional<std::int32_t> displace(std::int64_t particle,
+                                         const std::array<std::string, 2>& by, double time);
+
     /// The state at `time`, which is not before the last event processed nor after the next;
     /// periodic coordinates lie in [0, size). Changes nothing in the particles.
     void sample(double time, Sample& state) const;
@@ -105,6 +113,7 @@ class EventLoop {
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
 
     Scalar with_bits(double value) const;
+    std::optional<std::int32_t> overlapped(std::size_t moved) const;
     void put_in_order();
     void foresee_all();
     void move_epoch_to(const Scalar& local_time);

@@ -1,7 +1,10 @@
 // What happens to the gas in time, as plain values.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -9,10 +12,21 @@ namespace carom {
 
 struct ReverseVelocities {};
 
+/// Moves one particle by a little.
+struct Nudge {
+    std::int64_t particle = 0;                ///< as the scene numbers them
+    std::array<std::string, 2> by{"0", "0"};  ///< lengths in decimal, which a run of many bits
+                                              ///< reads with all their digits; y is 0 in 1-D
+};
+
 struct RunEvent {
     double at = 0.0;  ///< simulated time
-    std::variant<ReverseVelocities> action;
+    std::variant<ReverseVelocities, Nudge> action;
 };
+
+/// Bits of the significands that a run calculates with: those of a double, or from the least to the
+/// most.
+inline constexpr int bits_of_double = 53, least_bits = 64, most_bits = 16384;
 
 struct Run {
     double until = 0.0;            ///< end, in simulated time
@@ -20,6 +34,10 @@ struct Run {
     double sample_every = 0.0;     ///< simulated time between two samples of the statistics, which
                                    ///< are no event: the simulation itself does not look at it
     std::vector<RunEvent> events;  ///< in order of time; equal times in the order listed
+    std::optional<int> bits = bits_of_double;  ///< none: as many as it takes to bring the gas home
+                                               ///< after each reversal (bits_to_come_home())
+    double tolerance = 1e-9;  ///< how near home that is, in units of the smallest radius, or on a
+                              ///< wire of points of the mean spacing
 };
 
 }  // namespace carom

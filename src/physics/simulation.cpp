@@ -1,5 +1,7 @@
 #include "physics/simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "physics/event_loop.h"
+#include "physics/multiprecision.h"
 #include "physics/placed_disks.h"
 #include "physics/placement.h"
 #include "physics/wire_squeeze.h"
@@ -17,7 +20,7 @@
 namespace carom {
 namespace {
 
-using Loop = std::variant<EventLoop<1>, EventLoop<2>>;
+using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>>;
 
 bool beads_are_apart(const Box& box, const Particles& particles, const Sample& state) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
@@ -69,7 +72,8 @@ struct Simulation::Implementation {
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
-          loop(loop_for(its_box, particles)),
+          bits(run.bits.value()),
+          loop(loop_for(its_box, particles, bits)),
           present(start) {
         assert(nothing_overlaps(box, particles, start));
         present.time = -run.equilibrate;
@@ -82,7 +86,13 @@ struct Simulation::Implementation {
         sampled = run.equilibrate == 0.0;
     }
 
-    static Loop loop_for(const Box& box, const Particles& particles) {
+    static Loop loop_for(const Box& box, const Particles& particles, int bits) {
+        const Arithmetic arithmetic{.bits = bits};
+        if (bits > bits_of_double) {
+            if (box.dimension == 1)
+                return Loop(std::in_place_type<EventLoop<1, Real>>, box, particles, arithmetic);
+            return Loop(std::in_place_type<EventLoop<2, Real>>, box, particles, arithmetic);
+        }
         if (box.dimension == 1) return Loop(std::in_place_type<EventLoop<1>>, box, particles);
         return Loop(std::in_place_type<EventLoop<2>>, box, particles);
     }
@@ -100,10 +110,29 @@ struct Simulation::Implementation {
         ++reversals;
     }
 
+    void nudge(std::size_t event, const Nudge& nudge) {
+        const auto obstacle = with_loop(
+            [&](auto& its) { return its.displace(nudge.particle, nudge.by, present.time); });
+        sampled = false;
+        if (!obstacle) return;
+        throw NudgeError(
+            event, fmt::format("the nudge at time {:g} would push particle {} into {}",
+                               present.time, nudge.particle,
+                               *obstacle < 0 ? "a wall" : fmt::format("particle {}", *obstacle)));
+    }
+
+    void happen(std::size_t event) {
+        if (const auto* its = std::get_if<Nudge>(&events[event].action))
+            nudge(event, *its);
+        else
+            reverse();
+    }
+
     Box box;
     Particles particles;
     std::vector<RunEvent> events;
     std::size_t next_event = 0;
+    int bits;
     Loop loop;
     Sample present;  ///< its time is the present; positions and velocities only when `sampled`
     bool sampled = true;
@@ -131,7 +160,7 @@ Passage Simulation::advance_to(double time) {
     its.collisions.clear();
     while (its.next_event < its.events.size() && its.events[its.next_event].at <= time) {
         its.advance(its.events[its.next_event].at);
-        its.reverse();
+        its.happen(its.next_event);
         ++its.next_event;
     }
     its.advance(time);
@@ -147,6 +176,18 @@ const Sample& Simulation::sample() {
     its.sampled = true;
     return its.present;
 }
+
+Whereabouts Simulation::whereabouts() const {
+    const Implementation& its = *implementation_;
+    return std::visit(
+        [&](const auto& loop) {
+            const auto all = loop.places(its.present.time);
+            return Whereabouts(its.box, {all.begin(), all.end()});
+        },
+        its.loop);
+}
+
+int Simulation::bits() const { return implementation_->bits; }
 
 void Simulation::record_collisions(bool on) { implementation_->recording = on; }
 

@@ -9,10 +9,13 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
+#include <string>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/run.h"
+#include "physics/whereabouts.h"
 
 namespace carom {
 
@@ -56,9 +59,21 @@ struct Passage {
         collisions;  ///< of this passage only, when recording; valid until the next advance
 };
 
+/// A nudge that would push a particle into another or into a wall.
+class NudgeError : public std::runtime_error {
+  public:
+    NudgeError(std::size_t event, const std::string& what)
+        : std::runtime_error(what), event_(event) {}
+    std::size_t event() const { return event_; }  ///< index in Run::events
+
+  private:
+    std::size_t event_;
+};
+
 class Simulation {
   public:
-    /// Places the particles and runs `run.equilibrate`. Throws PlacementError.
+    /// Places the particles and runs `run.equilibrate`; `run.bits` must be there. Throws
+    /// PlacementError.
     Simulation(const Gas& gas, const Run& run);
 
     /// Starts from given particles at `start.time` = 0, or `run.equilibrate` before it. Overlapping
@@ -70,14 +85,20 @@ class Simulation {
     Simulation& operator=(Simulation&&) noexcept;
 
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and moves on to it.
-    /// `time` must not lie in the past; not limited by `run.until`.
+    /// `time` must not lie in the past; not limited by `run.until`. Throws NudgeError.
     Passage advance_to(double time);
 
     /// State of all particles at the present time.
     const Sample& sample();
 
+    /// Where all particles are at the present time, in full.
+    Whereabouts whereabouts() const;
+
     /// Whether advance_to hands out the collisions themselves; off at first.
     void record_collisions(bool on);
+
+    /// Bits of the numbers that it calculates with.
+    int bits() const;
 
     const Box& box() const;
     const Particles& particles() const;

@@ -133,6 +133,20 @@ bool Wire<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
     return true;
 }
 
+template <typename Scalar>
+std::optional<std::int32_t> Wire<Scalar>::overlapped(const Bodies& bodies, std::int32_t i,
+                                                     const Scalar& now, double slack) const {
+    const auto at = [&](std::int32_t k) -> const Body& {
+        return bodies[static_cast<std::size_t>(k)];
+    };
+    const bool has_right = i < last() || (periodic_ && count_ > 1);
+    const bool has_left = i > 0 || (periodic_ && count_ > 1);
+    const std::int32_t right = i < last() ? i + 1 : 0, left = i > 0 ? i - 1 : last();
+    if (has_right && gap(at(i), at(right), now, i == last()) < -slack * length_) return right;
+    if (has_left && gap(at(left), at(i), now, i == 0) < -slack * length_) return left;
+    return std::nullopt;
+}
+
 template class Wire<double>;
 template class Wire<Real>;
 

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -55,6 +56,11 @@ class Wire {
     /// approach. Throws std::runtime_error when both have infinite mass: neither can pass nor
     /// yield.
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
+
+    /// The neighbour that body i overlaps, when all are at one time, if there is one; not one that
+    /// it touches, or overlaps by less than `slack` times the length.
+    std::optional<std::int32_t> overlapped(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                                           double slack) const;
 
   private:
     std::int32_t last() const { return count_ - 1; }

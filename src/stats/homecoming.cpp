@@ -12,7 +12,8 @@ ReturnDistance return_distance(const Box& box, const Sample& start, const Sample
         if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic)
             apart.col(a) -= box.size[a] * (apart.col(a) / box.size[a]).round();
     const Eigen::ArrayXd square = apart.square().rowwise().sum();
-    return {std::sqrt(square.maxCoeff()), std::sqrt(square.mean())};
+    const double largest = std::sqrt(square.maxCoeff()), mean = std::sqrt(square.mean());
+    return {largest, mean, std::log10(largest), std::log10(mean)};
 }
 
 }  // namespace carom

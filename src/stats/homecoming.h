@@ -1,16 +1,12 @@
-// How near a reversed gas comes to where it started.
+// How near a reversed gas comes to where it started, as far as doubles tell (physics/whereabouts.h:
+// in full).
 #pragma once
 
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "physics/whereabouts.h"
 
 namespace carom {
-
-/// Distances of all particles from their places in another state, as lengths.
-struct ReturnDistance {
-    double largest = 0.0;
-    double root_mean_square = 0.0;
-};
 
 /// Compares the positions of two states of one gas; across periodic borders the nearest image
 /// counts.

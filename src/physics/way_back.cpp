@@ -1,0 +1,400 @@
+#include "physics/way_back.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "physics/event_loop.h"
+#include "physics/multiprecision.h"
+#include "physics/placement.h"
+#include "physics/simulation.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+constexpr int whole_words = 64;  // bits that cost no more than one of them
+
+int up_to_whole_words(double bits) {
+    const double words = std::ceil(std::max(bits, double{least_bits}) / whole_words);
+    return static_cast<int>(std::min(words, 1e6) * whole_words);
+}
+
+/// A stretch of the run between two reversals. Where the gas is on its way is told by the path: the
+/// time on the way out, which falls while the gas goes back, and below 0 once it has passed home.
+struct Leg {
+    double begin, end;  ///< simulated times
+    double path;        ///< at its begin
+    int direction;      ///< 1 or -1
+    double at(double time) const { return path + direction * (time - begin); }
+};
+
+/// Two times at which the gas should be at the same places.
+struct Meeting {
+    double first, again;
+    double path;
+};
+
+class Itinerary {
+  public:
+    explicit Itinerary(const Run& run) {
+        double begin = 0.0, path = 0.0;
+        int direction = 1;
+        const auto leg_until = [&](double end) {
+            if (end > begin) add({begin, end, path, direction});
+            path += direction * (end - begin);
+            begin = end;
+        };
+        for (const RunEvent& event : run.events) {
+            if (!std::holds_alternative<ReverseVelocities>(event.action) || event.at >= run.until)
+                continue;
+            leg_until(event.at);
+            direction = -direction;
+        }
+        leg_until(run.until);
+    }
+
+    const std::vector<Leg>& legs() const { return legs_; }
+    const std::vector<Meeting>& meetings() const { return meetings_; }  ///< by the second time
+
+  private:
+    // When the gas was first where the path says.
+    double first_time(double path) const {
+        for (const Leg& leg : legs_) {
+            const double end = leg.at(leg.end);
+            if (path >= std::min(leg.path, end) && path <= std::max(leg.path, end))
+                return leg.begin + std::abs(path - leg.path);
+        }
+        return 0.0;
+    }
+
+    void add(const Leg& leg) {
+        legs_.push_back(leg);
+        const double end = leg.at(leg.end);
+        if (legs_.size() > 1) {
+            std::vector<double> paths{std::clamp(end, low_, high_)};
+            if (low_ < 0.0 && (leg.path > 0.0) != (end > 0.0)) paths.push_back(0.0);
+            std::ranges::sort(paths, {}, [&](double path) { return std::abs(path - leg.path); });
+            for (const double path : paths)
+                if (path != leg.path)
+                    meetings_.push_back(
+                        {first_time(path), leg.begin + std::abs(path - leg.path), path});
+        }
+        low_ = std::min(low_, end);
+        high_ = std::max(high_, end);
+    }
+
+    std::vector<Leg> legs_;
+    std::vector<Meeting> meetings_;
+    double low_ = 0.0, high_ = 0.0;  ///< where the gas has been
+};
+
+Run without_nudges(Run run) {
+    std::erase_if(run.events, [](const RunEvent& event) {
+        return std::holds_alternative<Nudge>(event.action);
+    });
+    return run;
+}
+
+/// Whom each particle has met along the path. On known ground it must meet the same again.
+class Diary {
+  public:
+    Diary(Eigen::Index particles, double slack)
+        : pages_(static_cast<std::size_t>(particles)), slack_(slack) {}
+
+    /// False if it contradicts what has been.
+    bool write(const Leg& leg, const Collision& collision) {
+        const double path = leg.at(collision.time);
+        const bool one = write(leg.direction, path, collision.first, collision.second);
+        return one && (collision.second < 0 ||
+                       write(leg.direction, path, collision.second, collision.first));
+    }
+
+    /// How far each has read, to be compared at a second visit.
+    std::vector<std::ptrdiff_t> bookmarks() const {
+        std::vector<std::ptrdiff_t> marks;
+        for (const Page& page : pages_) marks.push_back(page.place - page.before_start);
+        return marks;
+    }
+
+    /// Whether they are where they were, up to what happens at this very moment.
+    bool is_at(const std::vector<std::ptrdiff_t>& marks, double path) const {
+        for (std::size_t i = 0; i < pages_.size(); ++i) {
+            const Page& page = pages_[i];
+            const auto [from, to] = std::minmax({page.place, marks[i] + page.before_start});
+            for (std::ptrdiff_t k = from; k < to; ++k)
+                if (std::abs(page.entries[static_cast<std::size_t>(k)].path - path) > slack_)
+                    return false;
+        }
+        return true;
+    }
+
+    /// The stretch of the path that has been seen, by an observer who goes along.
+    void reach(double path) {
+        low_ = std::min(low_, path);
+        high_ = std::max(high_, path);
+    }
+
+  private:
+    struct Entry {
+        std::int32_t whom;
+        double path;
+    };
+    struct Page {
+        std::deque<Entry> entries;
+        std::ptrdiff_t place = 0;         ///< the next on the way out
+        std::ptrdiff_t before_start = 0;  ///< entries from before the start
+    };
+
+    bool write(int direction, double path, std::int32_t who, std::int32_t whom) {
+        Page& page = pages_[static_cast<std::size_t>(who)];
+        const bool out = direction > 0;
+        const std::ptrdiff_t next = out ? page.place : page.place - 1;
+        const bool is_new = next < 0 || next == static_cast<std::ptrdiff_t>(page.entries.size());
+        if (is_new) {
+            if (path > low_ + slack_ && path < high_ - slack_) return false;
+            if (out)
+                page.entries.push_back({whom, path});
+            else
+                page.entries.push_front({whom, path});
+            if (out)
+                ++page.place;
+            else
+                ++page.before_start;  // and the place stays 0
+            return true;
+        }
+        page.place += direction;
+        return page.entries[static_cast<std::size_t>(next)].whom == whom;
+    }
+
+    std::vector<Page> pages_;
+    double slack_;
+    double low_ = 0.0, high_ = 0.0;
+};
+
+/// How a run in so many bits came home.
+struct Echo {
+    bool meets_the_same = true;
+    double log2_excess = -1e9;  ///< of the largest distance over the tolerance
+};
+
+// Goes the whole way with so many bits, leg by leg.
+template <int Dimension>
+class EchoRun {
+  public:
+    EchoRun(const Gas& gas, const Particles& particles, Sample start, const Run& run, int bits)
+        : box_(gas.box), loop_(gas.box, particles, {.bits = bits}) {
+        start.time = -run.equilibrate;
+        loop_.start(start);
+        loop_.advance(0.0, nullptr);
+    }
+
+    Echo go(const Itinerary& way, Diary& diary, double tolerance) {
+        Echo echo;
+        std::vector<Visit> visits = visits_of(way.meetings());
+        auto next = visits.begin();
+        int direction = 1;
+        for (const Leg& leg : way.legs()) {
+            if (leg.direction != direction) loop_.reverse(leg.begin);
+            direction = leg.direction;
+            for (; next != visits.end() && next->time <= leg.end; ++next) {
+                const Meeting& meeting = way.meetings()[next->meeting];
+                if (!advance(leg, next->time, diary)) return {.meets_the_same = false};
+                const Whereabouts here(box_, loop_.places(next->time));
+                Seen& before = seen_[next->meeting];
+                if (!next->again) {
+                    before = {here, diary.bookmarks()};
+                    continue;
+                }
+                const double far = return_distance(*before.where, here).log10_largest;
+                echo.log2_excess =
+                    std::max(echo.log2_excess, (far - std::log10(tolerance)) / std::log10(2.0));
+                if (!diary.is_at(before.marks, meeting.path)) echo.meets_the_same = false;
+            }
+            if (next == visits.end()) break;
+            if (!advance(leg, leg.end, diary)) return {.meets_the_same = false};
+        }
+        return echo;
+    }
+
+  private:
+    struct Visit {
+        double time;
+        std::size_t meeting;
+        bool again;
+    };
+    struct Seen {
+        std::optional<Whereabouts> where;
+        std::vector<std::ptrdiff_t> marks;
+    };
+
+    std::vector<Visit> visits_of(const std::vector<Meeting>& meetings) {
+        std::vector<Visit> visits;
+        for (std::size_t k = 0; k < meetings.size(); ++k) {
+            visits.push_back({meetings[k].first, k, false});
+            visits.push_back({meetings[k].again, k, true});
+        }
+        std::ranges::stable_sort(visits, {}, &Visit::time);
+        seen_.resize(meetings.size());
+        return visits;
+    }
+
+    // False if the gas does not meet again whom it has met. In stretches, so that what is recorded
+    // of a long run is soon forgotten.
+    bool advance(const Leg& leg, double time, Diary& diary) {
+        constexpr int stretches = 64;
+        const double begin = now_;
+        for (int k = 1; k <= stretches; ++k) {
+            now_ = k == stretches ? time : begin + (time - begin) * k / stretches;
+            collisions_.clear();
+            loop_.advance(now_, &collisions_);
+            for (const Collision& collision : collisions_)
+                if (!diary.write(leg, collision)) return false;
+            throw_if_interrupted();
+        }
+        diary.reach(leg.at(now_));
+        return true;
+    }
+
+    Box box_;
+    EventLoop<Dimension, Real> loop_;
+    std::vector<Seen> seen_;
+    std::vector<Collision> collisions_;
+    double now_ = 0.0;
+};
+
+/// A gas in search of its bits.
+class Search {
+  public:
+    Search(const Gas& gas, const Run& run)
+        : gas_(gas), run_(run), way_(run), placed_(place(gas)), tolerance_(tolerance_length()) {}
+
+    int bits() {
+        count_collisions();
+        const double guess = first_guess();
+        if (guess > most_bits) refuse_so_many(guess);
+        int bits = up_to_whole_words(guess);
+        while (true) {
+            const Echo echo = try_out(bits);
+            if (echo.meets_the_same && echo.log2_excess < 0.0) return bits;
+            if (bits == most_bits) refuse_at_ceiling();
+            if (bits > 8.0 * guess + 1024.0) refuse_for_no_reason_known(bits);
+            const double more = echo.meets_the_same ? bits + echo.log2_excess + 32.0 : 1.5 * bits;
+            bits = std::min(most_bits, up_to_whole_words(more));
+        }
+    }
+
+  private:
+    double tolerance_length() const {
+        const Particles& particles = placed_.first;
+        const double smallest = particles.count() > 0 ? particles.radius.minCoeff() : 0.0;
+        const double spacing = gas_.box.size[0] / static_cast<double>(particles.count());
+        return run_.tolerance * (smallest > 0.0 ? smallest : spacing);
+    }
+
+    // Of each particle with others on the longest leg, in doubles: only the number counts.
+    void count_collisions() {
+        Run run = without_nudges(run_);
+        run.bits = bits_of_double;
+        Simulation simulation(gas_, run);
+        std::int64_t before = 0;
+        for (const Leg& leg : way_.legs()) {
+            const std::int64_t now = simulation.advance_to(leg.end).counts.particle;
+            const double each = 2.0 * static_cast<double>(now - before) /
+                                static_cast<double>(placed_.first.count());
+            if (each >= of_each_) longest_ = leg.end - leg.begin;
+            of_each_ = std::max(of_each_, each);
+            before = now;
+        }
+    }
+
+    // Round-off of disks grows by so many bits with each collision (a safe fit for equal disks); on
+    // a wire more slowly, by how much is found out.
+    double first_guess() const {
+        if (gas_.box.dimension == 1) return least_bits;
+        const double packing =
+            std::numbers::pi * placed_.first.radius.square().sum() / gas_.box.size.prod();
+        const double lost =
+            packing > 0.0 ? 3.85 * std::log2(1.0 + 0.115 / packing) * of_each_ : 0.0;
+        return std::log2(gas_.box.size.maxCoeff() / tolerance_) + 12.0 + lost +
+               2.0 * std::sqrt(lost);
+    }
+
+    Echo try_out(int bits) const {
+        return gas_.box.dimension == 1 ? try_out<1>(bits) : try_out<2>(bits);
+    }
+    template <int Dimension>
+    Echo try_out(int bits) const {
+        const auto& [particles, start] = placed_;
+        const double fastest = particles.count() > 0 ? speeds(start).maxCoeff() : 0.0;
+        Diary diary(particles.count(), fastest > 0.0 ? tolerance_ / fastest : 0.0);
+        return EchoRun<Dimension>(gas_, particles, start, run_, bits).go(way_, diary, tolerance_);
+    }
+
+    std::string after_how_many() const {
+        return fmt::format("after {:.4g} collisions of each particle", of_each_);
+    }
+    [[noreturn]] void refuse_so_many(double bits) const {
+        throw PrecisionError(
+            fmt::format("to bring the gas home {} takes some {:.0f} bits; the ceiling is {}",
+                        after_how_many(), bits, most_bits),
+            fmt::format(
+                "a reversal {:.3g} time units after the one before, or after the start, needs "
+                "fewer; so do disks that fill more of the box",
+                longest_ * most_bits / bits));
+    }
+    [[noreturn]] void refuse_at_ceiling() const {
+        throw PrecisionError(
+            fmt::format("even {} bits, the ceiling, do not bring the gas home {}", most_bits,
+                        after_how_many()),
+            fmt::format("a reversal less than {:.3g} time units after the one before, or after the "
+                        "start, needs fewer",
+                        longest_));
+    }
+    [[noreturn]] void refuse_for_no_reason_known(int bits) const {
+        throw PrecisionError(
+            fmt::format("even {} bits do not bring the gas home {}, where far fewer should", bits,
+                        after_how_many()),
+            "three particles that meet at one instant, as in symmetric starts, have no way back "
+            "that is the only one; another `seed`, or places a little off, avoid that");
+    }
+
+    const Gas& gas_;
+    const Run& run_;
+    Itinerary way_;
+    std::pair<Particles, Sample> placed_;
+    double tolerance_;      ///< length
+    double of_each_ = 0.0;  ///< collisions with others, on the leg with most
+    double longest_ = 0.0;  ///< time of that leg
+};
+
+}  // namespace
+
+int bits_for(const Nudge& nudge, double size) {
+    Real square = 0.0;
+    for (const std::string& by : nudge.by) {
+        const Real length = Real::from_text(by, least_bits);
+        square += length * length;
+    }
+    if (square.is_zero()) return least_bits;
+    const double log10_nudge = log10(sqrt(square));
+    return up_to_whole_words((std::log10(size) - log10_nudge) / std::log10(2.0) + 64.0);
+}
+
+int bits_to_come_home(const Gas& gas, const Run& run) {
+    const Itinerary way(run);
+    int bits = bits_of_double;
+    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run).bits());
+    for (const RunEvent& event : run.events)
+        if (const auto* nudge = std::get_if<Nudge>(&event.action))
+            bits = std::max(bits, bits_for(*nudge, gas.box.size.maxCoeff()));
+    return bits;
+}
+
+}  // namespace carom

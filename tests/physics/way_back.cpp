@@ -1,0 +1,235 @@
+// How many bits it takes to come home is found by trying; and what a nudge does to an echo.
+#include "physics/way_back.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "physics/placement.h"
+#include "physics/simulation.h"
+#include "support/bodies.h"
+#include "support/csv.h"
+#include "support/equal_disks.h"
+#include "support/small_scenes.h"
+
+using namespace carom;
+
+namespace {
+
+Run reversed_at(const std::vector<double>& times, double until) {
+    Run run{.until = until, .events = {}, .bits = std::nullopt};
+    for (const double at : times) run.events.push_back({at, ReverseVelocities{}});
+    return run;
+}
+
+Run with_bits(Run run, int bits) {
+    run.bits = bits;
+    return run;
+}
+
+// How far from each other the gas is at two times of one run.
+ReturnDistance between(const Gas& gas, const Run& run, double first, double second) {
+    Simulation simulation(gas, run);
+    simulation.advance_to(first);
+    const Whereabouts before = simulation.whereabouts();
+    simulation.advance_to(second);
+    return return_distance(before, simulation.whereabouts());
+}
+
+}  // namespace
+
+TEST_CASE("with the bits that were found a gas comes home, event by event") {
+    for (const double packing : {0.15, 0.4}) {
+        CAPTURE(packing);
+        const Gas gas = test::equal_disks(packing, 49);
+        const Run run = reversed_at({15.0}, 30.0);
+        const int bits = bits_to_come_home(gas, run);
+        CHECK(bits % 64 == 0);
+        CHECK(bits >= 128);
+        CHECK(bits <= 320);
+        Simulation simulation(gas, with_bits(run, bits));
+        CHECK(simulation.bits() == bits);
+        const Whereabouts start = simulation.whereabouts();
+        simulation.record_collisions(true);
+        auto out = simulation.advance_to(15.0);
+        const std::int64_t there = out.counts.particle;
+        const Passage back = simulation.advance_to(30.0);
+        CHECK(there > 200);
+        CHECK(back.counts.particle == 2 * there);
+        const ReturnDistance home = return_distance(start, simulation.whereabouts());
+        CHECK(home.largest < 0.5e-9);
+        CHECK(home.largest > 0.0);
+        CHECK(home.root_mean_square <= home.largest);
+        CHECK(home.log10_largest == doctest::Approx(std::log10(home.largest)));
+    }
+}
+
+TEST_CASE("a finer tolerance takes more bits") {
+    const Gas gas = test::equal_disks(0.3, 36);
+    Run run = reversed_at({5.0}, 10.0);
+    const int usual = bits_to_come_home(gas, run);
+    run.tolerance = 1e-300;
+    const int fine = bits_to_come_home(gas, run);
+    CHECK(fine >= usual + 900);
+    const ReturnDistance home = between(gas, with_bits(run, fine), 0.0, 10.0);
+    CHECK(home.log10_largest < -300.0);
+    CHECK(home.log10_largest > -400.0);
+    CHECK(between(gas, with_bits(run, 2048), 0.0, 10.0).largest == 0.0);  // no double is so small
+    CHECK(between(gas, with_bits(run, 2048), 0.0, 10.0).log10_largest < -550.0);
+}
+
+TEST_CASE("home again after several reversals, and beyond the start") {
+    const Gas gas = test::equal_disks(0.3, 36);
+    // Out to 8, back to 3, out to 9, home at 9 + 15 and on into the time before the start, home.
+    const Run run = reversed_at({8.0, 13.0, 19.0, 33.0}, 45.0);
+    const int bits = bits_to_come_home(gas, run);
+    const Run certain = with_bits(run, bits);
+    CHECK(between(gas, certain, 3.0, 13.0).largest < 0.5e-9);
+    CHECK(between(gas, certain, 0.0, 28.0).largest < 0.5e-9);
+    CHECK(between(gas, certain, 0.0, 38.0).largest < 0.5e-9);
+    CHECK(between(gas, certain, 7.0, 45.0).largest < 0.5e-9);
+    CHECK(between(gas, certain, 0.0, 33.0).largest > 0.1);
+}
+
+TEST_CASE("mixtures, walls of all kinds and wires find their bits") {
+    int found = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        const bool wire = seed % 2 == 0;
+        const Gas gas = wire ? test::small_wire(seed) : test::small_scene(seed);
+        if (!wire && test::may_crush(gas)) continue;
+        Run run = reversed_at({10.0}, 20.0);
+        run.equilibrate = seed % 3 == 0 ? 2.0 : 0.0;
+        const int bits = bits_to_come_home(gas, run);
+        double smallest = 1e9;
+        const Particles particles = place(gas).first;
+        smallest = particles.radius.minCoeff();
+        if (smallest == 0.0) smallest = gas.box.size[0] / static_cast<double>(particles.count());
+        CHECK(between(gas, with_bits(run, bits), 0.0, 20.0).largest < 1e-9 * smallest);
+        ++found;
+    }
+    CHECK(found >= 35);
+}
+
+TEST_CASE("no bits are needed where nothing turns round") {
+    const Gas gas = test::equal_disks(0.3, 9);
+    Run run = reversed_at({}, 10.0);
+    CHECK(bits_to_come_home(gas, run) == 53);
+    run.events.push_back({5.0, Nudge{2, {"1e-300", "0"}}});
+    const int bits = bits_to_come_home(gas, run);
+    CHECK(bits >= 1000 + 64);
+    CHECK(bits <= 1200);
+}
+
+TEST_CASE("what cannot come home is refused with what to change") {
+    const Gas gas = test::equal_disks(0.05, 16);
+    const Run run = reversed_at({20'000.0}, 40'000.0);
+    std::string message, hint;
+    try {
+        bits_to_come_home(gas, run);
+    } catch (const PrecisionError& error) {
+        message = error.what();
+        hint = error.hint();
+    }
+    CHECK(message.find("the ceiling is 16384") != std::string::npos);
+    CHECK(message.find("collisions of each particle") != std::string::npos);
+    CHECK(hint.find("a reversal") != std::string::npos);
+}
+
+TEST_CASE("a nudge moves one particle by what it says, to the last digit") {
+    for (const int dimension : {1, 2}) {
+        for (const bool precise : {false, true}) {
+            CAPTURE(dimension);
+            CAPTURE(precise);
+            Run run{.until = 10.0, .events = {}};
+            run.bits = precise ? 1200 : 53;
+            run.events = {{2.0, Nudge{1, {precise ? "1e-300" : "0.001", "0"}}}};
+            const Box box{dimension, {20.0, 20.0}, {}};
+            Simulation nudged = test::simulation_of(
+                box, {{5.0, 5.0, 0.0, 0.0}, {10.0, 5.0, 0.0, 0.0}, {15.0, 5.0, 0.0, 0.0}}, run);
+            const Whereabouts before = nudged.whereabouts();
+            nudged.advance_to(1.9);
+            CHECK(return_distance(before, nudged.whereabouts()).largest == 0.0);
+            nudged.advance_to(2.0);
+            const ReturnDistance moved = return_distance(before, nudged.whereabouts());
+            CHECK(moved.log10_largest == doctest::Approx(precise ? -300.0 : -3.0).epsilon(1e-12));
+            if (!precise) CHECK(nudged.sample().position(1, 0) == 10.001);
+        }
+    }
+}
+
+TEST_CASE("a nudge into another particle or a wall is refused") {
+    for (const int dimension : {1, 2}) {
+        for (const int bits : {53, 128}) {
+            CAPTURE(dimension);
+            CAPTURE(bits);
+            const auto message = [&](const char* by, bool ring) {
+                Run run{.until = 10.0, .events = {}};
+                run.bits = bits;
+                run.events = {{2.0, ReverseVelocities{}}, {2.0, Nudge{1, {by, "0"}}}};
+                const Wall wall = ring ? Wall::periodic : Wall::solid;
+                Simulation nudged =
+                    test::simulation_of(Box{dimension, {20.0, 20.0}, {wall, wall}},
+                                        {{1.0, 5.0, 0.0, 0.0}, {18.0, 5.0, 0.0, 0.0}}, run);
+                try {
+                    nudged.advance_to(3.0);
+                } catch (const NudgeError& error) {
+                    CHECK(error.event() == 1);
+                    return std::string(error.what());
+                }
+                return std::string();
+            };
+            CHECK(message("1.4", false).empty());
+            CHECK(message("1.6", false) == "the nudge at time 2 would push particle 1 into a wall");
+            CHECK(message("1.6", true).empty());
+            CHECK(message("2.1", true) ==
+                  "the nudge at time 2 would push particle 1 into particle 0");
+            CHECK(message("-15.9", false).empty());
+            CHECK(message("-16.1", false) ==
+                  "the nudge at time 2 would push particle 1 into particle 0");
+        }
+    }
+}
+
+TEST_CASE("a nudged echo fails when the growth law says") {
+    std::map<double, double> bits_for_each;  // packing: lost with each collision of a particle
+    for (const auto& row : test::reference_rows("reversal_growth_rate.csv"))
+        if (row[1] == "100") bits_for_each[std::stod(row[0])] = std::stod(row[2]);
+    for (const double packing : {0.1, 0.2, 0.3, 0.4}) {
+        for (const char* by : {"1e-20", "1e-60"}) {
+            CAPTURE(packing);
+            CAPTURE(by);
+            if (std::stod(by) < 1e-30 && packing < 0.35) continue;
+            Gas gas = test::equal_disks(packing, 100);
+            gas.box.walls = {Wall::solid, Wall::solid};
+            const double out = 70.0;
+            Run plain{.until = 2.0 * out, .equilibrate = 1.0, .events = {}};
+            plain.bits = 1024;
+            Run run = plain;
+            run.events = {{out, ReverseVelocities{}}, {out, Nudge{7, {by, "0"}}}};
+            Simulation way_out(gas, plain), back(gas, run);
+            std::vector<Whereabouts> mirror;
+            const double step = 0.25;
+            for (double time = 0.0; time < out; time += step) {
+                way_out.advance_to(time);
+                mirror.push_back(way_out.whereabouts());
+            }
+            const std::int64_t there = back.advance_to(out).counts.particle;
+            double each = 0.0;
+            for (double time = out + step; !mirror.empty(); time += step) {
+                each = 0.02 * static_cast<double>(back.advance_to(time).counts.particle - there);
+                if (return_distance(mirror.back(), back.whereabouts()).largest > 0.5) break;
+                mirror.pop_back();
+            }
+            REQUIRE_FALSE(mirror.empty());
+            const double expected = -std::log2(std::stod(by)) / bits_for_each.at(packing);
+            CHECK(each > expected / 1.5);
+            CHECK(each < expected * 1.5);
+        }
+    }
+}

@@ -14,6 +14,7 @@
 #include "app/simulate.h"
 #include "media/image_writer.h"
 #include "panels/frame.h"
+#include "panels/precision.h"
 #include "scene/timeline.h"
 #include "util/interrupt.h"
 
@@ -97,9 +98,10 @@ Canvas picture(const Scene& scene, double time, std::string_view format) {
 
 }  // namespace
 
-RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress) {
+RenderReport render(const Scene& asked, const RenderOptions& options, Progress& progress) {
     const double begun = seconds_of(CLOCK_MONOTONIC);
     const double cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+    const Scene scene = with_precision(asked);
     Simulation simulation = simulate(scene);
     const std::vector<Tick> ticks = timeline(scene);
     const FrameSpan span = frames_between(ticks, options.from, options.to);
@@ -148,7 +150,8 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
     return report;
 }
 
-Canvas draw_still(const Scene& scene, double at, std::string_view format) {
+Canvas draw_still(const Scene& asked, double at, std::string_view format) {
+    const Scene scene = with_precision(asked);
     const std::vector<Tick> ticks = timeline(scene);
     const auto nearest = static_cast<std::size_t>(frame_nearest_to(ticks, at));
 

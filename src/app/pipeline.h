@@ -35,8 +35,8 @@ struct RenderReport {
     double encode_seconds = 0.0;    ///< CPU of all workers, conversion included
 };
 
-/// Renders the film of `scene`, whole or not at all. Throws SceneError (the gas cannot be placed),
-/// SystemError, Interrupted.
+/// Renders the film of `scene`, whole or not at all. Throws SceneError (the gas cannot be placed,
+/// or not be brought home), SystemError, Interrupted.
 RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress);
 
 /// Draws the frame nearest to the simulated time `at` as pixels, or for `svg` and `pdf` as vectors.

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "app/simulate.h"
+#include "panels/precision.h"
+#include "stats/homecoming.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -36,11 +38,16 @@ std::int64_t events(const CollisionCounts& counts) { return counts.particle + co
 // Looks at the gas when it turns round and when it should be home.
 class ReversalWatch {
   public:
-    ReversalWatch(const Run& run, const Sample& start) : start_(start) {
+    ReversalWatch(const Run& run, Simulation& simulation) {
         for (const RunEvent& event : run.events)
             if (std::holds_alternative<ReverseVelocities>(event.action)) add(event.at, run.until);
         std::stable_sort(marks_.begin(), marks_.end(),
                          [](const Mark& a, const Mark& b) { return a.time < b.time; });
+        if (reports_.empty()) return;
+        if (simulation.bits() > bits_of_double)
+            start_in_full_ = simulation.whereabouts();
+        else
+            start_ = simulation.sample();
     }
 
     /// When to look next; infinite after the last time.
@@ -58,8 +65,7 @@ class ReversalWatch {
                 continue;
             }
             report.events_back = events(counts) - report.events_out;
-            if (alone_before(mark.time))
-                report.distance = return_distance(simulation.box(), start_, simulation.sample());
+            if (alone_before(mark.time)) report.distance = distance_from_start(simulation);
         }
     }
 
@@ -84,7 +90,13 @@ class ReversalWatch {
                              [=](const ReversalReport& other) { return other.at < time; }) == 1;
     }
 
-    Sample start_;
+    ReturnDistance distance_from_start(Simulation& simulation) const {
+        if (start_in_full_) return return_distance(*start_in_full_, simulation.whereabouts());
+        return return_distance(simulation.box(), start_, simulation.sample());
+    }
+
+    Sample start_;  ///< as doubles have it, or
+    std::optional<Whereabouts> start_in_full_;
     std::vector<Mark> marks_;
     std::vector<ReversalReport> reports_;
     std::size_t next_ = 0;
@@ -100,7 +112,7 @@ class Course {
           simulation_(prepare(scene)),
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(scene.gas.species.size()), sample_count(scene.run)),
-          reversals_(scene.run, simulation_.sample()),
+          reversals_(scene.run, simulation_),
           progress_(progress),
           stretch_(1e-6 * scene.run.until) {
         progress_.begin("simulating", run_.until, "time units");
@@ -115,6 +127,7 @@ class Course {
         progress_.finish();
         seconds_.total = seconds_since(begun_);
         return {simulation_.particles().count(),
+                simulation_.bits(),
                 samples,
                 statistics_.summary(passage_),
                 passage_.counts,
@@ -187,7 +200,7 @@ double sample_time(const Run& run, std::int64_t index) {
 }
 
 RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress) {
-    return Course(scene, progress).run(take);
+    return Course(with_precision(scene), progress).run(take);
 }
 
 }  // namespace carom

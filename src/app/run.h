@@ -8,8 +8,8 @@
 
 #include "app/progress.h"
 #include "physics/simulation.h"
+#include "physics/whereabouts.h"
 #include "scene/scene.h"
-#include "stats/homecoming.h"
 #include "stats/run_statistics.h"
 
 namespace carom {
@@ -17,7 +17,6 @@ namespace carom {
 /// One reversal of all velocities, and how well the gas found its way back.
 struct ReversalReport {
     double at = 0.0;
-    int bits = 53;                            ///< precision of the run
     std::optional<ReturnDistance> distance;   ///< from the start, at 2 at: if the run goes on so
                                               ///< long and no other reversal lies before
     std::int64_t events_out = 0;              ///< collisions in [0, at], with walls too
@@ -34,6 +33,7 @@ struct RunSeconds {
 
 struct RunReport {
     std::int64_t particles = 0;
+    int bits = bits_of_double;  ///< of the numbers it calculated with
     std::int64_t samples = 0;
     RunSummary summary;
     CollisionCounts collisions;

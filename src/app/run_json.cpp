@@ -40,15 +40,17 @@ Json species(const Scene& scene, const RunSummary& summary) {
     return list;
 }
 
-Json reversal(const ReversalReport& report) {
+Json reversal(const ReversalReport& report, int bits) {
     const auto& distance = report.distance;
     const auto length = [&](double ReturnDistance::*member) {
         return distance ? number((*distance).*member) : Json(nullptr);
     };
     return {{"at", report.at},
-            {"bits", report.bits},
+            {"bits", bits},
             {"largest_return_distance", length(&ReturnDistance::largest)},
             {"root_mean_square", length(&ReturnDistance::root_mean_square)},
+            {"log10_largest_return_distance", length(&ReturnDistance::log10_largest)},
+            {"log10_root_mean_square", length(&ReturnDistance::log10_root_mean_square)},
             {"events",
              {{"out", report.events_out},
               {"back", report.events_back ? Json(*report.events_back) : Json(nullptr)}}}};
@@ -56,7 +58,7 @@ Json reversal(const ReversalReport& report) {
 
 Json reversals(const RunReport& report) {
     Json list = Json::array();
-    for (const ReversalReport& one : report.reversals) list.push_back(reversal(one));
+    for (const ReversalReport& one : report.reversals) list.push_back(reversal(one, report.bits));
     return list;
 }
 
@@ -75,7 +77,7 @@ Json whole(const Scene& scene, const RunReport& report) {
         {"dimension", scene.gas.box.dimension},
         {"particles", report.particles},
         {"time", scene.run.until},
-        {"precision_bits", 53},
+        {"precision_bits", report.bits},
         {"collisions", collisions(report)},
         {"energy",
          {{"initial", number(s.energy_initial)},

@@ -60,14 +60,22 @@ std::string overlap(double largest) {
     return fmt::format("at most {:.1e} of a contact distance", largest);
 }
 
+// Also of one for which there is no double.
+std::string length(double value, double log10) {
+    if (value > 1e-300 || std::isinf(log10)) return fmt::format("{:.2g}", value);
+    return fmt::format("{:.1f}e{:.0f}", std::pow(10.0, log10 - std::floor(log10)),
+                       std::floor(log10));
+}
+
 std::string way_back(const ReversalReport& report) {
     if (!report.events_back) return "the run ends before the gas could be home";
     const std::string events =
         fmt::format("{} out, {} back", counted(report.events_out, "event", "events"),
                     grouped(*report.events_back));
     if (!report.distance) return "another reversal comes between; " + events;
-    return fmt::format("home to within {:.2g} (r.m.s. {:.2g}); {}", report.distance->largest,
-                       report.distance->root_mean_square, events);
+    const ReturnDistance& d = *report.distance;
+    return fmt::format("home to within {} (r.m.s. {}); {}", length(d.largest, d.log10_largest),
+                       length(d.root_mean_square, d.log10_root_mean_square), events);
 }
 
 std::string species_rows(const Scene& scene, const RunSummary& summary) {
@@ -135,6 +143,9 @@ std::string run_table(const Scene& scene, const RunReport& report) {
     text += row("temperature", number(summary.temperature));
     text += row(scene.gas.box.dimension == 1 ? "force" : "pressure", pressure(summary));
     text += row("overlap", overlap(summary.largest_overlap));
+    if (report.bits > bits_of_double)
+        text += row("numbers", fmt::format("of {} bits{}", report.bits,
+                                           scene.run.bits ? "" : ", found by trying"));
     for (const ReversalReport& reversal : report.reversals)
         text += row(fmt::format("reversed at {}", reversal.at).c_str(), way_back(reversal));
     text += "\n" + species_rows(scene, summary) + "\n";

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Places the gas and runs `run.equilibrate`. Throws SceneError, with the place in the file, when
-/// the gas cannot be placed.
+/// Places the gas and runs `run.equilibrate`; of a scene with_precision(). Throws SceneError, with
+/// the place in the file, when the gas cannot be placed.
 Simulation simulate(const Scene& scene);
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <exception>
 #include <thread>
 
+#include "panels/precision.h"
 #include "panels/registry.h"
 #include "util/interrupt.h"
 
@@ -71,7 +72,7 @@ class FigureRun::OfSeed {
   public:
     // Of the figures that show more than `later` seeds.
     OfSeed(const Scene& scene, int later, const Fresh& fresh)
-        : scene_(alone(scene, later)),
+        : scene_(with_precision(alone(scene, later))),
           fresh_(fresh),
           ticks_(ticks_of(scene_)),
           start_(fresh(scene_)) {

@@ -1,9 +1,12 @@
 #include "scene/keys.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "physics/run.h"
 #include "scene/captions.h"
 #include "scene/forms.h"
 
@@ -229,12 +232,34 @@ Section gas_item(int dimension) {
     return complete(std::move(section));
 }
 
-Section run() {
+Section nudge(int dimension) {
+    const Form by =
+        dimension == 1 ? number(any_number) : list_of({number(any_number)}, 2, 2, "[dx, dy]");
+    return complete(
+        {.name = "`nudge`",
+         .keys = {
+             required({"particle",
+                       "The number of the particle, counted from 0 in the order in which `gas` "
+                       "lists them.",
+                       {integer(0.0, most_particles)}}),
+             required({"by",
+                       "How far it is moved, read with all its digits: as little as 1e-300.",
+                       {by}})}});
+}
+
+Section run(int dimension) {
+    Form bits = integer(bits_of_double, most_precise);
+    bits.phrase = fmt::format("a whole number from {} to {}", least_bits, most_bits);
     const Section event = complete(
         {.name = "an item of `events`",
          .keys = {required(
                       {"at", "When, in simulated time, before `until`.", {number(not_negative)}}),
                   {"reverse", "Turns every velocity round.", {one_of({"velocities"})}},
+                  {"nudge",
+                   "Moves one particle by a little, which shows how soon a reversed film goes "
+                   "another way.",
+                   {mapping(nudge(dimension), dimension == 1 ? "{particle: i, by: dx}"
+                                                             : "{particle: i, by: [dx, dy]}")}},
                   {"mark",
                    "Keeps the places that the particles have then in sight, as outlines with these "
                    "words, until the next mark.",
@@ -248,7 +273,7 @@ Section run() {
                            "How long the caption is shown at most, in seconds of film.",
                            {number({least_caption_seconds, most_seconds.value,
                                     most_seconds.meaning})}})},
-         .choices = {{{"reverse", "mark", "caption"}, true}}});
+         .choices = {{{"reverse", "nudge", "mark", "caption"}, true}}});
     return complete(
         {.name = "`run`",
          .keys = {
@@ -262,6 +287,19 @@ Section run() {
                   "Simulated time between two samples of the statistics: at 0, at its multiples, "
                   "and at the end.",
                   {number(positive)}}),
+             otherwise(
+                 "double",
+                 {"precision",
+                  "What the run calculates with: doubles, which have 53 bits; numbers of so "
+                  "many bits; or as many as it takes to come home after every reversal, which "
+                  "is tried out.",
+                  {one_of({"double", "auto"}), bits}}),
+             otherwise("1e-9",
+                       {"tolerance",
+                        "How near its place `precision: auto` must bring every particle home, in "
+                        "units of the smallest radius; on a wire of points, of the length for each "
+                        "of them.",
+                        {number({1e-300, 1.0, "radius away from home"})}}),
              left_to("none", {"events",
                               "What happens on the way, a list of {at: time, action}.",
                               {list_of({mapping(event)}, 0, most_events, "a list of events")}})}});
@@ -716,7 +754,7 @@ Section scene(int dimension) {
                  {"gas",
                   "What is in the box: a list of species.",
                   {list_of({mapping(gas_item(dimension))}, 1, most_species, "a list of species")}}),
-             required({"run", "What happens to the gas.", {mapping(run())}}),
+             required({"run", "What happens to the gas.", {mapping(run(dimension))}}),
              left_to("the template's", {"film", "What the viewer sees.", {mapping(film())}}),
              left_to("none",
                      {"figures",

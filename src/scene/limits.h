@@ -34,6 +34,7 @@ inline constexpr Limit most_particles{2'000'000, "particles in all"};
 inline constexpr Limit most_returning{300'000, "particles whose way home is measured"};
 inline constexpr Limit most_species{200, "species"};
 inline constexpr Limit most_events{1'000, "events of a run"};
+inline constexpr Limit most_precise{16'384, "bits of a number: 4,900 decimal digits"};
 inline constexpr Limit most_samples{10e6, "samples of a run"};
 inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of overlaps"};
 
@@ -69,6 +70,7 @@ inline constexpr std::array limits{most_file_bytes,     most_nesting,       most
                                    most_slow_spans,     most_monitors,      most_bins,
                                    most_chosen,         largest_grid,       most_figures,
                                    most_set_scenes,     most_strip,         most_compared,
-                                   most_changes,        largest_figure,     smallest_figure};
+                                   most_changes,        largest_figure,     smallest_figure,
+                                   most_precise};
 
 }  // namespace carom

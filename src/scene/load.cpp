@@ -114,6 +114,8 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     scene.run = run.run;
     scene.marks = run.marks;
     for (const CaptionDraft& draft : run.captions) scene.captions.push_back(draft.caption);
+    scene.precision_place = place_of(run.precision != nullptr ? *run.precision : tree.root);
+    for (const Node* node : run.event_nodes) scene.event_places.push_back(place_of(*node));
     if (box) {
         scene.gas.box = *box;
         if (box->dimension == 1) check_wire(*box, drafts, scene.run, errors);
@@ -124,6 +126,7 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
         scene.looks.push_back(draft.look);
         scene.species_spans.push_back(place_of(*draft.node));
     }
+    if (box) check_nudges(run, scene.gas, errors);
     const bool has_film = fields.mentions("film");
     if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film)) {
         const auto layout = read_layout({tree.template_file, template_section()}, errors);

@@ -203,6 +203,8 @@ struct Scene {
     Film film;
     std::vector<FigureSpec> figures;
     SceneSource source;
+    Diagnostic precision_place;             ///< of `precision` (or of the scene) in the file, and
+    std::vector<Diagnostic> event_places;   ///< of each of run.events, as those of the species
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
                                             ///< empty message, for errors found later
 };

@@ -232,6 +232,55 @@ TEST_CASE("a reversed gas comes home by as many events as it left") {
     CHECK(after[1]["largest_return_distance"].is_null());
 }
 
+TEST_CASE("with bits that are found a gas comes home where doubles go astray") {
+    const std::string gas =
+        "box: {size: [20, 15], walls: {bottom: periodic, top: periodic}}\n"
+        "gas:\n  - {name: free, count: 30, speed: 2}\n"
+        "  - {name: fixed, count: 2, radius: 1, mass: infinite}\n";
+    const auto reversed = [&](const std::string& more) {
+        return run_scene(gas + "run: {until: 60, " + more +
+                         "events: [{at: 30, reverse: velocities}]}\n")
+            .report;
+    };
+    const json astray = reversed("")["reversals"][0];
+    CHECK(astray["largest_return_distance"].get<double>() > 1.0);
+    CHECK(astray["log10_largest_return_distance"].get<double>() > 0.0);
+
+    const json report = reversed("precision: auto, ");
+    const int bits = report["precision_bits"];
+    CHECK(bits >= 128);
+    CHECK(bits <= 1024);
+    const json home = report["reversals"][0];
+    CHECK(home["bits"] == bits);
+    CHECK(home["largest_return_distance"].get<double>() < 0.5e-9);
+    CHECK(home["log10_largest_return_distance"].get<double>() ==
+          relative(std::log10(home["largest_return_distance"].get<double>()), 1e-12));
+    CHECK(home["events"]["out"].get<int>() > 300);
+    CHECK(home["events"]["out"] == home["events"]["back"]);
+    check_numbers(report);
+
+    const json given = reversed("precision: 8192, ");
+    CHECK(given["precision_bits"] == 8192);
+    CHECK(given["reversals"][0]["largest_return_distance"] == 0.0);  // too small for a double
+    CHECK(given["reversals"][0]["log10_largest_return_distance"].get<double>() < -2000.0);
+    CHECK(given["reversals"][0]["events"] == home["events"]);
+    check_numbers(given);
+
+    const json fine = reversed("precision: auto, tolerance: 1e-290, ");
+    CHECK(fine["reversals"][0]["largest_return_distance"].get<double>() < 0.5e-290);
+}
+
+TEST_CASE("a nudge of 1e-40 leads a reversed gas astray, and the bits have room for it") {
+    const json report =
+        run_scene(
+            "box: {size: [20, 15]}\ngas: [{count: 60, speed: 2}]\n"
+            "run: {until: 160, precision: auto, events: [{at: 80, reverse: velocities}, "
+            "{at: 80, nudge: {particle: 7, by: [0, 1e-40]}}]}\n")
+            .report;
+    CHECK(report["precision_bits"].get<int>() >= 192);
+    CHECK(report["reversals"][0]["largest_return_distance"].get<double>() > 1.0);
+}
+
 TEST_CASE("beads on a wire have one coordinate, and press with a force") {
     // Points of equal masses pass their velocities on: as if each flew alone from end to end.
     const TemporaryFolder folder;

@@ -377,6 +377,35 @@ TEST_CASE("a template laid over a scene shows as many of its panels as it has pl
     CHECK_THROWS_AS(loaded(own, {}), SceneError);
 }
 
+TEST_CASE("the precision of a run, and nudges with all their digits") {
+    const auto run_of = [](const std::string& box, const std::string& run) {
+        return load("title: T\n" + box + "gas: [{count: 3}]\nrun: {until: 10" + run + "}\n").run;
+    };
+    const std::string plane = "box: {size: [40, 30]}\n", wire = "box: {length: 40}\n";
+    CHECK(run_of(plane, "").bits == 53);
+    CHECK(run_of(plane, ", precision: double").bits == 53);
+    CHECK(run_of(plane, ", precision: 53").bits == 53);
+    CHECK(run_of(plane, ", precision: 64").bits == 64);
+    CHECK(run_of(plane, ", precision: 16384").bits == 16384);
+    CHECK_FALSE(run_of(plane, ", precision: auto").bits.has_value());
+    CHECK(run_of(plane, "").tolerance == 1e-9);
+    CHECK(run_of(plane, ", precision: auto, tolerance: 1e-300").tolerance == 1e-300);
+
+    const std::string digits = "1.00000000000000000000000000000000000000001e-300";
+    const Run nudged = run_of(plane,
+                              ", precision: auto, events: [{at: 5, reverse: velocities}, "
+                              "{at: 5, nudge: {particle: 2, by: [-" +
+                                  digits + ", 0]}}]");
+    REQUIRE(nudged.events.size() == 2);
+    const auto* nudge = std::get_if<Nudge>(&nudged.events[1].action);
+    REQUIRE(nudge != nullptr);
+    CHECK(nudge->particle == 2);
+    CHECK(nudge->by[0] == "-" + digits);
+    CHECK(nudge->by[1] == "0");
+    const Run beads = run_of(wire, ", events: [{at: 5, nudge: {particle: 0, by: 1e-3}}]");
+    CHECK(std::get<Nudge>(beads.events.at(0).action).by[0] == "1e-3");
+}
+
 TEST_CASE("rings, labels and monitors are read") {
     const Scene scene = load_scene_text(
         scene_with("{count: 20, fill: false}",

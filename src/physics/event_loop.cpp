@@ -49,6 +49,7 @@ EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particl
       space_(box, particles.radius, arithmetic),
       queue_(static_cast<std::int32_t>(particles.count())),
       bits_(arithmetic.bits) {
+    if constexpr (!of_doubles) clock_ = WholeClock(arithmetic.bits);
     many_ = bodies_.size() >= least_fetched_ahead;
     number_.reserve(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "physics/multiprecision.h"
+#include "physics/run.h"
 
 namespace carom {
 
@@ -38,9 +39,15 @@ class LocalClock {
 
 class WholeClock {
   public:
-    Real local(double time) const { return time; }
+    /// Times have as many bits as all numbers: a difference of two with fewer would be rounded.
+    explicit WholeClock(int bits = bits_of_double) : bits_(bits) {}
+
+    Real local(double time) const { return {time, bits_}; }
     double absolute(const Real& time) const { return static_cast<double>(time); }
     Real move_epoch_to(const Real& time) const { return time; }
+
+  private:
+    int bits_;
 };
 
 }  // namespace carom

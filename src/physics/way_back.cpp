@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -19,6 +20,7 @@
 namespace carom {
 namespace {
 
+constexpr int exact_bits = 256;  // no sum of times needs more
 constexpr int whole_words = 64;  // bits that cost no more than one of them
 
 int up_to_whole_words(double bits) {
@@ -30,7 +32,8 @@ int up_to_whole_words(double bits) {
 /// time on the way out, which falls while the gas goes back, and below 0 once it has passed home.
 struct Leg {
     double begin, end;  ///< simulated times
-    double path;        ///< at its begin
+    double path;        ///< at its begin, and
+    Real exact_path;    ///< the same without rounding
     int direction;      ///< 1 or -1
     double at(double time) const { return path + direction * (time - begin); }
 };
@@ -39,23 +42,25 @@ struct Leg {
 struct Meeting {
     double first, again;
     double path;
+    double off;  ///< by how much they miss each other, where a time between has no double
 };
 
 class Itinerary {
   public:
     explicit Itinerary(const Run& run) {
-        double begin = 0.0, path = 0.0;
-        int direction = 1;
+        Leg next{0.0, 0.0, 0.0, Real(0.0, exact_bits), 1};
         const auto leg_until = [&](double end) {
-            if (end > begin) add({begin, end, path, direction});
-            path += direction * (end - begin);
-            begin = end;
+            next.end = end;
+            if (end > next.begin) add(next);
+            next.exact_path = exact_path(next, end);
+            next.path = static_cast<double>(next.exact_path);
+            next.begin = end;
         };
         for (const RunEvent& event : run.events) {
             if (!std::holds_alternative<ReverseVelocities>(event.action) || event.at >= run.until)
                 continue;
             leg_until(event.at);
-            direction = -direction;
+            next.direction = -next.direction;
         }
         leg_until(run.until);
     }
@@ -64,14 +69,23 @@ class Itinerary {
     const std::vector<Meeting>& meetings() const { return meetings_; }  ///< by the second time
 
   private:
-    // When the gas was first where the path says.
-    double first_time(double path) const {
+    // The path at a time, without rounding.
+    static Real exact_path(const Leg& leg, double time) {
+        const Real since = Real(time, exact_bits) - leg.begin;
+        return leg.direction > 0 ? leg.exact_path + since : leg.exact_path - since;
+    }
+
+    // When the gas was first where it is at a time of a later leg.
+    Meeting meeting_at(const Leg& later, double path) const {
+        const double again = std::min(later.begin + std::abs(path - later.path), later.end);
         for (const Leg& leg : legs_) {
             const double end = leg.at(leg.end);
-            if (path >= std::min(leg.path, end) && path <= std::max(leg.path, end))
-                return leg.begin + std::abs(path - leg.path);
+            if (path < std::min(leg.path, end) || path > std::max(leg.path, end)) continue;
+            const double first = std::min(leg.begin + std::abs(path - leg.path), leg.end);
+            const Real off = exact_path(later, again) - exact_path(leg, first);
+            return {first, again, path, std::abs(static_cast<double>(off))};
         }
-        return 0.0;
+        return {0.0, again, path, 0.0};
     }
 
     void add(const Leg& leg) {
@@ -82,9 +96,7 @@ class Itinerary {
             if (low_ < 0.0 && (leg.path > 0.0) != (end > 0.0)) paths.push_back(0.0);
             std::ranges::sort(paths, {}, [&](double path) { return std::abs(path - leg.path); });
             for (const double path : paths)
-                if (path != leg.path)
-                    meetings_.push_back(
-                        {first_time(path), leg.begin + std::abs(path - leg.path), path});
+                if (path != leg.path) meetings_.push_back(meeting_at(leg, path));
         }
         low_ = std::min(low_, end);
         high_ = std::max(high_, end);
@@ -195,7 +207,7 @@ class EchoRun {
         loop_.advance(0.0, nullptr);
     }
 
-    Echo go(const Itinerary& way, Diary& diary, double tolerance) {
+    Echo go(const Itinerary& way, Diary& diary, double tolerance, double fastest) {
         Echo echo;
         std::vector<Visit> visits = visits_of(way.meetings());
         auto next = visits.begin();
@@ -213,8 +225,9 @@ class EchoRun {
                     continue;
                 }
                 const double far = return_distance(*before.where, here).log10_largest;
+                const double allowed = tolerance + 10.0 * fastest * meeting.off;
                 echo.log2_excess =
-                    std::max(echo.log2_excess, (far - std::log10(tolerance)) / std::log10(2.0));
+                    std::max(echo.log2_excess, (far - std::log10(allowed)) / std::log10(2.0));
                 if (!diary.is_at(before.marks, meeting.path)) echo.meets_the_same = false;
             }
             if (next == visits.end()) break;
@@ -333,8 +346,11 @@ class Search {
     Echo try_out(int bits) const {
         const auto& [particles, start] = placed_;
         const double fastest = particles.count() > 0 ? speeds(start).maxCoeff() : 0.0;
-        Diary diary(particles.count(), fastest > 0.0 ? tolerance_ / fastest : 0.0);
-        return EchoRun<Dimension>(gas_, particles, start, run_, bits).go(way_, diary, tolerance_);
+        // The times of collisions come as doubles.
+        const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * run_.until;
+        Diary diary(particles.count(), (fastest > 0.0 ? tolerance_ / fastest : 0.0) + round_off);
+        return EchoRun<Dimension>(gas_, particles, start, run_, bits)
+            .go(way_, diary, tolerance_, fastest);
     }
 
     std::string after_how_many() const {

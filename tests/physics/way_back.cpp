@@ -96,6 +96,15 @@ TEST_CASE("home again after several reversals, and beyond the start") {
     CHECK(between(gas, certain, 0.0, 33.0).largest > 0.1);
 }
 
+TEST_CASE("times that have no double on the other side do not ask for bits without end") {
+    const Gas gas = test::equal_disks(0.3, 16);
+    Run run = reversed_at({1.1, 1.7, 2.9, 4.2}, 7.3);
+    run.tolerance = 1e-60;
+    const int bits = bits_to_come_home(gas, run);
+    CHECK(bits >= 256);
+    CHECK(bits <= 512);
+}
+
 TEST_CASE("mixtures, walls of all kinds and wires find their bits") {
     int found = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {

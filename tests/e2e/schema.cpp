@@ -58,12 +58,15 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
-    {"list_lengths", several_places},  // against the count
+    {"list_lengths", several_places},     // against the count
+    {"nudge_in_double", several_places},  // `by` against `precision`
     {"outside", several_places},
     {"overlap", several_places},
     {"overlap_around", several_places},
     {"packing", several_places},
     {"panels_range", several_places},
+    {"precision", "53 bits are a double, those between 53 and 64 are nothing"},
+    {"precision_no_way_home", several_places},  // `at` against `until`
     {"radius_too_large", several_places},
     {"sample_every", several_places},
     {"template_caption", other_file},

@@ -26,6 +26,11 @@ double value_of(const WayHome::Step& step, Line line) {
     return line == Line::largest ? step.apart.largest : step.apart.root_mean_square;
 }
 
+// -infinity for 0; finite also where the value is too small for a double.
+double log_of(const WayHome::Step& step, Line line) {
+    return line == Line::largest ? step.apart.log10_largest : step.apart.log10_root_mean_square;
+}
+
 Color color_of(Line line, const Theme& theme) {
     return edge_of(line == Line::largest ? theme.highlight : theme.bar, theme);
 }
@@ -49,9 +54,9 @@ class ReturnDistancePanel : public Panel {
         Rect area;
         Scale x, y;  // y of decimal logarithms
         Point operator()(const WayHome::Step& step, Line line) const {
-            const double value = value_of(step, line);
+            const double power = log_of(step, line);
             const double height =
-                value > 0.0 ? std::clamp(y(std::log10(value)), area.y, y.from) : area.bottom();
+                std::isfinite(power) ? std::clamp(y(power), area.y, y.from) : area.bottom();
             return {x(step.since), height};
         }
     };
@@ -73,19 +78,20 @@ class ReturnDistancePanel : public Panel {
 
 void ReturnDistancePanel::settle() {
     way_home_.settle();
-    double least = std::numeric_limits<double>::infinity(), most = 0.0, last = 0.0;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double least = infinity, most = -infinity, last = 0.0;  // powers of ten, and a time
     for (const WayHome::Step& step : way_home_.steps()) {
         if (!step.is_known) continue;
         last = std::max(last, step.since);
-        most = std::max(most, step.apart.largest);
-        for (const double value : {step.apart.largest, step.apart.root_mean_square})
-            if (value > 0.0) least = std::min(least, value);
+        most = std::max(most, step.apart.log10_largest);
+        for (const Line line : {Line::largest, Line::root_mean_square})
+            if (std::isfinite(log_of(step, line))) least = std::min(least, log_of(step, line));
     }
     if (last > 0.0) last_ = last;
     radius_ = cast_.particles.count() > 0 ? cast_.particles.radius.mean() : 0.0;
-    if (most > 0.0) {
-        low_ = std::floor(std::log10(least));
-        high_ = std::ceil(std::log10(most));
+    if (std::isfinite(most)) {
+        low_ = std::floor(least);
+        high_ = std::ceil(most);
     }
     if (radius_ > 0.0) high_ = std::max(high_, std::ceil(std::log10(radius_)));
     high_ = std::max(high_, low_ + 2.0);
@@ -192,7 +198,7 @@ void ReturnDistancePanel::draw_way(Canvas& canvas, const Page& page, std::size_t
         const WayHome::Step& step = way_home_.steps()[k];
         if (!step.is_known) break;
         last = s(step, line);
-        if (value_of(step, line) > 0.0) {
+        if (std::isfinite(log_of(step, line))) {
             if (path.empty() || k + 1 == to || is_apart(path.back(), last, 0.08 * u))
                 path.push_back(last);
             continue;
@@ -212,13 +218,13 @@ void ReturnDistancePanel::draw(Canvas& canvas, const Page& page, const PanelStat
         const Scales s = scales(page);
         TextStyle style = label_style(page);
         style.align = Align::center;
-        style.max_width = s.area.width;
         const Point middle{s.area.x + s.area.width / 2,
                            0.5 * (s.area.y + s.y.from) + 0.35 * page.unit};
-        draw_text(canvas, middle,
-                  "begins at time " + three_digits(way_home_.reversals().front()) +
-                      ", when all turn round",
-                  style);
+        const std::string begins = "begins at time " + three_digits(way_home_.reversals().front());
+        const std::string whole = begins + ", when all turn round";
+        const bool fits = measure_text(whole, style).width <= s.area.width;
+        style.max_width = s.area.width;
+        draw_text(canvas, middle, fits ? whole : begins, style);
         return;
     }
     const std::vector<WayHome::Step>& steps = way_home_.steps();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "util/interrupt.h"
@@ -9,16 +10,21 @@
 namespace carom {
 namespace {
 
-constexpr double most_kept = 32e6;  // coordinates: a quarter of a gigabyte
+constexpr double most_kept = 256e6;  // bytes of coordinates
+
+// Of one coordinate; a number of many bits has a header, and a block of memory of its own.
+double bytes_of(int bits) { return bits > bits_of_double ? 64.0 + bits / 8.0 : 8.0; }
 
 }  // namespace
 
 WayHome::WayHome(const Cast& cast) : cast_(cast) {
     for (const RunEvent& event : cast.scene.run.events)
         if (std::holds_alternative<ReverseVelocities>(event.action)) reversals_.push_back(event.at);
-    const double coordinates =
-        static_cast<double>(cast.particles.count()) * cast.scene.gas.box.dimension;
-    stride_ = std::max(1, static_cast<int>(std::ceil(coordinates * cast.frames / most_kept)));
+    const int bits = cast.scene.run.bits.value_or(bits_of_double);
+    in_full_ = bits > bits_of_double;
+    const double bytes =
+        static_cast<double>(cast.particles.count()) * cast.scene.gas.box.dimension * bytes_of(bits);
+    stride_ = std::max(1, static_cast<int>(std::ceil(bytes * cast.frames / most_kept)));
 }
 
 void WayHome::survey(const Observation& observation) {
@@ -38,10 +44,42 @@ void WayHome::survey(const Observation& observation) {
     const bool is_known = mirror >= before - rounding;
     steps_.push_back({observation.tick.frame, reversal, since, {}, is_known});
     kept_.push_back({std::max(mirror, before), {}, {}});
-    if (is_known) kept_.back().position = observation.sample.position;
+    if (is_known && !in_full_) kept_.back().position = observation.sample.position;
+}
+
+// Both ways once more, to compare all bits: samples have no more than those of a double.
+void WayHome::compare_in_full() {
+    struct Moment {
+        double time;
+        bool is_back;
+        std::size_t step;
+    };
+    std::vector<Moment> moments;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+        if (!steps_[k].is_known) continue;
+        moments.push_back({kept_[k].time, false, k});
+        moments.push_back({reversals_[steps_[k].reversal] + steps_[k].since, true, k});
+    }
+    std::ranges::stable_sort(moments, [](const Moment& a, const Moment& b) {
+        return a.time != b.time ? a.time < b.time : a.is_back < b.is_back;
+    });
+    Simulation both_ways(cast_.scene.gas, cast_.scene.run);
+    std::map<std::size_t, Whereabouts> out;
+    for (const Moment& moment : moments) {
+        throw_if_interrupted();
+        both_ways.advance_to(moment.time);
+        if (!moment.is_back) {
+            out.emplace(moment.step, both_ways.whereabouts());
+            continue;
+        }
+        const auto mirror = out.find(moment.step);
+        steps_[moment.step].apart = return_distance(mirror->second, both_ways.whereabouts());
+        out.erase(mirror);
+    }
 }
 
 void WayHome::settle() {
+    if (in_full_) return compare_in_full();
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < steps_.size(); ++k)
         if (steps_[k].is_known) order.push_back(k);

@@ -29,7 +29,8 @@ class WayHome {
     /// frames as memory allows.
     void survey(const Observation& observation);
 
-    /// Runs the gas once more, to see the way out at the very times that mirror those kept.
+    /// Runs the gas once more, to see the way out at the very times that mirror those kept; a gas
+    /// of many bits on both ways, to compare them in full.
     void settle();
 
     /// In order of time, from the first reversal on.
@@ -45,7 +46,10 @@ class WayHome {
     const std::vector<double>& reversals() const { return reversals_; }
 
   private:
+    void compare_in_full();
+
     Cast cast_;
+    bool in_full_ = false;  ///< numbers have more bits than samples
     std::vector<double> reversals_;
     int stride_ = 1;  ///< one of so many frames is kept
     std::vector<Step> steps_;

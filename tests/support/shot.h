@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "panels/frame.h"
+#include "panels/precision.h"
 
 namespace carom::test {
 
@@ -18,8 +19,8 @@ struct Shot {
     std::unique_ptr<Observers> observers;
     std::vector<FrameData> frames;
 
-    explicit Shot(Scene loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
-        : scene(std::move(loaded)) {
+    explicit Shot(const Scene& loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
+        : scene(with_precision(loaded)) {
         Simulation survey(scene.gas, scene.run);
         Simulation simulation(scene.gas, scene.run);
         observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());

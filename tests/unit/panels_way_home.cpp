@@ -16,12 +16,12 @@ using test::relative;
 namespace {
 
 // Two disks that fly to the right for ever, each in its own lane of a periodic box.
-Scene lanes(const std::string& events, double until) {
+Scene lanes(const std::string& events, double until, const std::string& run = "") {
     return load_scene_text(
         "title: T\nbox: {size: [20, 20], walls: periodic}\n"
         "gas: [{count: 2, radius: 0.5, position: [[2, 5], [2, 15]], velocity: [3, 0]}]\n"
         "run: {until: " +
-            std::to_string(until) + ", events: [" + events +
+            std::to_string(until) + run + ", events: [" + events +
             "]}\nfilm: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
         "test", std::string(CAROM_TEST_ROOT) + "/templates");
 }
@@ -125,4 +125,22 @@ TEST_CASE("the panel says when it begins, and then draws what it has seen") {
         return std::string(bytes.begin(), bytes.end());
     };
     CHECK(svg(3) != svg(film.frames.size() - 1));
+}
+
+TEST_CASE("a gas of many bits is compared in full: a distance no double of its places could show") {
+    const test::Shot film(lanes(reversal(2.0) + ", {at: 2, nudge: {particle: 0, by: [1e-40, 0]}}",
+                                4.0, ", precision: 256"));
+    const PanelState& last = *film.frames.back().states.back();
+    const Table table =
+        film.observers->panels().back().panel->table(last, theme_of(ThemeName::dark));
+    int seen = 0;
+    for (const auto& row : table.rows) {
+        if (std::get<std::string>(row[0]) != "line") continue;
+        if (std::get<double>(row[3]) == 0.0) continue;  // at the reversal both are one state
+        const double apart = std::get<double>(row[4]);
+        const bool is_largest = std::get<std::string>(row[1]) == "largest";
+        CHECK(apart == relative(is_largest ? 1e-40 : 1e-40 / std::sqrt(2.0), 1e-12));
+        ++seen;
+    }
+    CHECK(seen > 10);
 }

@@ -32,7 +32,7 @@ std::vector<Entry> places(const Page& page, const std::vector<std::string>& name
         const double width = width_of(page, name);
         if (x > 0.0 && x + width > page.area.width) {
             x = 0.0;
-            y += key_row_height * page.unit;
+            y += note_height * page.unit;
         }
         entries.push_back({{x, y}, width});
         x += width + entry_gap * page.unit;
@@ -61,8 +61,7 @@ std::vector<double> compared_dashes(std::size_t run, const Page& page) {
 
 int key_rows(const Page& page, const std::vector<std::string>& names) {
     if (names.empty()) return 0;
-    return 1 +
-           static_cast<int>(places(page, names).back().at.y / (key_row_height * page.unit) + 0.5);
+    return 1 + static_cast<int>(places(page, names).back().at.y / (note_height * page.unit) + 0.5);
 }
 
 void draw_key_of_runs(Canvas& canvas, const Page& page, Point at,

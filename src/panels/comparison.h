@@ -1,5 +1,5 @@
-// Runs that a figure compares in one panel: how their lines are told apart, by colour and by dashes
-// in every theme, and the key of them over the plot.
+// Several runs in one panel. Those that a figure compares: how their lines are told apart, by
+// colour and by dashes in every theme, and the key of them over the plot.
 #pragma once
 
 #include <string>
@@ -8,6 +8,14 @@
 #include "panels/panel.h"
 
 namespace carom {
+
+/// This panel and those of the other runs, which are of its kind.
+template <class Kind>
+std::vector<Kind*> runs_of(Kind& first, const std::vector<Panel*>& others) {
+    std::vector<Kind*> runs{&first};
+    for (Panel* other : others) runs.push_back(&dynamic_cast<Kind&>(*other));
+    return runs;
+}
 
 /// The colour of a run's line, to be seen on the page of the theme.
 Color compared_color(std::size_t run, const Theme& theme);
@@ -22,9 +30,6 @@ int key_rows(const Page& page, const std::vector<std::string>& names);
 /// baseline.
 void draw_key_of_runs(Canvas& canvas, const Page& page, Point at,
                       const std::vector<std::string>& names);
-
-/// The height of a row of the key, in units.
-inline constexpr double key_row_height = 1.5;
 
 /// The table of a run with its name in a first column, under those of the runs before it.
 void add_table_of_run(Table& all, const std::string& run, Table one);

@@ -18,7 +18,6 @@ struct ContactState : PanelState {
     std::optional<double> time;  // the present, in a film
 };
 
-constexpr double note_height = 1.5;            // units: the row under the title
 constexpr double ahead = 1.25, beyond = 1.75;  // of the time between the roots, that are shown
 constexpr int curve_points = 200;
 constexpr const char* passing = "if they passed through each other";

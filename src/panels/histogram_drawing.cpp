@@ -9,37 +9,30 @@
 #include "panels/chosen.h"
 #include "panels/comparison.h"
 #include "panels/histogram_panel.h"
+#include "panels/histogram_state.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr double usual_names_width = 10.6;  // of the means' names and numbers, in units
-constexpr double casing = 0.07;             // of the page on each side of lines over bars, in units
+constexpr double casing = 0.07;  // of the page on each side of lines over bars, in units
 constexpr double curve_width = 0.16, mark_width = 0.12;  // in units
 constexpr double error_width = 0.08;                     // in units
 constexpr double tint_alpha = 0.3;                       // of bars that others overlap
-constexpr double row_height = 1.5;      // of the rows of words above the bars, in units
 constexpr double gap_below_rows = 0.4;  // in units, for the counts of bars that are cut
 constexpr double told_beyond = 0.01;    // of a mean number: less beyond the axis is not told
-constexpr int most_fit_rows = 3;        // more would leave no room for the bars
+
+}  // namespace
 
 std::string count_words(double count) {
     return count == std::round(count) && count < 1e9 ? grouped(std::llround(count))
                                                      : three_digits(count);
 }
 
-}  // namespace
-
-struct HistogramPanel::Scales {
-    Rect area;
-    Scale x, y;
-};
-
 HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
     Rect area = plot_area(page);
     const int above = rows_above(page);
-    const double rows = (row_height * above + (above > 0 ? gap_below_rows : 0.0)) * page.unit;
+    const double rows = (note_height * above + (above > 0 ? gap_below_rows : 0.0)) * page.unit;
     area.y += rows;
     area.height = std::max(page.unit, area.height - rows);
     return {area,
@@ -64,131 +57,6 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) co
         return toward_ink(mix(color, theme.ink, share), theme, tints, least_contrast_of_marks);
     };
     return {color, line(0.4), line(0.7)};
-}
-
-double HistogramPanel::names_width(const Page& page) const {
-    const double usual = usual_names_width * page.unit;
-    return series_.size() > 1 ? usual : std::max(usual, width_of_name(page, "mean at start"));
-}
-
-// Of a mean's mark, name and number.
-double HistogramPanel::width_of_name(const Page& page, const std::string& name) const {
-    const std::string longest = name + " " + three_digits(series_.front().mean_start);
-    return measure_text(longest, label_style(page)).width + 0.7 * page.unit;
-}
-
-// A picture of one time shows no other that were the present.
-std::string HistogramPanel::name_of_mean(bool is_short) const {
-    if (window() != 0.0 || spec_.at) return "mean";
-    return is_short ? "now" : "mean now";
-}
-
-// "now" and "start" in a row that has no room for more.
-bool HistogramPanel::has_short_names(const Page& page) const {
-    if (names_place(page) != NamesPlace::above || series_.size() > 1) return false;
-    return width_of_name(page, name_of_mean(false)) + width_of_name(page, "mean at start") +
-               page.unit >
-           plot_area(page).right() - page.area.x;
-}
-
-// Whether the equilibrium curve, and so the bars in the long run, leave room under the names.
-bool HistogramPanel::is_low_right_of(const Rect& area, double x, const Page& page) const {
-    constexpr double height_of_names = 2.8;  // units
-    const double room = height_of_names * page.unit / area.height * tallest_;
-    const double from = bins_.low + (bins_.high - bins_.low) * (x - area.x) / area.width;
-    for (const Series& one : series_)
-        for (const Point& point : one.curve)
-            if (point.x >= from && point.y > tallest_ - room) return false;
-    return true;
-}
-
-// Where the means' names stand: at the top right, where a tail leaves room, or at the left if the
-// means are far right, or over the bars where neither keeps clear of the marks.
-HistogramPanel::NamesPlace HistogramPanel::names_place(const Page& page) const {
-    if (fills_the_middle() || compares()) return NamesPlace::above;
-    if (window() != 0.0) return NamesPlace::right;  // the mean over a while settles soon
-    const Rect area = plot_area(page);
-    const Scale x{bins_.low, bins_.high, area.x, area.right()};
-    double lowest = area.right(), highest = area.x;
-    for (const Series& one : series_) {
-        lowest = std::min(lowest, x(one.lowest_mean));
-        highest = std::max(highest, x(one.highest_mean));
-    }
-    const double clear = 0.8 * page.unit, width = names_width(page);
-    if (highest < area.right() - width - clear && is_low_right_of(area, area.right() - width, page))
-        return NamesPlace::right;
-    return lowest > area.x + page.unit + width + clear ? NamesPlace::left : NamesPlace::above;
-}
-
-// Fits are written over the bars, and so are the means where they find no room beside them; a fit
-// says the mean too.
-int HistogramPanel::rows_above(const Page& page) const {
-    const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(series_.size())) : 0;
-    if (compares()) return fits + key_rows(page, names_);
-    const bool marks = marks_mean_now() || marks_mean_start();
-    return fits + (fits == 0 && marks && names_place(page) == NamesPlace::above ? 1 : 0);
-}
-
-Point HistogramPanel::row_above(const Page& page, int row) const {
-    const Rect area = plot_area(page);
-    return {area.x, area.y + (0.3 + row_height * row) * page.unit};
-}
-
-std::string HistogramPanel::time_words() const {
-    const std::optional<double> back = window();
-    const std::string runs = runs_ > 1 ? fmt::format(", mean of {} runs", runs_) : "";
-    if (spec_.at) {
-        if (!back) return "until time " + plain_number(*spec_.at) + runs;
-        return (*back > 0.0 ? fmt::format("time {} to {}", plain_number(*spec_.at - *back),
-                                          plain_number(*spec_.at))
-                            : "at time " + plain_number(*spec_.at)) +
-               runs;
-    }
-    if (!back) return "so far";
-    return *back > 0.0 ? fmt::format("last {:g}", *back) : "now";
-}
-
-std::string HistogramPanel::title(const Page& page) const {
-    std::vector<Chosen> chosen;
-    for (const Series& one : series_) chosen.push_back(one.chosen);
-    const std::string names = colored_names(cast_, chosen, page.theme);
-    std::string words = spec_.of.empty() ? escape_markup(subject_.title)
-                                         : capitalised(subject_.quantity) + " of " + names;
-    if (spec_.title) words = escape_markup(*spec_.title);
-    const bool several = series_.size() > 1;
-    const std::string time =
-        several ? time_words() : colored(time_words(), page.theme.bar, page.theme);
-    words += ": " + time;
-    std::string shortest = capitalised(subject_.quantity) + ": " + time;
-    if (several)
-        shortest = capitalised(subject_.quantity) + ": " +
-                   colored_names(cast_, chosen, page.theme, ", ") + ", " + time;
-    if (curve_top() == 0.0) return fitting_title(page, {words, shortest});
-    const std::string curve = colored("equilibrium", page.theme.accent, page.theme);
-    const std::vector<std::string> endings =
-        several ? std::vector<std::string>{", lines: in equilibrium", ", lines: equilibrium",
-                                           ", lines: theory"}
-                : std::vector{" and " + colored("in equilibrium", page.theme.accent, page.theme),
-                              ", " + curve};
-    for (const std::string& ending : endings)
-        if (measure_text(words + ending, title_style(page)).width <= page.area.width)
-            return words + ending;
-    if (several) return fitting_title(page, {words, shortest});
-    return fitting_title(page, {words + ", " + curve, shortest + ", " + curve, shortest});
-}
-
-std::string HistogramPanel::title_of_runs(const Page& page) const {
-    const std::string of = spec_.of.empty() ? subject_.title
-                                            : capitalised(subject_.quantity) + " of " +
-                                                  name_of(cast_, series_.front().chosen);
-    const std::string unit = percent_ ? ", per cent" : "";
-    const std::string time = same_time_ ? ": " + time_words() : "";
-    const std::string words = escape_markup(spec_.title.value_or(of)) + unit + time;
-    const std::string shortest = capitalised(subject_.quantity) + unit + time;
-    if (curve_top() == 0.0) return fitting_title(page, {words, shortest});
-    return fitting_title(page,
-                         {words + ", thin lines: in equilibrium", words + ", thin: equilibrium",
-                          shortest + ", thin: equilibrium", shortest});
 }
 
 void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
@@ -219,45 +87,6 @@ void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& st
         if (spec_.fit) draw_fit(canvas, page, k, now[k]);
     }
     draw_means(canvas, page, now);
-}
-
-// Several runs: only the upper edges of their bars, as areas of more than two would hide one
-// another.
-void HistogramPanel::draw_runs(Canvas& canvas, const Page& page,
-                               const std::vector<MeanHistogram>& now) const {
-    constexpr double thin = 0.07;  // units
-    for (std::size_t k = 0; k < series_.size(); ++k)
-        canvas.stroke_path(path_of(page, series_[k].curve), thin * page.unit, ink(k, page).curve);
-    for (std::size_t k = series_.size(); k-- > 0;) draw_outline(canvas, page, k, now[k]);
-    for (std::size_t k = 0; k < series_.size(); ++k) {
-        if (spec_.fit) draw_fit(canvas, page, k, now[k]);
-        if (marks_mean_start())
-            draw_mark(canvas, page, series_[k].mean_start, false, ink(k, page).curve);
-        if (marks_mean_now()) draw_mark(canvas, page, now[k].mean, true, ink(k, page).curve);
-    }
-    draw_cuts(canvas, page, now);
-    draw_beyond_runs(canvas, page, now);
-}
-
-// How many of a run lie beyond the ends of the axis: from the fewest of a run to the most.
-void HistogramPanel::draw_beyond_runs(Canvas& canvas, const Page& page,
-                                      const std::vector<MeanHistogram>& now) const {
-    const auto words = [&](double MeanHistogram::*beyond) -> std::string {
-        const auto [fewest, most] = std::ranges::minmax(now, {}, beyond);
-        if (!(most.*beyond > 0.0)) return "";
-        const std::string unit = percent_ ? " %" : "";
-        const std::string high = count_words(most.*beyond), low = count_words(fewest.*beyond);
-        return low == high ? high + unit : low + " to " + high + unit;
-    };
-    const std::string below = words(&MeanHistogram::below), above = words(&MeanHistogram::above);
-    const Rect area = scales(page).area;
-    const double top = area.y + 0.8 * page.unit;
-    if (!below.empty())
-        draw_name(canvas, page, {area.x + 0.6 * page.unit, top}, "← " + below, page.theme.muted);
-    if (above.empty()) return;
-    const std::string higher = above + " →";
-    const double width = measure_text(higher, label_style(page)).width;
-    draw_name(canvas, page, {area.right() - width, top}, higher, page.theme.muted);
 }
 
 void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t series,
@@ -380,43 +209,6 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
               page.theme.muted);
 }
 
-double HistogramPanel::names_x(const Page& page) const {
-    const Rect area = plot_area(page);
-    if (names_place(page) == NamesPlace::left) return area.x + page.unit;
-    return area.right() - names_width(page);
-}
-
-Point HistogramPanel::name_place(const Page& page, int index) const {
-    const Rect area = scales(page).area;
-    if (names_place(page) != NamesPlace::above)
-        return {names_x(page), area.y + (0.8 + 1.4 * index) * page.unit};
-    const Point row = row_above(page, std::max(0, rows_above(page) - 1));
-    if (series_.size() == 1) {  // that of the present at the left, that of the start at the right
-        const bool is_short = has_short_names(page);
-        const double second =
-            area.right() - (is_short ? width_of_name(page, "start") : names_width(page));
-        const double width = width_of_name(page, name_of_mean(is_short));
-        const double first = std::min(row.x, second - width - page.unit);
-        return {index == 0 ? std::max(page.area.x, first) + 0.2 * page.unit : second, row.y};
-    }
-    const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
-    return {row.x + 0.2 * page.unit + index * area.width / shown, row.y};
-}
-
-// On a plate of the page's colour, so that bars behind it do not cut it up.
-void HistogramPanel::draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
-                               Color color) const {
-    TextStyle style = label_style(page);
-    style.color = legible(color, page.theme);
-    style.max_width = names_width(page);
-    const double width = measure_text(words, style).width;
-    if (at.y > scales(page).area.y)
-        canvas.fill({at.x - 0.9 * page.unit, at.y - 1.05 * page.unit, width + 1.2 * page.unit,
-                     1.4 * page.unit},
-                    with_alpha(page.theme.page, plate_alpha));
-    draw_text(canvas, at, words, style);
-}
-
 std::vector<Point> HistogramPanel::path_of(const Page& page,
                                            const std::vector<Point>& curve) const {
     const Scales s = scales(page);
@@ -514,39 +306,6 @@ void HistogramPanel::draw_mark(Canvas& canvas, const Page& page, double value, b
     if (!solid)
         canvas.stroke_dashed({*x, s.area.bottom()}, {*x, s.area.y}, mark_width * u, 0.25 * u,
                              color);
-}
-
-// The marks move; their names and numbers stand still.
-void HistogramPanel::draw_means(Canvas& canvas, const Page& page,
-                                const std::vector<MeanHistogram>& now) const {
-    const double u = page.unit;
-    const auto name = [&](int index, const std::string& words, double mean, bool solid,
-                          Color color) {
-        if (names_place(page) == NamesPlace::above && spec_.fit) return;
-        const Point at = name_place(page, index);
-        draw_name(canvas, page, {at.x + 0.6 * u, at.y}, words + " " + three_digits(mean), color);
-        const Point low{at.x, at.y + 0.1 * u}, high{at.x, at.y - 0.85 * u};
-        if (solid) canvas.stroke_line(low, high, 0.12 * u, color);
-        if (!solid) canvas.stroke_dashed(low, high, 0.12 * u, 0.25 * u, color);
-    };
-    const bool several = series_.size() > 1;
-    const bool is_short = has_short_names(page);
-    const std::string present = name_of_mean(is_short);
-    for (std::size_t k = series_.size(); k-- > 0;) {
-        const Color start_color = several ? ink(k, page).bar : page.theme.muted;
-        if (marks_mean_start()) {
-            draw_mark(canvas, page, series_[k].mean_start, false, start_color);
-            if (!several)
-                name(1, is_short ? "start" : "mean at start", series_[k].mean_start, false,
-                     start_color);
-        }
-        if (!marks_mean_now()) continue;
-        const Color color = several ? ink(k, page).curve : page.theme.ink;
-        draw_mark(canvas, page, now[k].mean, true, color);
-        name(several ? static_cast<int>(k) : 0,
-             several ? escape_markup(name_of(cast_, series_[k].chosen)) : present, now[k].mean,
-             true, color);
-    }
 }
 
 }  // namespace carom

@@ -1,8 +1,7 @@
 // What a histogram shows: its bins, heights, curves and states. How it is drawn is in
-// histogram_drawing.cpp.
+// histogram_drawing.cpp, how it shows several runs in histogram_runs.cpp, how well it fits in
+// histogram_test.cpp.
 #include "panels/histogram_panel.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,23 +9,11 @@
 
 #include "panels/chosen.h"
 #include "panels/comparison.h"
+#include "panels/histogram_state.h"
 #include "stats/histogram.h"
-#include "stats/mean_error.h"
-#include "util/diagnostics.h"
-#include "util/text.h"
 
 namespace carom {
 namespace {
-
-struct HistogramState : PanelState {
-    std::vector<MeanHistogram> histograms;
-    std::vector<std::vector<double>> errors;  // of the bars, or none
-    std::size_t bytes() const override {
-        std::size_t sum = 0;
-        for (const MeanHistogram& one : histograms) sum += one.counts.size() * sizeof(double);
-        return sum;
-    }
-};
 
 constexpr std::size_t pool_size = 200'000;  // values kept of the whole run, for ranges and bins
 constexpr int probe_frames = 40;            // frames whose bars decide the height of the axis
@@ -120,99 +107,6 @@ void HistogramPanel::settle() {
     finish();
     for (const Series& one : series_)
         if (spec_.test) require_testable(one);
-}
-
-// Bins for the values of all runs. Curves and means at the start are means too.
-void HistogramPanel::settle_with(const std::vector<Panel*>& others) {
-    std::vector<HistogramPanel*> runs{this};
-    for (Panel* other : others) runs.push_back(&dynamic_cast<HistogramPanel&>(*other));
-    runs_ = runs.size();
-    for (const HistogramPanel* run : std::span(runs).subspan(1))
-        pool_.insert(pool_.end(), run->pool_.begin(), run->pool_.end());
-    choose_bins(reach(), numbers_in_bars());
-    choose_curves();
-    for (HistogramPanel* run : std::span(runs).subspan(1)) {
-        run->bins_ = bins_;
-        run->choose_curves();
-    }
-    take_mean_of_curves(runs);
-    for (std::size_t k = 0; k < series_.size(); ++k) {
-        std::vector<double> starts;
-        for (const HistogramPanel* run : runs) {
-            const Series& one = run->series_[k];
-            starts.push_back(one.mean_start);
-            series_[k].lowest_mean = std::min(series_[k].lowest_mean, one.lowest_mean);
-            series_[k].highest_mean = std::max(series_[k].highest_mean, one.highest_mean);
-            if (run != this && one.equilibrium) series_[k].others.push_back(*one.equilibrium);
-        }
-        series_[k].mean_start = mean_error(starts).mean;
-    }
-    for (HistogramPanel* run : runs) run->finish();
-    for (const Series& one : series_)
-        if (spec_.test) require_testable(one);
-}
-
-// One axis for the values of all runs, however many particles each has, in bins that suit the one
-// with the fewest. Bars of runs of different counts are comparable as shares only.
-void HistogramPanel::settle_beside(const std::vector<Panel*>& others,
-                                   const std::vector<std::string>& names) {
-    std::vector<HistogramPanel*> runs{this};
-    for (Panel* other : others) runs.push_back(&dynamic_cast<HistogramPanel&>(*other));
-    names_ = names;
-    double farthest = 0.0, fewest = numbers_in_bars();
-    for (const HistogramPanel* run : runs) {
-        farthest = std::max(farthest, run->reach());
-        fewest = std::min(fewest, run->numbers_in_bars());
-        percent_ |= run->numbers_at_a_time() != numbers_at_a_time();
-        same_time_ &= run->time_words() == time_words();
-    }
-    for (const HistogramPanel* run : std::span(runs).subspan(1))
-        pool_.insert(pool_.end(), run->pool_.begin(), run->pool_.end());
-    choose_bins(farthest, fewest);
-    for (HistogramPanel* run : runs) {
-        run->bins_ = bins_;
-        if (percent_) run->series_.front().unit = 100.0 / run->numbers_at_a_time();
-        run->choose_curves();
-    }
-    for (const HistogramPanel* run : std::span(runs).subspan(1))
-        series_.push_back(run->series_.front());
-    for (HistogramPanel* run : runs) run->finish();
-}
-
-std::shared_ptr<const PanelState> HistogramPanel::beside(
-    const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    auto all = std::make_shared<HistogramState>();
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        MeanHistogram one = histograms(*states[k]).front();
-        const double unit = series_[k].unit;
-        for (double& count : one.counts) count *= unit;
-        one.below *= unit;
-        one.above *= unit;
-        all->histograms.push_back(std::move(one));
-    }
-    return all;
-}
-
-std::vector<std::string> HistogramPanel::told_of_runs(const PanelState& state) const {
-    std::vector<std::string> told;
-    for (const MeanHistogram& one : histograms(state))
-        told.push_back(fmt::format("mean {} {}", subject_.quantity, three_digits(one.mean)) +
-                       (subject_.symmetric ? ", deviation " + three_digits(one.deviation) : ""));
-    return told;
-}
-
-std::string HistogramPanel::name_of_series(std::size_t series) const {
-    return compares() ? names_[series] : name_of(cast_, series_[series].chosen);
-}
-
-void HistogramPanel::take_mean_of_curves(const std::vector<HistogramPanel*>& runs) {
-    for (std::size_t k = 0; k < series_.size(); ++k)
-        for (std::size_t i = 0; i < series_[k].curve.size(); ++i) {
-            std::vector<double> heights;
-            for (const HistogramPanel* run : runs)
-                if (!run->series_[k].curve.empty()) heights.push_back(run->series_[k].curve[i].y);
-            series_[k].curve[i].y = mean_error(heights).mean;
-        }
 }
 
 void HistogramPanel::finish() {
@@ -322,36 +216,6 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const Observation& obser
     return state;
 }
 
-std::shared_ptr<const PanelState> HistogramPanel::mean_of(
-    const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    auto mean = std::make_shared<HistogramState>();
-    mean->histograms = histograms(*states.front());
-    const auto over_runs = [&](std::size_t k, const auto& number) {
-        std::vector<double> values;
-        for (const auto& state : states) values.push_back(number(histograms(*state)[k]));
-        return mean_error(values);
-    };
-    for (std::size_t k = 0; k < mean->histograms.size(); ++k) {
-        MeanHistogram& bars = mean->histograms[k];
-        std::vector<double>& errors = mean->errors.emplace_back();
-        for (std::size_t i = 0; i < bars.counts.size(); ++i) {
-            const MeanError one =
-                over_runs(k, [i](const MeanHistogram& run) { return run.counts[i]; });
-            bars.counts[i] = one.mean;
-            errors.push_back(one.error);
-        }
-        bars.below = over_runs(k, [](const MeanHistogram& run) { return run.below; }).mean;
-        bars.above = over_runs(k, [](const MeanHistogram& run) { return run.above; }).mean;
-        bars.mean = over_runs(k, [](const MeanHistogram& run) { return run.mean; }).mean;
-        const auto square = [&](const MeanHistogram& run) {  // about the mean of all
-            return run.deviation * run.deviation + (run.mean - bars.mean) * (run.mean - bars.mean);
-        };
-        bars.deviation = std::sqrt(over_runs(k, square).mean);
-        bars.values *= static_cast<double>(states.size());
-    }
-    return mean;
-}
-
 Table HistogramPanel::table(const PanelState& state, const Theme&) const {
     if (!compares()) return table_of(state, 0, series_.size());
     Table all;
@@ -389,74 +253,6 @@ Table HistogramPanel::table_of(const PanelState& state, std::size_t from, std::s
     }
     for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
     return table;
-}
-
-Expected HistogramPanel::expected_in_run(const Series& series, const EquilibriumGas& gas) const {
-    std::vector<double> edges;
-    for (int i = 0; i <= bins_.count; ++i) edges.push_back(bins_.edge(i));
-    return expected_counts(gas, *subject_.law, edges, static_cast<double>(series.members.size()),
-                           numbers_each_);
-}
-
-// In all runs together: each has its own conserved sums, which have the same part in its counts.
-Expected HistogramPanel::expected(const Series& series) const {
-    const auto add = [](std::vector<double>& sum, const std::vector<double>& more) {
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
-    };
-    Expected all = expected_in_run(series, *series.equilibrium);
-    for (const EquilibriumGas& gas : series.others) {
-        const Expected one = expected_in_run(series, gas);
-        add(all.count, one.count);
-        for (std::size_t c = 0; c < all.conserved.size(); ++c)
-            add(all.conserved[c].moment, one.conserved[c].moment);
-    }
-    return all;
-}
-
-// Particles of several masses, with so many of each, do not make counts of one law; and fixed ones
-// have no part in the energy.
-void HistogramPanel::require_testable(const Series& series) const {
-    Diagnostic error = spec_.place;
-    if (!series.equilibrium || series.others.size() + 1 < runs_) {
-        error.message = "there is no equilibrium that these bars could be tested against";
-        error.hint = "leave out `test`, or change the gas so that it comes to one";
-        throw SceneError({error});
-    }
-    const std::vector<MassGroup>& groups = series.equilibrium->groups;
-    if (groups.size() > 1 || groups.front().count < static_cast<double>(series.members.size())) {
-        error.message = "the test is for particles of one finite mass";
-        error.hint = "choose them in `of`: the name of one species";
-        throw SceneError({error});
-    }
-    const Expected law = expected(series);
-    if (pearson(law.count, law)) return;
-    error.message = "too few particles for the test: not three bars have 5 expected in each";
-    error.hint = "leave out `test`, or give the gas more particles";
-    throw SceneError({error});
-}
-
-std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::size_t series) const {
-    const MeanHistogram& now = histograms(state)[series];
-    std::vector<double> observed{now.below};
-    observed.insert(observed.end(), now.counts.begin(), now.counts.end());
-    observed.push_back(now.above);
-    for (double& count : observed) count *= static_cast<double>(runs_);
-    return pearson(observed, expected(series_[series]));
-}
-
-std::string HistogramPanel::finding(const PanelState& state) const {
-    if (!spec_.test) return "";
-    std::string words = "Pearson\u2019s chi-squared test against equilibrium";
-    for (std::size_t k = 0; k < series_.size(); ++k) {
-        const ChiSquared found = test(state, k).value();
-        words += fmt::format(
-            "{}{} \u03C7\u00B2 = {} for {} degrees of freedom, p = {}", k == 0 ? ":" : ";",
-            series_.size() > 1 ? " " + name_of(cast_, series_[k].chosen) + "," : "",
-            three_digits(found.statistic), three_digits(found.freedom), three_digits(found.p));
-    }
-    return words +
-           " (bars pooled until 5 are expected in each; what is conserved lowers the degrees of "
-           "freedom).";
 }
 
 }  // namespace carom

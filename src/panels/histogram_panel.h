@@ -82,7 +82,10 @@ class HistogramPanel : public Panel {
         std::vector<Point> curve = {};   ///< value, expected number in a bin around it
         std::vector<RunningHistogram> running = {};  ///< one, from settle() on
     };
-    struct Scales;
+    struct Scales {
+        Rect area;
+        Scale x, y;
+    };
     struct Ink {
         Color bar, curve, fit;
     };

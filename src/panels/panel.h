@@ -135,6 +135,9 @@ AxisStyle axis_style(const Page& page);
 /// The part of a panel's area that data fill: under the title, left and above the axes' labels.
 Rect plot_area(const Page& page);
 
+/// The height of a row of words between a panel's title and its plot, in units.
+inline constexpr double note_height = 1.5;
+
 /// How slow a film is, as a viewer reads it: ×0.1.
 std::string slow_words(const Slowness& slow);
 

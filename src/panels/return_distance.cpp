@@ -15,7 +15,6 @@ struct HomeState : PanelState {
     std::size_t shown = 0;  // steps
 };
 
-constexpr double note_height = 1.5;   // units: the row under the title
 constexpr double floor_height = 1.5;  // of the band for distances of exactly 0
 
 enum class Line { largest, root_mean_square };

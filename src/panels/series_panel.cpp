@@ -21,8 +21,7 @@ struct SeriesState : PanelState {
 // A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
 Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
 
-constexpr double band_alpha = 0.3;             // of standard errors
-constexpr double row_height = key_row_height;  // of the notes under the title, in units
+constexpr double band_alpha = 0.3;  // of standard errors
 
 }  // namespace
 
@@ -79,8 +78,7 @@ void SeriesPanel::settle() {
 }
 
 void SeriesPanel::settle_with(const std::vector<Panel*>& others) {
-    std::vector<SeriesPanel*> runs{this};
-    for (Panel* other : others) runs.push_back(&dynamic_cast<SeriesPanel&>(*other));
+    const std::vector<SeriesPanel*> runs = runs_of(*this, others);
     if (subject_.reference) {
         std::vector<double> levels;
         for (SeriesPanel* run : runs)
@@ -104,8 +102,7 @@ void SeriesPanel::settle_with(const std::vector<Panel*>& others) {
 // One line of each run. A level that they do not share is each one's own.
 void SeriesPanel::settle_beside(const std::vector<Panel*>& others,
                                 const std::vector<std::string>& names) {
-    std::vector<SeriesPanel*> runs{this};
-    for (Panel* other : others) runs.push_back(&dynamic_cast<SeriesPanel&>(*other));
+    const std::vector<SeriesPanel*> runs = runs_of(*this, others);
     names_ = names;
     for (SeriesPanel* run : runs) {
         run->history_.lines = {run->history_.lines[subject_.compared]};
@@ -182,7 +179,7 @@ double SeriesPanel::reference_value() const { return reference_ ? reference_->va
 SeriesPanel::Scales SeriesPanel::scales(const Page& page) const {
     Rect area = plot_area(page);
     const int rows = (notes().empty() ? 0 : 1) + (compares() ? key_rows(page, names_) : 0);
-    const double note = rows * row_height * page.unit;
+    const double note = rows * note_height * page.unit;
     area.y += note;
     area.height = std::max(page.unit, area.height - note);
     return {area, {first_, last_, area.x, area.right()}, {low_, high_, area.bottom(), area.y}};
@@ -208,7 +205,7 @@ void SeriesPanel::draw_ground(Canvas& canvas, const Page& page) const {
     Point row{page.area.x, page.area.y + 2.5 * page.unit};
     if (!remarks.empty()) {
         draw_text(canvas, row, fitting_title(page, remarks), note);
-        row.y += row_height * page.unit;
+        row.y += note_height * page.unit;
     }
     if (compares()) draw_key_of_runs(canvas, page, row, names_);
     const Scales s = scales(page);

@@ -39,8 +39,7 @@ std::int64_t events(const CollisionCounts& counts) { return counts.particle + co
 class ReversalWatch {
   public:
     ReversalWatch(const Run& run, Simulation& simulation) {
-        for (const RunEvent& event : run.events)
-            if (std::holds_alternative<ReverseVelocities>(event.action)) add(event.at, run.until);
+        for (const double time : reversal_times(run)) add(time, run.until);
         std::stable_sort(marks_.begin(), marks_.end(),
                          [](const Mark& a, const Mark& b) { return a.time < b.time; });
         if (reports_.empty()) return;

@@ -162,18 +162,14 @@ FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads)
     std::vector<Job> jobs;
     for (const FigureSpec& spec : scene_.figures) {
         seeds = std::max(seeds, spec.panel.seeds);
-        if (!spec.compare.empty()) compared_.emplace_back(spec.compare.size());
+        if (!spec.compare.empty()) compared_[spec.name].resize(spec.compare.size());
     }
     runs_.resize(static_cast<std::size_t>(seeds));
     for (int k = 0; k < seeds; ++k)
         jobs.push_back({&runs_[static_cast<std::size_t>(k)], &scene_, k});
-    std::size_t comparison = 0;
     for (const FigureSpec& spec : scene_.figures)
-        if (!spec.compare.empty()) {
-            for (std::size_t k = 0; k < spec.compare.size(); ++k)
-                jobs.push_back({&compared_[comparison][k], spec.compare[k].scene.get(), 0});
-            ++comparison;
-        }
+        for (std::size_t k = 0; k < spec.compare.size(); ++k)
+            jobs.push_back({&compared_[spec.name][k], spec.compare[k].scene.get(), 0});
     on_threads(threads, jobs.size(), [&](std::size_t i) {
         const Job& job = jobs[i];
         *job.run = std::make_unique<OfSeed>(*job.scene, job.later, fresh);
@@ -204,10 +200,9 @@ void FigureRun::settle() {
         else
             figure.panel->settle_with(others);
     }
-    std::size_t comparison = 0;
     for (const FigureSpec& spec : scene_.figures) {
         if (spec.compare.empty()) continue;
-        const auto& runs = compared_[comparison++];
+        const auto& runs = compared_.at(spec.name);
         std::vector<Panel*> others;
         std::vector<std::string> names{spec.compare.front().label};
         for (std::size_t k = 1; k < runs.size(); ++k) {
@@ -232,35 +227,29 @@ void FigureRun::take_means() {
 }
 
 // The first run's figure, which shows all of them.
-Figure FigureRun::side_by_side(std::size_t comparison) {
-    const auto& runs = compared_[comparison];
-    Figure figure = std::move(runs.front()->figures.front());
-    std::vector<std::shared_ptr<const PanelState>> states{figure.moments.front().state};
-    for (std::size_t k = 1; k < runs.size(); ++k)
-        states.push_back(runs[k]->figures.front().moments.front().state);
+Figure FigureRun::side_by_side(const FigureSpec& spec) {
+    const auto& runs = compared_.at(spec.name);
+    std::vector<std::shared_ptr<const PanelState>> states;
+    std::vector<FigureSide> sides;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        const FigureMoment& moment =
-            k == 0 ? figure.moments.front() : runs[k]->figures.front().moments.front();
-        figure.sides.push_back(
-            {"", runs[k]->particles().count(), moment.time, moment.collisions, ""});
+        const FigureMoment& moment = runs[k]->figures.front().moments.front();
+        states.push_back(moment.state);
+        sides.push_back({spec.compare[k].label, runs[k]->particles().count(), moment.time,
+                         moment.collisions, ""});
     }
+    Figure figure = std::move(runs.front()->figures.front());
     figure.moments.front().state = figure.panel->beside(states);
     const std::vector<std::string> told = figure.panel->told_of_runs(*figure.moments.front().state);
-    for (std::size_t k = 0; k < runs.size(); ++k) figure.sides[k].told = told.at(k);
+    for (std::size_t k = 0; k < sides.size(); ++k) sides[k].told = told.at(k);
+    figure.sides = std::move(sides);
     return figure;
 }
 
 void FigureRun::collect() {
-    std::size_t comparison = 0, alone = 0;
+    std::size_t alone = 0;
     for (const FigureSpec& spec : scene_.figures) {
-        if (spec.compare.empty()) {
-            figures_.push_back(std::move(runs_.front()->figures.at(alone++)));
-        } else {
-            Figure figure = side_by_side(comparison++);
-            for (std::size_t k = 0; k < figure.sides.size(); ++k)
-                figure.sides[k].label = spec.compare[k].label;
-            figures_.push_back(std::move(figure));
-        }
+        figures_.push_back(spec.compare.empty() ? std::move(runs_.front()->figures.at(alone++))
+                                                : side_by_side(spec));
         figures_.back().spec = &spec;
     }
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -60,14 +61,14 @@ class FigureRun {
     class OfSeed;
     void settle();
     void take_means();
-    Figure side_by_side(std::size_t comparison);
+    Figure side_by_side(const FigureSpec& spec);
     void collect();
 
     Scene scene_;
     std::vector<std::unique_ptr<OfSeed>>
         runs_;  ///< of the scene's own seed, then of those after it
-    std::vector<std::vector<std::unique_ptr<OfSeed>>>
-        compared_;  ///< the runs of each figure that compares some, in their order
+    std::map<std::string, std::vector<std::unique_ptr<OfSeed>>>
+        compared_;  ///< by the name of a figure, the runs that it compares
     std::vector<Figure> figures_;
 };
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 
-#include "draw/arrow.h"
 #include "panels/bead_words.h"
 #include "panels/registry.h"
+#include "panels/velocity_arrows.h"
 #include "util/text.h"
 
 namespace carom {
@@ -51,13 +51,7 @@ Point toward(const Point& from, const Point& to, double distance) {
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 ArrowStyle arrow_style(const Page& page, Color color, Color edge) {
-    const double u = page.unit;
-    return {.shaft = std::max(1.5, 0.17 * u),
-            .head_length = 0.7 * u,
-            .head_width = 0.65 * u,
-            .edge = std::max(0.8, 0.08 * u),
-            .color = color,
-            .edge_color = edge};
+    return collision_arrow(page, color, edge, 0.08);
 }
 
 ArrowStyle solid_arrow(const Page& page) {

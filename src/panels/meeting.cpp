@@ -15,13 +15,6 @@ double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, d
     return (apart + time * moving).square().sum();
 }
 
-std::vector<double> reversals(const Run& run) {
-    std::vector<double> times;
-    for (const RunEvent& event : run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action)) times.push_back(event.at);
-    return times;
-}
-
 }  // namespace
 
 double Meeting::square(double at) const {
@@ -52,13 +45,13 @@ bool MeetingWatch::is_wanted(const Collision& collision) const {
 // Reversals part two flights as collisions do.
 double MeetingWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
-    for (const double at : reversals(cast_.scene.run))
+    for (const double at : reversal_times(cast_.scene.run))
         if (at < now) since = std::max(since, at);
     return since;
 }
 
 double MeetingWatch::flying_until(double now, double next) const {
-    for (const double at : reversals(cast_.scene.run))
+    for (const double at : reversal_times(cast_.scene.run))
         if (at >= now) next = std::min(next, at);
     return next;
 }

@@ -98,12 +98,10 @@ std::vector<WalkStep> WalkWatch::steps() const {
             steps.push_back(step);
         }
     };
-    for (const RunEvent& event : cast_.scene.run.events) {
-        if (!std::holds_alternative<ReverseVelocities>(event.action)) continue;
-        go_on_until(event.at);
-        steps.push_back({.time = event.at,
-                         .cause = WalkStep::Cause::reversal,
-                         .velocity = -steps.back().velocity});
+    for (const double time : reversal_times(cast_.scene.run)) {
+        go_on_until(time);
+        steps.push_back(
+            {.time = time, .cause = WalkStep::Cause::reversal, .velocity = -steps.back().velocity});
     }
     go_on_until(std::numeric_limits<double>::infinity());
     return steps;

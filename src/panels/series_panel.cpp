@@ -106,7 +106,7 @@ void SeriesPanel::settle_beside(const std::vector<Panel*>& others,
     names_ = names;
     for (SeriesPanel* run : runs) {
         run->history_.lines = {run->history_.lines[subject_.compared]};
-        same_reversals_ &= run->reversals() == reversals();
+        same_reversals_ &= reversal_times(run->cast_.scene.run) == reversal_times(cast_.scene.run);
         const auto level =
             run->subject_.reference ? run->subject_.reference() : std::optional<ReferenceLevel>{};
         levels_.push_back(level.value_or(ReferenceLevel{"", std::nan("")}));
@@ -150,13 +150,6 @@ std::vector<const SeriesPanel::History*> SeriesPanel::histories() const {
     std::vector<const History*> all{&history_};
     for (const History& history : beside_) all.push_back(&history);
     return all;
-}
-
-std::vector<double> SeriesPanel::reversals() const {
-    std::vector<double> times;
-    for (const RunEvent& event : cast_.scene.run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action)) times.push_back(event.at);
-    return times;
 }
 
 void SeriesPanel::tell_means(std::size_t runs) {
@@ -271,7 +264,7 @@ void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
     const double u = page.unit;
     TextStyle style = label_style(page);
     const double width = measure_text("reversed", style).width;
-    for (const double at : reversals()) {
+    for (const double at : reversal_times(cast_.scene.run)) {
         const double x = s.x(folded_time(cast_.scene.run, at));
         canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * u, page.theme.muted);
         const bool on_left = x > s.area.x + s.area.width / 2;
@@ -397,7 +390,7 @@ Table SeriesPanel::table_of(const History& history, std::size_t shown,
         for (const double time : {first_, last_})
             table.rows.push_back({"reference", reference->name, time, {}, reference->value});
     if (same_reversals_)
-        for (const double at : reversals())
+        for (const double at : reversal_times(cast_.scene.run))
             table.rows.push_back({"reversal", {}, folded_time(cast_.scene.run, at), {}, {}});
     for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
     return table;

@@ -72,7 +72,6 @@ class SeriesPanel : public Panel {
     Scales scales(const Page& page) const;
     bool compares() const { return !names_.empty(); }
     std::vector<const History*> histories() const;
-    std::vector<double> reversals() const;
     std::vector<std::string> notes() const;
     double reference_value() const;
     Table table_of(const History& history, std::size_t shown,

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/arrow.h"
 #include "panels/bead_words.h"
 #include "panels/registry.h"
+#include "panels/velocity_arrows.h"
 #include "util/text.h"
 
 namespace carom {
@@ -225,13 +225,7 @@ CollisionStages SingleCollisionPanel::stages(const Page& page) const {
 }
 
 ArrowStyle SingleCollisionPanel::style(const Page& page, Color color) const {
-    const double u = page.unit;
-    return {.shaft = std::max(1.5, 0.17 * u),
-            .head_length = 0.7 * u,
-            .head_width = 0.65 * u,
-            .edge = std::max(0.8, 0.07 * u),
-            .color = color,
-            .edge_color = page.theme.page};
+    return collision_arrow(page, color, page.theme.page, 0.07);
 }
 
 // Open arrows where there is no other colour to tell them by.

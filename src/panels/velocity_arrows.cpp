@@ -110,4 +110,14 @@ Rect VelocityArrows::draw_key(Canvas& canvas, const Page& page, double scale) co
     return above;
 }
 
+ArrowStyle collision_arrow(const Page& page, Color color, Color edge_color, double edge) {
+    const double u = page.unit;
+    return {.shaft = std::max(1.5, 0.17 * u),
+            .head_length = 0.7 * u,
+            .head_width = 0.65 * u,
+            .edge = std::max(0.8, edge * u),
+            .color = color,
+            .edge_color = edge_color};
+}
+
 }  // namespace carom

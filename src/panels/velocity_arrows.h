@@ -56,4 +56,7 @@ class VelocityArrows {
     double reach_ = 0.0;
 };
 
+/// An arrow in a picture that explains a collision; the edge's width in units.
+ArrowStyle collision_arrow(const Page& page, Color color, Color edge_color, double edge);
+
 }  // namespace carom

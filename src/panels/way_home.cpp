@@ -17,9 +17,7 @@ double bytes_of(int bits) { return bits > bits_of_double ? 64.0 + bits / 8.0 : 8
 
 }  // namespace
 
-WayHome::WayHome(const Cast& cast) : cast_(cast) {
-    for (const RunEvent& event : cast.scene.run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action)) reversals_.push_back(event.at);
+WayHome::WayHome(const Cast& cast) : cast_(cast), reversals_(reversal_times(cast.scene.run)) {
     const int bits = cast.scene.run.bits.value_or(bits_of_double);
     in_full_ = bits > bits_of_double;
     const double bytes =

@@ -40,4 +40,12 @@ struct Run {
                               ///< wire of points of the mean spacing
 };
 
+/// When velocities are reversed, in order.
+inline std::vector<double> reversal_times(const Run& run) {
+    std::vector<double> times;
+    for (const RunEvent& event : run.events)
+        if (std::holds_alternative<ReverseVelocities>(event.action)) times.push_back(event.at);
+    return times;
+}
+
 }  // namespace carom

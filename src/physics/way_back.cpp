@@ -56,10 +56,9 @@ class Itinerary {
             next.path = static_cast<double>(next.exact_path);
             next.begin = end;
         };
-        for (const RunEvent& event : run.events) {
-            if (!std::holds_alternative<ReverseVelocities>(event.action) || event.at >= run.until)
-                continue;
-            leg_until(event.at);
+        for (const double time : reversal_times(run)) {
+            if (time >= run.until) break;
+            leg_until(time);
             next.direction = -next.direction;
         }
         leg_until(run.until);
@@ -285,8 +284,8 @@ class EchoRun {
 /// A gas in search of its bits.
 class Search {
   public:
-    Search(const Gas& gas, const Run& run)
-        : gas_(gas), run_(run), way_(run), placed_(place(gas)), tolerance_(tolerance_length()) {}
+    Search(const Gas& gas, const Run& run, const Itinerary& way)
+        : gas_(gas), run_(run), way_(way), placed_(place(gas)), tolerance_(tolerance_length()) {}
 
     int bits() {
         count_collisions();
@@ -383,7 +382,7 @@ class Search {
 
     const Gas& gas_;
     const Run& run_;
-    Itinerary way_;
+    const Itinerary& way_;
     std::pair<Particles, Sample> placed_;
     double tolerance_;      ///< length
     double of_each_ = 0.0;  ///< collisions with others, on the leg with most
@@ -406,7 +405,7 @@ int bits_for(const Nudge& nudge, double size) {
 int bits_to_come_home(const Gas& gas, const Run& run) {
     const Itinerary way(run);
     int bits = bits_of_double;
-    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run).bits());
+    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run, way).bits());
     for (const RunEvent& event : run.events)
         if (const auto* nudge = std::get_if<Nudge>(&event.action))
             bits = std::max(bits, bits_for(*nudge, gas.box.size.maxCoeff()));

@@ -132,9 +132,8 @@ std::optional<Squeeze> first_squeeze(const Box& box, const Particles& particles,
         now = time;
         return squeeze;
     };
-    for (const RunEvent& event : run.events) {
-        if (!std::holds_alternative<ReverseVelocities>(event.action)) continue;
-        if (const auto squeeze = go_on_to(event.at)) return squeeze;
+    for (const double time : reversal_times(run)) {
+        if (const auto squeeze = go_on_to(time)) return squeeze;
         chambers.reverse();
     }
     return go_on_to(run.until);

@@ -65,9 +65,7 @@ std::string describe(const Scene& scene) {
                     box_words(gas.box), alone ? "collides" : "collide");
     text += passage_words(gas.box);
     std::vector<std::string> times;
-    for (const RunEvent& event : scene.run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action))
-            times.push_back(fmt::format("{}", event.at));
+    for (const double time : reversal_times(scene.run)) times.push_back(fmt::format("{}", time));
     if (!times.empty())
         text += fmt::format(" At time {} every velocity is turned round.", listed(times));
     return text;

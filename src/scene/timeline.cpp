@@ -12,11 +12,9 @@ struct Pauses {
     int opening, reversal, closing;
 };
 
-std::vector<double> reversal_times(const Run& run) {
-    std::vector<double> times;
-    for (const RunEvent& event : run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action) && event.at < run.until)
-            times.push_back(event.at);
+std::vector<double> reversals_on_the_way(const Run& run) {
+    std::vector<double> times = reversal_times(run);
+    std::erase_if(times, [&](double time) { return time >= run.until; });
     return times;
 }
 
@@ -122,7 +120,7 @@ CardFrames card_frames(const Film& film) {
     return {count(film.title_card), count(wanted - film.title_card)};
 }
 
-int leg_count(const Run& run) { return static_cast<int>(reversal_times(run).size()) + 1; }
+int leg_count(const Run& run) { return static_cast<int>(reversals_on_the_way(run).size()) + 1; }
 
 int moving_steps(const Film& film, const Run& run) {
     const int frames = gas_frames(film);
@@ -135,7 +133,7 @@ std::vector<Tick> timeline(const Scene& scene) {
     const int frames = frame_count(scene.film);
     if (frames == 1) return {Tick{}};
     const CardFrames cards = card_frames(scene.film);
-    std::vector<double> ends = reversal_times(scene.run);
+    std::vector<double> ends = reversals_on_the_way(scene.run);
     const Pauses pause = pauses(gas_frames(scene.film), scene.film.fps, leg_count(scene.run) - 1);
     ends.push_back(scene.run.until);
     const int most = moving_steps(scene.film, scene.run);
@@ -172,7 +170,7 @@ double folded_time(const Run& run, double time) {
     double folded = 0.0;
     double start = 0.0;
     double direction = 1.0;
-    for (double reversal : reversal_times(run)) {
+    for (double reversal : reversals_on_the_way(run)) {
         if (time <= reversal) break;
         folded += direction * (reversal - start);
         direction = -direction;

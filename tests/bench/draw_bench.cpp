@@ -90,6 +90,7 @@ int main() {
     Canvas canvas(full_hd);
     const Canvas layer(full_hd);
     print_row("copy of a layer", median_ms([&](int) {
-                  canvas.touch({0, 0, 1920, 1080}), canvas.restore(layer);
+                  canvas.touch({0, 0, 1920, 1080});
+                  canvas.restore(layer);
               }));
 }

@@ -162,8 +162,10 @@ void ReturnDistancePanel::draw_level(Canvas& canvas, const Page& page) const {
     const double y = s.y(std::log10(radius_));
     canvas.stroke_dashed({s.area.x, y}, {s.area.right(), y}, 0.08 * u, 0.3 * u, page.theme.muted);
     const bool all_alike = (cast_.particles.radius == cast_.particles.radius[0]).all();
-    draw_text(canvas, {s.area.x + 0.4 * u, y + 1.1 * u}, all_alike ? "a radius" : "a mean radius",
-              label_style(page));
+    TextStyle style = label_style(page);
+    style.align = Align::right;  // at the left the lines are steep
+    draw_text(canvas, {s.area.right() - 0.4 * u, y + 1.1 * u},
+              all_alike ? "a radius" : "a mean radius", style);
 }
 
 void ReturnDistancePanel::draw_home(Canvas& canvas, const Page& page) const {

@@ -176,12 +176,27 @@ void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
     }
 }
 
-void CellGrid::fetch_ahead(Cell cell) const {
+// Three cells of a row lie within two lines of memory.
+void CellGrid::fetch_around(Cell cell) const {
     const std::int32_t* const columns = &column_around_[cell[0]];
     const std::int32_t* const rows = &row_around_[cell[1]];
     for (std::size_t k = 0; k < 3; ++k)
         for (const std::int32_t column : {columns[0], columns[2]})
             __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);
+}
+
+// And the two between which the disk moves.
+void CellGrid::fetch_newly_around(Cell cell, int side) const {
+    const std::array around{&column_around_[cell[0]], &row_around_[cell[1]]};
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const auto fetch = [&](std::size_t along, std::size_t across) {
+        __builtin_prefetch(
+            &fine_slots_[static_cast<std::size_t>(around[axis][along] + around[1 - axis][across])]);
+    };
+    const std::size_t ahead = side % 2 == 0 ? 0 : 2;
+    for (std::size_t k = 0; k < 3; ++k) fetch(ahead, k);
+    fetch(1, 1);
+    fetch(2 - ahead, 1);
 }
 
 }  // namespace carom

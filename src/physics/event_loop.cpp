@@ -18,11 +18,11 @@ constexpr int laps_between_sorts = 20;
 // Fewer lie near the processor anyhow.
 constexpr std::size_t least_fetched_ahead = 16384;
 
-// How many buckets ahead, each of half an event, particles are asked for; and how many particles
+// How many hours ahead, each of half an event, particles are asked for; and how many particles
 // later their cells, and the particles in these: each farther apart than memory takes to answer.
-constexpr std::int32_t buckets_ahead = 16;
-constexpr std::uint32_t cells_after = 2;
-constexpr std::uint32_t bodies_near_after = 4;
+constexpr std::int32_t hours_ahead = 32;
+constexpr std::uint32_t cells_after = 3;
+constexpr std::uint32_t neighbours_after = 6;
 
 template <typename Scalar, std::size_t Dimension>
 Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
@@ -276,21 +276,16 @@ Scalar EventLoop<Dimension, Scalar>::place(const Body& b, std::size_t axis,
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::fetch_ahead() {
     if constexpr (Dimension == 2 && of_doubles) {
-        const std::int32_t bucket = queue_.bucket();
-        if (ahead_ < bucket || ahead_ > bucket + 2 * buckets_ahead) ahead_ = bucket;  // a new lap
-        const std::int32_t end = std::min(bucket + buckets_ahead, queue_.buckets() - 1);
-        while (ahead_ < end) {
-            ahead_ = queue_.next_occupied(ahead_ + 1);
-            if (ahead_ >= queue_.buckets()) break;
+        queue_.look_ahead(hours_ahead, [this](std::int32_t particle) {
             const auto before = [this](std::uint32_t steps) -> std::int32_t& {
                 return coming_[(coming_count_ - steps) % coming_.size()];
             };
-            before(0) = queue_.first_in(ahead_);
-            __builtin_prefetch(&body(before(0)));
-            space_.fetch_cells_ahead(body(before(cells_after)));
-            space_.fetch_bodies_ahead(bodies_, before(bodies_near_after), queue_);
+            before(0) = particle;
+            space_.fetch_disks_ahead(bodies_, particle, queue_);
+            space_.fetch_cells_ahead(bodies_, before(cells_after), queue_);
+            space_.fetch_neighbours_ahead(bodies_, before(neighbours_after), queue_);
             ++coming_count_;
-        }
+        });
     }
 }
 

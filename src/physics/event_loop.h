@@ -136,9 +136,8 @@ class EventLoop {
     Scalar now_ = 0.0;  ///< local
     int bits_;
     int laps_since_sorted_ = 0;
-    bool many_ = false;       ///< worth fetching ahead
-    std::int32_t ahead_ = 0;  ///< bucket of the queue up to which fetch_ahead() has looked
-    std::array<std::int32_t, 8> coming_{};  ///< the last particles it found there, in turn
+    bool many_ = false;                     ///< worth fetching ahead
+    std::array<std::int32_t, 8> coming_{};  ///< the last particles fetch_ahead() was told of
     std::uint32_t coming_count_ = 0;
     CollisionCounts counts_;
     Transfers transfers_;

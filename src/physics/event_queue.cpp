@@ -9,9 +9,15 @@
 namespace carom {
 namespace {
 
-// Few enough to find the earliest quickly, enough not to step through empty buckets.
-constexpr double events_per_bucket = 0.5;
+// Few enough to find the earliest quickly, enough not to step through empty hours.
+constexpr double events_per_hour = 0.5;
 constexpr int most_in_list = 32;
+
+// Hours of a day, as a power of two, unless the lap has fewer.
+constexpr int most_day_bits = 11;
+
+// At most, on average; one and a half are usual.
+constexpr std::size_t notes_per_particle = 4;
 
 double power_of_two_near(double value) {
     const int exponent = std::ilogb(std::clamp(value, 0x1p-900, 0x1p900));
@@ -26,7 +32,7 @@ double width_for(const std::vector<Event>& events) {
     if (times.empty()) return 1.0;
     const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), median, times.end());
-    return events_per_bucket * 2.0 * *median / static_cast<double>(times.size());
+    return events_per_hour * 2.0 * *median / static_cast<double>(times.size());
 }
 
 bool later(double time_a, std::int32_t a, double time_b, std::int32_t b) {
@@ -42,25 +48,29 @@ constexpr auto is_later = [](const auto& a, const auto& b) {
 EventQueue::EventQueue(std::int32_t count)
     : count_(count),
       nodes_(index(count) + 1),
-      buckets_(static_cast<std::int32_t>(
-          std::bit_ceil(std::max(8U, 2U * static_cast<std::uint32_t>(count))))) {
+      hours_(static_cast<std::int32_t>(
+          std::bit_ceil(std::max(8U, 2U * static_cast<std::uint32_t>(count))))),
+      day_bits_(std::min(most_day_bits, std::countr_zero(static_cast<std::uint32_t>(hours_)))),
+      elsewhere_(1 << day_bits_) {
     clear();
 }
 
 void EventQueue::clear() {
-    heads_.assign(index(buckets_) + 1, nobody());
-    occupied_.assign(index(beyond_lap()) / 64 + 1, 0);
-    occupied_.back() = std::uint64_t{1} << (index(beyond_lap()) % 64);
+    forget_notes();
+    heads_.assign(index(elsewhere_) + 1, nobody());
+    occupied_.assign(index(elsewhere_) / 64 + 1, 0);
+    occupied_.back() = std::uint64_t{1} << (index(elsewhere_) % 64);
     heap_.clear();
     crowded_ = false;
-    bucket_ = 0;
+    hour_ = midnight_ = 0;
+    ahead_ = -1;
     events_in_lap_ = 0;
 }
 
 void EventQueue::set_width(double width) {
     width_ = power_of_two_near(width);
     per_width_ = 1.0 / width_;
-    lap_ = width_ * buckets_;
+    lap_ = width_ * hours_;
 }
 
 void EventQueue::reset(const std::vector<Event>& events) {
@@ -80,18 +90,113 @@ void EventQueue::schedule(std::int32_t particle, const Event& event) {
     ++events_in_lap_;
 }
 
+// In the lap, or hours_ for a time beyond.
+std::int32_t EventQueue::hour_of(double time) const {
+    double due = time * per_width_;
+    const double limit = hours_;
+    due = due < limit ? due : limit;
+#ifdef __x86_64__
+    asm("" : "+x"(due));  // lest the compiler makes a branch of it
+#endif
+    return static_cast<std::int32_t>(due);
+}
+
+// Whether it is for the present day, for a later one or beyond the lap the processor cannot
+// foretell either: it is always linked, be it elsewhere, and always noted, be it for nothing.
 void EventQueue::insert(std::int32_t particle) {
-    const double time = nodes_[index(particle)].event.time;
-    // The list beyond the lap is one more bucket.
-    const double due = std::min(time * per_width_, static_cast<double>(beyond_lap()));
-    const auto bucket = std::max(bucket_, static_cast<std::int32_t>(due));
-    if (bucket > bucket_ || !crowded_) [[likely]] {
-        link(particle, bucket);
+    const std::int32_t hour = std::max(hour_, hour_of(nodes_[index(particle)].event.time));
+    if (crowded_ && hour == hour_) [[unlikely]] {
+        insert_into_heap(particle);
         return;
     }
-    heap_.push_back({time, particle});
+    const std::int32_t hour_of_day = hour - midnight_;
+    link(particle, std::min(hour_of_day, elsewhere_));
+    heads_[index(elsewhere_)] = nobody();
+    note(hour, (hour_of_day >= elsewhere_) & (hour < hours_), particle);
+}
+
+void EventQueue::insert_into_heap(std::int32_t particle) {
+    set_elsewhere(nodes_[index(particle)]);
+    heap_.push_back({nodes_[index(particle)].event.time, particle});
     std::push_heap(heap_.begin(), heap_.end(), is_later);
     if (heap_.size() > 2 * nodes_.size() + 64) forget_replaced();
+}
+
+void EventQueue::set_elsewhere(Node& node) {
+    node.previous = ~elsewhere_;
+    node.next = nobody();
+}
+
+// It is written down in any case, and written over by the next unless it is to be kept.
+void EventQueue::note(std::int32_t hour, bool keep, std::int32_t particle) {
+    Day& day = days_[index(hour >> day_bits_)];
+    leaves_[index(day.leaf)].particle[index(day.used)] = particle;
+    day.used += keep;
+    if (day.used < Leaf::most) [[likely]]
+        return;
+    if (free_leaf_ == none && leaves_.size() > most_leaves())
+        note_all_anew();
+    else
+        day = {new_leaf(day.leaf), 0};
+}
+
+// Some for each particle and one more for each day: enough unless a few collide very often.
+std::size_t EventQueue::most_leaves() const {
+    return days_.size() + 16 + notes_per_particle * index(count_) / Leaf::most;
+}
+
+void EventQueue::note_all_anew() {
+    forget_notes();
+    for (std::int32_t i = 0; i < count_; ++i) {
+        const Node& node = nodes_[index(i)];
+        const std::int32_t hour = hour_of(node.event.time);
+        if (is_elsewhere(node) && hour - midnight_ >= elsewhere_) note(hour, hour < hours_, i);
+    }
+}
+
+void EventQueue::forget_notes() {
+    leaves_.clear();
+    free_leaf_ = none;
+    days_.clear();
+    for (std::int32_t day = 0; day <= hours_ >> day_bits_; ++day)
+        days_.push_back({new_leaf(none), 0});
+}
+
+std::int32_t EventQueue::new_leaf(std::int32_t before) {
+    std::int32_t leaf = free_leaf_;
+    if (leaf == none) {
+        leaf = static_cast<std::int32_t>(leaves_.size());
+        leaves_.emplace_back();
+    } else {
+        free_leaf_ = leaves_[index(leaf)].before;
+    }
+    leaves_[index(leaf)].before = before;
+    return leaf;
+}
+
+// Some are noted twice, some are due at another time now.
+void EventQueue::begin_day() {
+    ahead_ = -1;
+    const std::int32_t day = midnight_ >> day_bits_;
+    Day& its = days_[index(day)];
+    while (true) {
+        Leaf& leaf = leaves_[index(its.leaf)];
+        if (leaf.before != none)
+            for (const std::int32_t particle : leaves_[index(leaf.before)].particle)
+                __builtin_prefetch(&nodes_[index(particle)]);
+        for (std::int32_t k = 0; k < its.used; ++k) {
+            const std::int32_t particle = leaf.particle[index(k)];
+            const Node& node = nodes_[index(particle)];
+            const std::int32_t hour = hour_of(node.event.time);
+            if (hour >> day_bits_ == day && is_elsewhere(node)) link(particle, hour - midnight_);
+        }
+        const std::int32_t before = leaf.before;
+        if (before == none) break;
+        leaf.before = free_leaf_;
+        free_leaf_ = its.leaf;
+        its = {before, Leaf::most};
+    }
+    its.used = 0;
 }
 
 void EventQueue::link(std::int32_t particle, std::int32_t list) {
@@ -105,9 +210,7 @@ void EventQueue::link(std::int32_t particle, std::int32_t list) {
 }
 
 void EventQueue::unlink(std::int32_t particle) {
-    Node& node = nodes_[index(particle)];
-    if (node.previous == unlisted) [[unlikely]]
-        return;
+    const Node& node = nodes_[index(particle)];
     const std::int32_t at_head = node.previous < 0 ? -1 : 0;
     const std::int32_t list = ~node.previous & at_head;
     const std::array<std::int32_t*, 2> links{&nodes_[index(node.previous & ~at_head)].next,
@@ -115,15 +218,15 @@ void EventQueue::unlink(std::int32_t particle) {
     std::int32_t* const link = links[index(-at_head)];
     *link = node.next;
     nodes_[index(node.next)].previous = node.previous;
-    const bool emptied = (at_head != 0) & (node.next == nobody()) & (list != beyond_lap());
+    const bool emptied = (at_head != 0) & (node.next == nobody()) & (list != elsewhere_);
     occupied_[index(list) / 64] &= ~(std::uint64_t{emptied} << (index(list) % 64));
-    node.previous = unlisted;
 }
 
-std::int32_t EventQueue::next_occupied(std::int32_t bucket) const {
-    std::size_t word = index(bucket) / 64;
-    const std::uint64_t bits = occupied_[word] >> (index(bucket) % 64);
-    if (bits != 0) return bucket + std::countr_zero(bits);
+// From an hour of the day on; elsewhere_ when there is none.
+std::int32_t EventQueue::next_occupied(std::int32_t hour_of_day) const {
+    std::size_t word = index(hour_of_day) / 64;
+    const std::uint64_t bits = occupied_[word] >> (index(hour_of_day) % 64);
+    if (bits != 0) return hour_of_day + std::countr_zero(bits);
     while (occupied_[++word] == 0) {
     }
     return static_cast<std::int32_t>(64 * word) + std::countr_zero(occupied_[word]);
@@ -131,7 +234,7 @@ std::int32_t EventQueue::next_occupied(std::int32_t bucket) const {
 
 bool EventQueue::is_current(const Present& entry) const {
     const Node& node = nodes_[index(entry.particle)];
-    return node.previous == unlisted && node.event.time == entry.time;
+    return is_elsewhere(node) && node.event.time == entry.time;
 }
 
 void EventQueue::forget_replaced() {
@@ -143,12 +246,14 @@ void EventQueue::forget_replaced() {
     heap_.erase(std::unique(heap_.begin(), heap_.end(), same), heap_.end());
 }
 
-void EventQueue::order_present_bucket() {
+void EventQueue::order_present_hour() {
     crowded_ = true;
-    while (heads_[index(bucket_)] != nobody()) {
-        const std::int32_t particle = heads_[index(bucket_)];
+    const std::int32_t list = (hour_ - midnight_);
+    while (heads_[index(list)] != nobody()) {
+        const std::int32_t particle = heads_[index(list)];
         heap_.push_back({nodes_[index(particle)].event.time, particle});
         unlink(particle);
+        set_elsewhere(nodes_[index(particle)]);
     }
     std::make_heap(heap_.begin(), heap_.end(), is_later);
 }
@@ -169,12 +274,19 @@ std::int32_t EventQueue::earliest() {
             const std::int32_t particle = earliest_in_heap();
             if (particle >= 0) return particle;
         }
-        bucket_ = next_occupied(bucket_);
-        if (bucket_ == beyond_lap()) {
-            bucket_ = buckets_ - 1;
-            return -1;
+        const std::int32_t list = next_occupied((hour_ - midnight_));
+        if (list == elsewhere_) {
+            hour_ = midnight_ + elsewhere_;
+            if (hour_ == hours_) {
+                --hour_;
+                return -1;
+            }
+            midnight_ = hour_;
+            begin_day();
+            continue;
         }
-        std::int32_t best = heads_[index(bucket_)];
+        hour_ = midnight_ + list;
+        std::int32_t best = heads_[index(list)];
         double time = nodes_[index(best)].event.time;
         int count = 1;
         for (std::int32_t i = nodes_[index(best)].next; i != nobody(); i = nodes_[index(i)].next) {
@@ -185,7 +297,7 @@ std::int32_t EventQueue::earliest() {
             best = earlier ? i : best;
         }
         if (count <= most_in_list) return best;
-        order_present_bucket();
+        order_present_hour();
     }
 }
 
@@ -199,15 +311,14 @@ double EventQueue::next_lap() const {
 
 // The lap is over: whoever has an event has it beyond.
 void EventQueue::begin_lap(double shift) {
-    const double width = events_per_bucket * shift / static_cast<double>(events_in_lap_ + 1);
+    const double width = events_per_hour * shift / static_cast<double>(events_in_lap_ + 1);
     // Twice too wide or too narrow does no harm, and a width that changes often costs exactness.
     if (width > 2.0 * width_ || width < 0.5 * width_) set_width(width);
-    heads_[index(beyond_lap())] = nobody();
-    bucket_ = 0;
+    hour_ = midnight_ = 0;
+    ahead_ = -1;
     events_in_lap_ = 0;
     for (std::int32_t i = 0; i < count_; ++i) {
         Node& node = nodes_[index(i)];
-        if (node.previous == unlisted) continue;
         node.event.time -= shift;
         node.event.contact_time -= shift;
         insert(i);

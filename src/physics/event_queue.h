@@ -1,13 +1,19 @@
 // The next event of each particle, and which particle's comes first. One event per particle: a new
 // one replaces the old. Times are local (local_clock.h) and lie in laps.
 //
-// A calendar: a lap is cut into buckets of equal width, each an unsorted doubly linked list through
-// the events themselves, and the earliest of the present bucket is looked for among the few in it.
-// So scheduling costs the same for any number of particles. A present bucket with too many events
-// (a lattice that starts all at once) is ordered in a heap. Events beyond the lap wait in one more
-// list until begin_lap(). Does not know what an event means.
+// A calendar: a lap is cut into days, a day into hours of half an event each. Each hour of the
+// present day has an unsorted doubly linked list through the events themselves, and the earliest of
+// the present hour is looked for among the few in it. Whoever has an event on a later day is noted
+// down at the end of that day's notes, where it stays whatever becomes of the event; when the day
+// begins, those noted that are still due then go to its hours. So only the events of one day, which
+// fit into the processor's nearest caches, are linked in no order; the notes are written and read
+// on end. Scheduling costs the same for any number of particles. A present hour with too many
+// events (a lattice that starts all at once) is ordered in a heap. Events beyond the lap are found
+// by begin_lap(). Does not know what an event means.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -46,65 +52,101 @@ class EventQueue {
     /// -1 when the lap is over.
     std::int32_t earliest();
 
-    /// The present bucket, and how many there are in a lap.
-    std::int32_t bucket() const { return bucket_; }
-    std::int32_t buckets() const { return buckets_; }
-
-    /// The first bucket from `bucket` on that has events, or buckets() if none in this lap has; and
-    /// one of its particles. For those who fetch ahead what these events will need.
-    std::int32_t next_occupied(std::int32_t bucket) const;
-    std::int32_t first_in(std::int32_t bucket) const { return heads_[index(bucket)]; }
+    /// Calls f(particle) for the events of the next `hours` for which it has not been called yet,
+    /// as far as the day goes; later ones may still come between. For those who fetch ahead what
+    /// these events will need.
+    template <typename Function>
+    void look_ahead(std::int32_t hours, Function&& f);
 
     /// When the lap is over, how far the next begins after it: a whole number of laps, so that an
     /// event lies in it; infinity when there is no event at all.
     double next_lap() const;
 
     /// Counts all times from `shift` later on (from next_lap()), and adapts the width of the
-    /// buckets to the events seen.
+    /// hours to the events seen.
     void begin_lap(double shift);
 
   private:
     struct Node {
         Event event;
-        std::int32_t previous = unlisted;  ///< or ~list at the head of a list, or unlisted
-        std::int32_t next = 0;             ///< or nobody()
+        std::int32_t previous = 0;  ///< in the list, or ~list at its head
+        std::int32_t next = 0;      ///< or nobody()
     };
     struct Present {
         double time;
         std::int32_t particle;
     };
-    static constexpr std::int32_t unlisted = std::numeric_limits<std::int32_t>::min();
+    /// Particles noted down for a day, and the leaf of it that was filled before, or none.
+    struct alignas(64) Leaf {
+        static constexpr std::int32_t most = 15;
+        std::array<std::int32_t, most> particle{};
+        std::int32_t before = none;
+    };
+    struct Day {
+        std::int32_t leaf;  ///< the last one
+        std::int32_t used;  ///< of it
+    };
+    static constexpr std::int32_t none = -1;
 
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
     std::int32_t nobody() const { return count_; }
-    std::int32_t beyond_lap() const { return buckets_; }
+    std::int32_t hour_of(double time) const;
+    bool is_elsewhere(const Node& node) const { return node.previous == ~elsewhere_; }
     bool is_current(const Present& entry) const;
     void clear();
     void set_width(double width);
     void insert(std::int32_t particle);
+    void insert_into_heap(std::int32_t particle);
     void link(std::int32_t particle, std::int32_t list);
     void unlink(std::int32_t particle);
+    void set_elsewhere(Node& node);
+    void note(std::int32_t hour, bool keep, std::int32_t particle);
+    std::int32_t new_leaf(std::int32_t before);
+    std::size_t most_leaves() const;
+    void note_all_anew();
+    void forget_notes();
+    void begin_day();
+    std::int32_t next_occupied(std::int32_t hour_of_day) const;
     std::int32_t earliest_in_heap();
-    void order_present_bucket();
+    void order_present_hour();
     void forget_replaced();
 
     // Which list comes next, whether it is empty, who stands at its head: the processor cannot
     // foretell any of it, so lists are handled without branches. They end in nobody, which has a
-    // node of its own to be written to.
+    // node of its own to be written to; and who is in no list, since its event is in the heap, on a
+    // later day or beyond the lap, has links as if it were alone in one more list, elsewhere.
     std::int32_t count_;
     LargeVector<Node> nodes_;
-    LargeVector<std::int32_t> heads_;      ///< of the buckets, then of the list beyond the lap
-    LargeVector<std::uint64_t> occupied_;  ///< a bit for each bucket with events; one that is
-                                           ///< always set for the list beyond
-    std::vector<Present> heap_;  ///< of a crowded bucket; entries replaced since are dropped
-                                 ///< when met
-    bool crowded_ = false;       ///< the present bucket is in the heap, not in its list
-    std::int32_t buckets_;
-    std::int32_t bucket_ = 0;  ///< the present one
-    double width_ = 1.0;       ///< a power of two, so that laps add up exactly
+    LargeVector<Leaf> leaves_;
+    std::int32_t free_leaf_ = none;    ///< the first of those free, each with the next in `before`
+    std::vector<Day> days_;            ///< and one more, of which nothing is kept
+    std::vector<std::int32_t> heads_;  ///< of the hours of the present day, and elsewhere
+    std::vector<std::uint64_t> occupied_;  ///< a bit for each hour of the present day with events;
+                                           ///< one that is always set for elsewhere
+    std::vector<Present> heap_;  ///< of a crowded hour; entries replaced since are dropped when met
+    bool crowded_ = false;       ///< the present hour is in the heap, not in its list
+    std::int32_t hours_;         ///< of a lap
+    int day_bits_;               ///< the logarithm of those of a day to base 2
+    std::int32_t elsewhere_;     ///< the number of the list after those of a day's hours
+    std::int32_t hour_ = 0;      ///< the present one
+    std::int32_t midnight_ = 0;  ///< the first of the present day
+    std::int32_t ahead_ = -1;    ///< hour of the day up to which look_ahead() has come
+    double width_ = 1.0;         ///< of an hour: a power of two, so that laps add up exactly
     double per_width_ = 1.0;
     double lap_ = 1.0;
     std::int64_t events_in_lap_ = 0;
 };
+
+template <typename Function>
+void EventQueue::look_ahead(std::int32_t hours, Function&& f) {
+    const std::int32_t present = hour_ - midnight_;
+    ahead_ = std::max(ahead_, present);
+    const std::int32_t end = std::min(present + hours, elsewhere_ - 1);
+    while (ahead_ < end) {
+        ahead_ = next_occupied(ahead_ + 1);
+        if (ahead_ == elsewhere_) return;
+        for (std::int32_t i = heads_[index(ahead_)]; i != nobody(); i = nodes_[index(i)].next) f(i);
+    }
+}
 
 }  // namespace carom

@@ -26,6 +26,11 @@ const Plane::Body& at(const Plane::Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
+bool crosses_cells(const Event& event) {
+    return !event.is_contact() && event.border >= first_cell_side;
+}
+int cell_side(const Event& event) { return static_cast<int>(event.border - first_cell_side); }
+
 }  // namespace
 
 Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
@@ -115,22 +120,29 @@ bool Plane::separation_at_contact(const Body& a, const Body& b, double& x, doubl
     return std::isfinite(best);
 }
 
+// In a periodic box the first follows the last.
+Cell Plane::next_cell(Cell cell, int side) const {
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const bool up = side % 2 == 1;
+    const int last = last_cell_[axis];
+    const int next = cell[axis] + (up ? 1 : -1);
+    cell[axis] = static_cast<std::uint16_t>(next < 0 ? last : next > last ? 0 : next);
+    return cell;
+}
+
 void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
     Body& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;
     const auto axis = static_cast<std::size_t>(side / 2);
     const bool up = side % 2 == 1;
-    const int last = last_cell_[axis];
-    const int cell = from[axis] + (up ? 1 : -1);
-    if (cell >= 0 && cell <= last) [[likely]] {
-        body.cell[axis] = static_cast<std::uint16_t>(cell);
-    } else {  // leaves a periodic box, and enters at the other side
+    body.cell = next_cell(from, side);
+    if (from[axis] == (up ? last_cell_[axis] : 0)) [[unlikely]] {
+        // leaves a periodic box, and enters at the other side
         body.x[0] += body.v[0] * (now - body.time);
         body.x[1] += body.v[1] * (now - body.time);
         body.time = now;
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
         body.x[axis] += up ? -size : size;
-        body.cell[axis] = static_cast<std::uint16_t>(up ? 0 : last);
     }
     grid_.move(i, body.radius, from, body.cell);
 }
@@ -211,10 +223,38 @@ Event Plane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int si
     return first;
 }
 
-void Plane::fetch_bodies_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) {
+void Plane::fetch_disks_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const {
+    __builtin_prefetch(&at(bodies, i));
+    const Event& event = queue.event(i);
+    if (!event.is_contact()) return;
+    __builtin_prefetch(&at(bodies, event.partner));
+    __builtin_prefetch(&queue.event(event.partner));
+}
+
+void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const {
+    const Event& event = queue.event(i);
+    const Body& a = at(bodies, i);
+    if (crosses_cells(event)) {
+        const int side = cell_side(event);
+        grid_.fetch_newly_around(next_cell(a.cell, side), side);
+        return;
+    }
+    grid_.fetch_around(a.cell);
+    if (event.is_contact()) grid_.fetch_around(at(bodies, event.partner).cell);
+}
+
+void Plane::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) {
+    const Event& event = queue.event(i);
     const Body& a = at(bodies, i);
     if (!grid_.plain(a.radius)) return;
-    grid_.append_around(a.cell, near_, near_count_);
+    if (crosses_cells(event)) {
+        const int side = cell_side(event);
+        grid_.append_newly_around(next_cell(a.cell, side), side, near_, near_count_);
+    } else {
+        grid_.append_around(a.cell, near_, near_count_);
+        if (event.is_contact())
+            grid_.append_around(at(bodies, event.partner).cell, near_, near_count_);
+    }
     for (std::size_t k = 0; k < near_count_; ++k) {
         __builtin_prefetch(&at(bodies, near_[k]));
         __builtin_prefetch(&queue.event(near_[k]));

@@ -48,16 +48,18 @@ class Plane {
     /// approach (a graze, by round-off).
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
-    /// Asks the processor for what an event of this body will need: its cells; and, when these are
-    /// there, the bodies in them.
-    void fetch_cells_ahead(const Body& body) const { grid_.fetch_ahead(body.cell); }
-    void fetch_bodies_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue);
+    /// Asks the processor for what the event of a disk will need: the disks that it changes; when
+    /// these are there, the cells about them; and when these are, the disks in them.
+    void fetch_disks_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const;
+    void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const;
+    void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue);
 
   private:
     void search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
                 const EventQueue& queue, Event& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue,
                       Event& first);
+    Cell next_cell(Cell cell, int side) const;
     void foresee_border(const Body& d, double now, Event& first) const;
     bool separation_at_contact(const Body& a, const Body& b, double& x, double& y) const;
 

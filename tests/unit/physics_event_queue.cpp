@@ -1,7 +1,12 @@
 #include <doctest/doctest.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "physics/event_queue.h"
@@ -10,45 +15,122 @@
 
 using namespace carom;
 
-TEST_CASE("events come in the order of their times, at equal times of their numbers") {
-    constexpr std::int32_t count = 50;
+namespace {
+
+// Draws and replaces events as a simulation does, and compares with a search through all.
+void compare_with_all(std::int32_t count, int events_processed, double spread) {
     constexpr double nothing = std::numeric_limits<double>::infinity();
     Random random(3, "queue");
     // Times of very different sizes, many of them equal, some without an event.
-    const auto draw = [&random](double now) {
+    const auto draw = [&random, spread](double now) {
         const double u = random.uniform();
         if (u < 0.1) return nothing;
         if (u < 0.4) return now + std::floor(4.0 * random.uniform());
         if (u < 0.5) return now + 4096.0 * std::floor(1000.0 * random.uniform());
-        return now + std::exp(random.uniform(-20.0, 5.0));
+        return now + std::exp(random.uniform(-20.0, spread));
     };
-    std::vector<Event> events(count);
-    for (Event& event : events) event.time = draw(0.0);
+    std::vector<Event> events(static_cast<std::size_t>(count));
+    std::set<std::pair<double, std::int32_t>> order;
+    for (std::int32_t i = 0; i < count; ++i) {
+        events[std::size_t(i)].time = draw(0.0);
+        order.insert({events[std::size_t(i)].time, i});
+    }
     EventQueue queue(count);
     queue.reset(events);
     int processed = 0;
-    for (; processed < 200'000; ++processed) {
+    for (; processed < events_processed; ++processed) {
         const std::int32_t found = queue.earliest();
         if (found < 0) {
             const double shift = queue.next_lap();
             if (!std::isfinite(shift)) break;
             queue.begin_lap(shift);
-            for (Event& event : events) event.time -= shift;
+            order.clear();
+            for (std::int32_t i = 0; i < count; ++i) {
+                events[std::size_t(i)].time -= shift;
+                order.insert({events[std::size_t(i)].time, i});
+            }
             continue;
         }
-        std::int32_t first = 0;
-        for (std::int32_t i = 1; i < count; ++i)
-            if (events[std::size_t(i)].time < events[std::size_t(first)].time) first = i;
+        const auto [now, first] = *order.begin();
         REQUIRE(found == first);
-        const double now = events[std::size_t(first)].time;
         REQUIRE(queue.event(found).time == now);
+        REQUIRE(queue.earliest() == found);
         // as in the simulation: the one at hand, and another one with it
         for (const auto i : {first, static_cast<std::int32_t>(random.below(count))}) {
+            order.erase({events[std::size_t(i)].time, i});
             events[std::size_t(i)].time = draw(now);
+            order.insert({events[std::size_t(i)].time, i});
             queue.schedule(i, events[std::size_t(i)]);
         }
     }
-    CHECK(processed == 200'000);
+    CHECK(processed == events_processed);
+}
+
+}  // namespace
+
+TEST_CASE("events come in the order of their times, at equal times of their numbers") {
+    compare_with_all(50, 200'000, 5.0);
+}
+
+TEST_CASE("events of laps of many days come in order") {
+    compare_with_all(1'500, 100'000, 5.0);
+    compare_with_all(20'000, 300'000, 1.0);
+}
+
+TEST_CASE("an event replaced again and again takes no more room") {
+    constexpr std::int32_t count = 10'000;
+    Random random(6, "queue");
+    std::vector<Event> events(count);
+    for (Event& event : events) event.time = random.uniform();
+    EventQueue queue(count);
+    queue.reset(events);
+    const auto bytes = [] { return mallinfo2().uordblks + mallinfo2().hblkhd; };
+    const std::size_t before = bytes();
+    for (int k = 0; k < 1'000'000; ++k) {
+        const auto i = static_cast<std::int32_t>(random.below(count));
+        events[std::size_t(i)].time = random.uniform();
+        queue.schedule(i, events[std::size_t(i)]);
+    }
+    // Four notes for each, and as much again that a vector holds ready; all kept would be 400
+    // bytes.
+    CHECK(bytes() < before + 40 * std::size_t{count});
+    std::vector<std::int32_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&events](std::int32_t a, std::int32_t b) {
+        return events[std::size_t(a)].time < events[std::size_t(b)].time;
+    });
+    for (const std::int32_t next : order) {
+        while (queue.earliest() < 0) queue.begin_lap(queue.next_lap());
+        REQUIRE(queue.earliest() == next);
+        queue.schedule(next, Event{});
+    }
+    CHECK(queue.earliest() == -1);
+}
+
+TEST_CASE("looking ahead tells of each event of the next hours once") {
+    constexpr std::int32_t count = 8192;
+    Random random(4, "queue");
+    std::vector<Event> events(count);
+    for (Event& event : events) event.time = random.uniform();
+    EventQueue queue(count);
+    queue.reset(events);
+    std::vector<int> told(count, 0);
+    int in_time = 0;
+    for (int k = 0; k < count; ++k) {
+        const std::int32_t i = queue.earliest();
+        REQUIRE(i >= 0);
+        in_time += told[std::size_t(i)];
+        queue.look_ahead(32, [&](std::int32_t coming) {
+            ++told[std::size_t(coming)];
+            CHECK(queue.event(coming).time >= queue.event(i).time);
+        });
+        queue.schedule(i, Event{});
+    }
+    CHECK(queue.earliest() == -1);
+    for (const int times : told) REQUIRE(times <= 1);
+    // all but those that came first on their day
+    CHECK(in_time > 0.97 * count);
+    CHECK(in_time < count);
 }
 
 TEST_CASE("an empty queue is a valid state") {

@@ -101,25 +101,55 @@ struct First {
     first.who ^= (first.who ^ who) & mask;
 }
 
-// The exact times of two contacts, those of numbers k and l in `near`; the same twice does no harm.
-[[gnu::always_inline]] inline void solve(const Viewer& a, const FlyingDisk* disks,
+// The exact times of two contacts, of a with the disk numbered k in `near` and of b with l; the
+// same twice does no harm.
+[[gnu::always_inline]] inline void solve(const Viewer& a, const Viewer& b, const FlyingDisk* disks,
                                          const std::int32_t* near, const FourPairs* pairs,
                                          std::size_t k, std::size_t l, const EventQueue& queue,
-                                         First& first) {
+                                         First& first_of_a, First& first_of_b) {
     const FourPairs &p = pairs[k / lanes], &q = pairs[l / lanes];
     const std::size_t m = k % lanes, n = l % lanes;
-    const FlyingDisk &b = disks[near[k]], &c = disks[near[l]];
+    const FlyingDisk &c = disks[near[k]], &d = disks[near[l]];
     RelativeMotion<TwoLanes> motion{
         {p.x[m], q.x[n]}, {p.y[m], q.y[n]}, {p.vx[m], q.vx[n]}, {p.vy[m], q.vy[n]}};
     TwoLanes sigma{p.sigma[m], q.sigma[n]};
     for (TwoLanes* both : {&motion.x, &motion.y, &motion.vx, &motion.vy, &sigma})
         keep_together(*both);
     const TwoLanes round_off =
-        approach_round_off(motion, TwoLanes{} + a.vx, TwoLanes{} + a.vy, TwoLanes{b.v[0], c.v[0]},
-                           TwoLanes{b.v[1], c.v[1]});
+        approach_round_off(motion, TwoLanes{a.vx, b.vx}, TwoLanes{a.vy, b.vy},
+                           TwoLanes{c.v[0], d.v[0]}, TwoLanes{c.v[1], d.v[1]});
     const TwoLanes time = a.now + contact_times(motion, sigma, round_off);
-    consider(time[0], near[k], sigma[0], a, disks, queue, first);
-    consider(time[1], near[l], sigma[1], a, disks, queue, first);
+    consider(time[0], near[k], sigma[0], a, disks, queue, first_of_a);
+    consider(time[1], near[l], sigma[1], b, disks, queue, first_of_b);
+}
+
+[[gnu::always_inline]] inline FourMasks all_that_might_touch(
+    const Viewer& a, const FlyingDisk* disks, const std::int32_t* near, std::size_t begin,
+    std::size_t end, const Images& images, FourPairs* pairs) {
+    FourMasks found{};
+    for (std::size_t k = begin; k < end; k += lanes)
+        found |= might_touch(a, disks, near + k, images, pairs[k / lanes]) &
+                 (FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(k));
+    return found;
+}
+
+// Takes the lowest bit away, and tells which it was.
+[[gnu::always_inline]] inline std::size_t next_of(std::uint64_t& bits) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    bits &= bits - 1;
+    return k;
+}
+
+[[gnu::always_inline]] inline First known(const Event& event) {
+    return {
+        std::bit_cast<std::uint64_t>(event.contact_time),
+        std::uint64_t{event.partner_collisions} << 32 | static_cast<std::uint32_t>(event.partner)};
+}
+
+[[gnu::always_inline]] inline void tell(const First& first, Event& event) {
+    event.contact_time = std::bit_cast<double>(first.time);
+    event.partner = static_cast<std::int32_t>(first.who);
+    event.partner_collisions = (first.who >> 32) & most_collisions;
 }
 
 }  // namespace
@@ -146,25 +176,38 @@ void search_contact(const FlyingDisks& all, std::int32_t i, double now, const st
     const FlyingDisk* const disks = all.data();
     const Viewer a = viewer(disks[i], now, images);
     FourPairs pairs[most_searched / lanes];
-    FourMasks found{};
-    for (std::size_t k = 0; k < count; k += lanes)
-        found |= might_touch(a, disks, near + k, images, pairs[k / lanes]) &
-                 (FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(k));
-    std::uint64_t bits = bits_of(found);
+    std::uint64_t bits = bits_of(all_that_might_touch(a, disks, near, 0, count, images, pairs));
     if (bits == 0) return;
-    First best{
-        std::bit_cast<std::uint64_t>(first.contact_time),
-        std::uint64_t{first.partner_collisions} << 32 | static_cast<std::uint32_t>(first.partner)};
+    First best = known(first);
     do {
-        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-        bits &= bits - 1;
-        const auto l = bits != 0 ? static_cast<std::size_t>(std::countr_zero(bits)) : k;
-        bits &= bits - 1;
-        solve(a, disks, near, pairs, k, l, queue, best);
+        const std::size_t k = next_of(bits);
+        const std::size_t l = bits != 0 ? next_of(bits) : k;
+        solve(a, a, disks, near, pairs, k, l, queue, best, best);
     } while (bits != 0);
-    first.contact_time = std::bit_cast<double>(best.time);
-    first.partner = static_cast<std::int32_t>(best.who);
-    first.partner_collisions = (best.who >> 32) & most_collisions;
+    tell(best, first);
+}
+
+CAROM_FOR_EACH_PROCESSOR
+void search_two_contacts(const FlyingDisks& all, std::array<std::int32_t, 2> both, double now,
+                         const std::int32_t* near, std::size_t split, std::size_t count,
+                         const Images& images, const EventQueue& queue,
+                         std::array<Event, 2>& firsts) {
+    const FlyingDisk* const disks = all.data();
+    const std::array viewers{viewer(disks[both[0]], now, images),
+                             viewer(disks[both[1]], now, images)};
+    FourPairs pairs[most_searched / lanes];
+    std::uint64_t bits =
+        bits_of(all_that_might_touch(viewers[0], disks, near, 0, split, images, pairs) |
+                all_that_might_touch(viewers[1], disks, near, split, count, images, pairs));
+    std::array best{known(firsts[0]), known(firsts[1])};
+    while (bits != 0) {
+        const std::size_t k = next_of(bits);
+        const std::size_t l = bits != 0 ? next_of(bits) : k;
+        const std::size_t whose_k = k >= split ? 1 : 0, whose_l = l >= split ? 1 : 0;
+        solve(viewers[whose_k], viewers[whose_l], disks, near, pairs, k, l, queue, best[whose_k],
+              best[whose_l]);
+    }
+    for (std::size_t k = 0; k < 2; ++k) tell(best[k], firsts[k]);
 }
 
 }  // namespace carom

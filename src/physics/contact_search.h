@@ -40,4 +40,13 @@ inline constexpr std::size_t most_searched = 64;
 void search_contact(const FlyingDisks& disks, std::int32_t i, double now, const std::int32_t* near,
                     std::size_t count, const Images& images, const EventQueue& queue, Event& first);
 
+/// The same for two disks that do not come into question for each other, at one time: of the
+/// numbers of `near` the first `split` are those of the first disk, the others those of the second,
+/// whole numbers of lanes. The processor works on both at once, where two searches would wait for
+/// one another.
+void search_two_contacts(const FlyingDisks& disks, std::array<std::int32_t, 2> both, double now,
+                         const std::int32_t* near, std::size_t split, std::size_t count,
+                         const Images& images, const EventQueue& queue,
+                         std::array<Event, 2>& firsts);
+
 }  // namespace carom

@@ -328,6 +328,14 @@ bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision)
         const std::int32_t j = event.partner;
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);
+        if constexpr (Dimension == 2 && of_doubles) {
+            std::array<Event, 2> next;
+            if (met && space_.foresee_both(bodies_, i, j, now_, queue_, next)) {
+                queue_.schedule(i, next[0]);
+                queue_.schedule(j, next[1]);
+                return true;
+            }
+        }
         queue_.schedule(i, space_.foresee(bodies_, i, now_, queue_));
         if (met) queue_.schedule(j, space_.foresee(bodies_, j, now_, queue_));
         return met;

@@ -174,12 +174,17 @@ inline void Plane::foresee_border(const Body& d, double now, Event& first) const
     first.time = std::min(time[a], first.contact_time);
 }
 
-// The first contact with one of those listed; the disk itself, which it never meets, fills up the
-// list to whole lanes.
+// With the disk itself, which it never meets.
+inline void Plane::fill_up_lanes(std::int32_t i) {
+    for (std::size_t k = 0; k + 1 < lanes; ++k) near_[near_count_ + k] = i;
+    near_count_ = (near_count_ + lanes - 1) / lanes * lanes;
+}
+
+// The first contact with one of those listed.
 inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
                           const EventQueue& queue, Event& first) {
-    for (std::size_t k = 0; k + 1 < lanes; ++k) near_[near_count_ + k] = i;
-    std::size_t count = (near_count_ + lanes - 1) / lanes * lanes;
+    fill_up_lanes(i);
+    const std::size_t count = near_count_;
     near_count_ = 0;
     for (std::size_t k = 0; k < count; k += most_searched)
         search_contact(bodies, i, now, &near_[k], std::min(count - k, most_searched), images, queue,
@@ -206,6 +211,25 @@ Event Plane::foresee(const Bodies& bodies, std::int32_t i, double now, const Eve
     }
     foresee_border(a, now, first);
     return first;
+}
+
+// The nearest image of the other recedes, and no other image comes into question.
+bool Plane::foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                         const EventQueue& queue, std::array<Event, 2>& firsts) {
+    const Body &a = at(bodies, i), &b = at(bodies, j);
+    if (!grid_.plain(a.radius) || !grid_.plain(b.radius)) return false;
+    grid_.append_around(a.cell, near_, near_count_);
+    fill_up_lanes(i);
+    const std::size_t split = near_count_;
+    grid_.append_around(b.cell, near_, near_count_);
+    fill_up_lanes(j);
+    const std::size_t count = near_count_;
+    near_count_ = 0;
+    if (count > most_searched) return false;
+    search_two_contacts(bodies, {i, j}, now, near_.data(), split, count, nearest_, queue, firsts);
+    foresee_border(a, now, firsts[0]);
+    foresee_border(b, now, firsts[1]);
+    return true;
 }
 
 Event Plane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,

@@ -36,6 +36,11 @@ class Plane {
     /// What happens next to a body.
     Event foresee(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue);
 
+    /// What happens next to two bodies that have just collided; false, and nothing is found, where
+    /// one might meet the other again before it meets a third.
+    bool foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                      const EventQueue& queue, std::array<Event, 2>& firsts);
+
     /// The same when it has just crossed the side of a cell; `before` is what was foreseen until
     /// then, whose contact still holds.
     Event foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
@@ -55,6 +60,7 @@ class Plane {
     void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue);
 
   private:
+    void fill_up_lanes(std::int32_t i);
     void search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
                 const EventQueue& queue, Event& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue,

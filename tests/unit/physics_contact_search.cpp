@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -69,32 +70,51 @@ Event slow_search(const FlyingDisks& disks, std::int32_t i, double now,
 
 }  // namespace
 
+// Some have a contact before, and are left to look again themselves.
+EventQueue draw_contacts(Random& random, std::size_t count) {
+    std::vector<Event> events(count);
+    for (Event& event : events)
+        if (random.uniform() < 0.5) event = {.time = 0.5, .contact_time = random.uniform(0, 9)};
+    EventQueue queue(static_cast<std::int32_t>(count));
+    queue.reset(events);
+    return queue;
+}
+
+// All numbers below count but one, in no order, filled up with i to whole lanes.
+std::vector<std::int32_t> all_but(std::int32_t one, Random& random, std::size_t count,
+                                  std::int32_t i) {
+    std::vector<std::int32_t> near;
+    for (std::size_t k = 0; k < count; ++k)
+        if (static_cast<std::int32_t>(k) != one) near.push_back(static_cast<std::int32_t>(k));
+    for (std::size_t k = near.size(); k > 1; --k) std::swap(near[k - 1], near[random.below(k)]);
+    near.resize((near.size() + lanes - 1) / lanes * lanes, i);
+    return near;
+}
+
+Images draw_images(Random& random, bool& nearest, double& shift) {
+    nearest = random.uniform() < 0.5;
+    Box box;
+    box.size = {size, size};
+    box.walls = {Wall::periodic, Wall::periodic};
+    shift = nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
+    return nearest ? Images::nearest(box) : Images::shifted(shift, 0.0);
+}
+
 TEST_CASE("the search among many finds what looking at one after the other finds") {
     Random random(5, "search");
     int found = 0, equal = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(1 + random.below(most_searched));
         const FlyingDisks disks = draw_disks(random, count);
-        // Some have a contact before, and are left to look again themselves.
-        std::vector<Event> events(count);
-        for (Event& event : events)
-            if (random.uniform() < 0.5) event = {.time = 0.5, .contact_time = random.uniform(0, 9)};
-        EventQueue queue(static_cast<std::int32_t>(count));
-        queue.reset(events);
+        const EventQueue queue = draw_contacts(random, count);
         Event known;
         if (random.uniform() < 0.3)
             known = {.time = 1.0, .contact_time = random.uniform(1.0, 9.0), .partner = 3};
         const auto i = static_cast<std::int32_t>(random.below(count));
-        std::vector<std::int32_t> near(count);
-        for (std::size_t k = 0; k < count; ++k) near[k] = static_cast<std::int32_t>(k);
-        for (std::size_t k = count; k > 1; --k) std::swap(near[k - 1], near[random.below(k)]);
-        near.resize((count + lanes - 1) / lanes * lanes, i);
-        const bool nearest = random.uniform() < 0.5;
-        Box box;
-        box.size = {size, size};
-        box.walls = {Wall::periodic, Wall::periodic};
-        const double shift = nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
-        const Images images = nearest ? Images::nearest(box) : Images::shifted(shift, 0.0);
+        const std::vector<std::int32_t> near = all_but(-1, random, count, i);
+        bool nearest;
+        double shift;
+        const Images images = draw_images(random, nearest, shift);
 
         const Event slow = slow_search(disks, i, 1.0, near, shift, nearest, queue, known);
         Event fast = known;
@@ -110,4 +130,37 @@ TEST_CASE("the search among many finds what looking at one after the other finds
     // Otherwise the comparison would say little.
     CHECK(found > 5'000);
     CHECK(equal > 500);
+}
+
+TEST_CASE("the search for two at once finds what two searches find") {
+    Random random(8, "search");
+    int found = 0;
+    for (int round = 0; round < 20'000; ++round) {
+        const auto count = static_cast<std::size_t>(2 + random.below(most_searched / 2 - 1));
+        const FlyingDisks disks = draw_disks(random, count);
+        const EventQueue queue = draw_contacts(random, count);
+        const auto i = static_cast<std::int32_t>(random.below(count));
+        const auto j = static_cast<std::int32_t>((i + 1 + random.below(count - 1)) % count);
+        const std::vector<std::int32_t> near_i = all_but(j, random, count, i);
+        const std::vector<std::int32_t> near_j = all_but(i, random, count, j);
+        std::vector<std::int32_t> near = near_i;
+        near.insert(near.end(), near_j.begin(), near_j.end());
+        bool nearest;
+        double shift;
+        const Images images = draw_images(random, nearest, shift);
+
+        const std::array slow{slow_search(disks, i, 1.0, near_i, shift, nearest, queue, {}),
+                              slow_search(disks, j, 1.0, near_j, shift, nearest, queue, {})};
+        std::array<Event, 2> fast;
+        search_two_contacts(disks, {i, j}, 1.0, near.data(), near_i.size(), near.size(), images,
+                            queue, fast);
+        for (std::size_t k = 0; k < 2; ++k) {
+            REQUIRE(fast[k].contact_time == slow[k].contact_time);
+            REQUIRE(fast[k].partner == slow[k].partner);
+            REQUIRE(std::uint32_t{fast[k].partner_collisions} ==
+                    std::uint32_t{slow[k].partner_collisions});
+            if (std::isfinite(slow[k].contact_time)) ++found;
+        }
+    }
+    CHECK(found > 10'000);
 }

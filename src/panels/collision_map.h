@@ -7,20 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "panels/collision_map_key.h"
 #include "panels/meeting.h"
 #include "panels/pair_motion.h"
+#include "panels/velocity_plane.h"
 
 namespace carom {
-
-/// Where velocities are drawn: by equal scales on both axes, 0 in the middle.
-struct VelocityPlane {
-    Rect area;
-    Eigen::Array2d factor;  ///< of each velocity: 1, or the root of its mass
-    double scale = 1.0;     ///< pixels of a unit
-    Point operator()(const Eigen::Array2d& velocity) const;
-    Scale across() const;
-    Scale up() const;
-};
 
 class CollisionMapPanel : public Panel {
   public:
@@ -34,37 +26,24 @@ class CollisionMapPanel : public Panel {
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     std::string account(const PanelState& state) const override;
-    using Panel::draw_key;
 
     VelocityPlane plane(const Page& page) const;
 
   private:
-    struct KeyEntry;
-    struct Places;
     struct Counts;
     bool is_walk() const { return spec_.walk; }
     bool is_scaled() const { return spec_.scaled.value_or(is_walk()); }
+    static std::size_t steps_of(const PanelState& state);  ///< of the walk, so far
     Counts counts_of(std::size_t steps) const;
     std::string subscripted(const char* letter, std::size_t k) const;
     std::string velocity_name(std::size_t k) const;
-    std::string vector_words(const Eigen::Array2d& velocity) const;
     std::string pair_title(const Theme& theme) const;
-    std::vector<KeyEntry> key(std::size_t steps) const;
-    Places places(const Page& page, double left) const;
-    Places places(const Page& page) const;
-    Places places_beside(const Page& page, const Rect& whole, const std::vector<double>& words,
-                         const std::vector<double>& samples) const;
-    Places places_over(const Page& page, const Rect& whole, const std::vector<double>& words,
-                       const std::vector<double>& samples) const;
+    std::vector<std::string> titles(const Theme& theme) const;  ///< the longest first
+    std::vector<MapKeyEntry> key(std::size_t steps) const;
+    MapPlaces places(const Page& page) const;
     VelocityPlane plane_in(const Rect& area) const;
-    void draw_sample(Canvas& canvas, const Page& page, const KeyEntry& entry, Point at,
-                     double wide) const;
-    void draw_key(Canvas& canvas, const Page& page, std::size_t steps) const;
     void draw_axes(Canvas& canvas, const Page& page, const VelocityPlane& to) const;
     void draw_energy(Canvas& canvas, const Page& page, const VelocityPlane& to) const;
-    void draw_along(Canvas& canvas, const VelocityPlane& to, const Eigen::Array2d& through,
-                    const Eigen::Array2d& direction, double width, Color color,
-                    std::span<const double> dashes) const;
     void draw_collision(Canvas& canvas, const Page& page, const VelocityPlane& to) const;
     void draw_walk(Canvas& canvas, const Page& page, const VelocityPlane& to,
                    std::size_t steps) const;

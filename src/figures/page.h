@@ -1,17 +1,15 @@
-// Pages that show figures: a template with placeholders, and what stands in for them, escaped for
-// the page's kind. Knows no files.
+// Pages that show figures: a template with placeholders, and what stands in for them. Knows no
+// files.
 #pragma once
 
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "figures/escaping.h"
 #include "scene/node.h"
 
 namespace carom {
-
-enum class PageKind { markdown, html, latex };
 
 /// What stands in for the placeholders of a place: words, names of files (in LaTeX as they are,
 /// elsewhere as parts of an address), and lists of places.
@@ -20,13 +18,6 @@ struct PageFields {
     std::map<std::string, std::string> files = {};
     std::map<std::string, std::vector<PageFields>> lists = {};
 };
-
-/// `text` as a page of this kind shows it, on one line.
-std::string escaped(std::string_view text, PageKind kind);
-
-/// The letters of a LaTeX page, each once, that pdfLaTeX cannot set without packages; LuaLaTeX and
-/// XeLaTeX may.
-std::vector<std::string> beyond_pdflatex(std::string_view page);
 
 /// Fills a template. `{{name}}` is a text; `{{#name}}…{{/name}}` stays for each item of a list, or
 /// if there is such a text; `{{^name}}…{{/name}}` if there is none; `{{! words}}` is left out. A

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "figures/page.h"
+#include "figures/escaping.h"
 #include "support/files.h"
 #include "support/process.h"
 
@@ -76,13 +76,9 @@ TEST_CASE("words come out of a LaTeX page as they went in") {
         CHECK(text.find(letter) != std::string::npos);
 }
 
-TEST_CASE("letters that pdfLaTeX cannot set are named, each once") {
-    CHECK(beyond_pdflatex("all of ASCII, äöüß, Łódź, “quotes” and 5 € – 6 ‰").empty());
-    CHECK(beyond_pdflatex("二 disks and 二 beads, ☺ \xF0\x9D\x94\xB8") ==
-          std::vector<std::string>{"二", "☺", "\xF0\x9D\x94\xB8"});
-    CHECK(beyond_pdflatex("λ") == std::vector<std::string>{"λ"});  // of a template; words have \(
-    CHECK(beyond_pdflatex(escaped("λ", PageKind::latex)).empty());
+TEST_CASE("pdfLaTeX does not set a letter that is told as beyond it") {
     if (!has_latex()) return;
+    REQUIRE_FALSE(beyond_pdflatex("二").empty());
     const test::TemporaryFolder folder;
     folder.write("text.tex", document("二"));
     CHECK(typeset(folder).exit_code != 0);

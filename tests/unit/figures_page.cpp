@@ -1,4 +1,4 @@
-// Pages: what placeholders become, what is escaped, and how mistakes in a template are told.
+// Pages: what placeholders become, and how mistakes in a template are told.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -57,20 +57,6 @@ TEST_CASE("a line with nothing but the tag of a list leaves no line") {
     CHECK(filled("{{#figures}}\n- {{name}}\n{{/figures}}\nend\n", two_figures()) ==
           "- a\n- b\nend\n");
     CHECK(filled("{{! words }}\nx\n", two_figures()) == "x\n");
-}
-
-TEST_CASE("words are escaped as the kind of page asks") {
-    CHECK(escaped("<b> & \"c\"", PageKind::html) == "&lt;b&gt; &amp; &quot;c&quot;");
-    CHECK(escaped("50 % of {a_b} & $2 #1 ~ ^ \\", PageKind::latex) ==
-          "50 \\% of \\{a\\_b\\} \\& \\$2 \\#1 \\textasciitilde{} \\textasciicircum{} "
-          "\\textbackslash{}");
-    CHECK(escaped("r² − π", PageKind::latex) == "r\\(^{2}\\) \\(-\\) \\(\\pi\\)");
-    CHECK(escaped("a *b* [c](d) <e> `f` a_b", PageKind::markdown) ==
-          "a \\*b\\* \\[c\\](d) \\<e\\> \\`f\\` a\\_b");
-    CHECK(escaped("# no heading - 1. x", PageKind::markdown) == "\\# no heading - 1. x");
-    CHECK(escaped("12. May", PageKind::markdown) == "12\\. May");
-    for (const PageKind kind : {PageKind::html, PageKind::latex, PageKind::markdown})
-        CHECK(escaped(" two\n\nparagraphs ", kind) == "two paragraphs");
 }
 
 TEST_CASE("mistakes in a template are told with their place") {

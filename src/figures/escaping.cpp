@@ -1,0 +1,304 @@
+#include "figures/escaping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+using std::string;
+using std::string_view;
+
+string html(string_view letter) {
+    if (letter == "&") return "&amp;";
+    if (letter == "<") return "&lt;";
+    if (letter == ">") return "&gt;";
+    if (letter == "\"") return "&quot;";
+    return letter == "'" ? "&#39;" : string(letter);
+}
+
+// What begins a heading, a list or a quotation does so at the start of a line only.
+string markdown(string_view letter, string_view before) {
+    const bool number = before.find_first_not_of("0123456789") == string_view::npos;
+    if (string_view("\\`*_[]<>&|$~").find(letter) != string_view::npos ||
+        (before.empty() && string_view("#+-=!:").find(letter) != string_view::npos) ||
+        (!before.empty() && number && (letter == "." || letter == ")")))
+        return "\\" + string(letter);
+    return string(letter);
+}
+
+// The letters that mean something in LaTeX, or that pdfLaTeX does not know by itself, as it knows
+// them without packages, in its oldest encoding of fonts (OT1).
+const std::map<string_view, string_view>& latex_letters() {
+    static const std::map<string_view, string_view> letters{
+        {"\\", "\\textbackslash{}"},
+        {"{", "\\{"},
+        {"}", "\\}"},
+        {"$", "\\$"},
+        {"&", "\\&"},
+        {"#", "\\#"},
+        {"_", "\\_"},
+        {"%", "\\%"},
+        {"~", "\\textasciitilde{}"},
+        {"^", "\\textasciicircum{}"},
+        {"\"", "\\char34{}"},
+        {"`", "\\textasciigrave{}"},
+        {"<", "\\(<\\)"},
+        {">", "\\(>\\)"},
+        {"|", "\\textbar{}"},
+        {"„", ",,"},
+        {"‚", ","},
+        {"‑", "-"},
+        {"\u00A0", "~"},
+        {"\u2002", "\\enspace{}"},
+        {"\u2003", "\\quad{}"},
+        {"\u2004", "\\ "},
+        {"\u2005", "\\ "},
+        {"\u2007", "~"},
+        {"\u2009", "\\,"},
+        {"\u200A", "\\,"},
+        {"\u202F", "\\,"},
+        {"\u200B", ""},
+        {"\u2060", ""},
+        {"\uFEFF", ""},
+        {"−", "\\(-\\)"},
+        {"×", "\\(\\times\\)"},
+        {"÷", "\\(\\div\\)"},
+        {"·", "\\(\\cdot\\)"},
+        {"⋅", "\\(\\cdot\\)"},
+        {"∙", "\\(\\cdot\\)"},
+        {"∗", "\\(\\ast\\)"},
+        {"±", "\\(\\pm\\)"},
+        {"∓", "\\(\\mp\\)"},
+        {"∘", "\\(\\circ\\)"},
+        {"°", "\\(^\\circ\\)"},
+        {"′", "\\(^{\\prime}\\)"},
+        {"″", "\\(^{\\prime\\prime}\\)"},
+        {"≈", "\\(\\approx\\)"},
+        {"≃", "\\(\\simeq\\)"},
+        {"≅", "\\(\\cong\\)"},
+        {"∼", "\\(\\sim\\)"},
+        {"∝", "\\(\\propto\\)"},
+        {"≠", "\\(\\neq\\)"},
+        {"≡", "\\(\\equiv\\)"},
+        {"≤", "\\(\\leq\\)"},
+        {"≥", "\\(\\geq\\)"},
+        {"≪", "\\(\\ll\\)"},
+        {"≫", "\\(\\gg\\)"},
+        {"«", "\\(\\ll\\)"},
+        {"»", "\\(\\gg\\)"},
+        {"‹", "\\(<\\)"},
+        {"›", "\\(>\\)"},
+        {"√", "\\(\\surd\\)"},
+        {"∞", "\\(\\infty\\)"},
+        {"∑", "\\(\\sum\\)"},
+        {"∏", "\\(\\prod\\)"},
+        {"∫", "\\(\\int\\)"},
+        {"∂", "\\(\\partial\\)"},
+        {"∇", "\\(\\nabla\\)"},
+        {"∈", "\\(\\in\\)"},
+        {"∉", "\\(\\notin\\)"},
+        {"∩", "\\(\\cap\\)"},
+        {"∪", "\\(\\cup\\)"},
+        {"⊂", "\\(\\subset\\)"},
+        {"∅", "\\(\\emptyset\\)"},
+        {"∀", "\\(\\forall\\)"},
+        {"∃", "\\(\\exists\\)"},
+        {"∧", "\\(\\wedge\\)"},
+        {"∨", "\\(\\vee\\)"},
+        {"⊥", "\\(\\perp\\)"},
+        {"∥", "\\(\\parallel\\)"},
+        {"∠", "\\(\\angle\\)"},
+        {"ℓ", "\\(\\ell\\)"},
+        {"ℏ", "\\(\\hbar\\)"},
+        {"→", "\\(\\to\\)"},
+        {"←", "\\(\\leftarrow\\)"},
+        {"↔", "\\(\\leftrightarrow\\)"},
+        {"↑", "\\(\\uparrow\\)"},
+        {"↓", "\\(\\downarrow\\)"},
+        {"⇒", "\\(\\Rightarrow\\)"},
+        {"⇐", "\\(\\Leftarrow\\)"},
+        {"⇔", "\\(\\Leftrightarrow\\)"},
+        {"↦", "\\(\\mapsto\\)"},
+        {"⋯", "\\(\\cdots\\)"},
+        {"○", "\\(\\bigcirc\\)"},
+        {"●", "\\(\\bullet\\)"},
+        {"△", "\\(\\triangle\\)"},
+        {"⟨", "\\(\\langle\\)"},
+        {"⟩", "\\(\\rangle\\)"},
+        {"⅓", "\\(\\frac13\\)"},
+        {"⅔", "\\(\\frac23\\)"},
+        {"⅕", "\\(\\frac15\\)"},
+        {"⅙", "\\(\\frac16\\)"},
+        {"⅛", "\\(\\frac18\\)"},
+        {"α", "\\(\\alpha\\)"},
+        {"β", "\\(\\beta\\)"},
+        {"γ", "\\(\\gamma\\)"},
+        {"δ", "\\(\\delta\\)"},
+        {"ε", "\\(\\varepsilon\\)"},
+        {"ϵ", "\\(\\epsilon\\)"},
+        {"ζ", "\\(\\zeta\\)"},
+        {"η", "\\(\\eta\\)"},
+        {"θ", "\\(\\theta\\)"},
+        {"ϑ", "\\(\\vartheta\\)"},
+        {"ι", "\\(\\iota\\)"},
+        {"κ", "\\(\\kappa\\)"},
+        {"λ", "\\(\\lambda\\)"},
+        {"μ", "\\(\\mu\\)"},
+        {"ν", "\\(\\nu\\)"},
+        {"ξ", "\\(\\xi\\)"},
+        {"π", "\\(\\pi\\)"},
+        {"ρ", "\\(\\rho\\)"},
+        {"ς", "\\(\\varsigma\\)"},
+        {"σ", "\\(\\sigma\\)"},
+        {"τ", "\\(\\tau\\)"},
+        {"υ", "\\(\\upsilon\\)"},
+        {"φ", "\\(\\varphi\\)"},
+        {"ϕ", "\\(\\phi\\)"},
+        {"χ", "\\(\\chi\\)"},
+        {"ψ", "\\(\\psi\\)"},
+        {"ω", "\\(\\omega\\)"},
+        {"Γ", "\\(\\Gamma\\)"},
+        {"Δ", "\\(\\Delta\\)"},
+        {"Θ", "\\(\\Theta\\)"},
+        {"Λ", "\\(\\Lambda\\)"},
+        {"Ξ", "\\(\\Xi\\)"},
+        {"Π", "\\(\\Pi\\)"},
+        {"Σ", "\\(\\Sigma\\)"},
+        {"Υ", "\\(\\Upsilon\\)"},
+        {"Φ", "\\(\\Phi\\)"},
+        {"Ψ", "\\(\\Psi\\)"},
+        {"Ω", "\\(\\Omega\\)"},
+        {"ο", "\\(o\\)"},
+        {"Α", "\\(\\mathrm{A}\\)"},
+        {"Β", "\\(\\mathrm{B}\\)"},
+        {"Ε", "\\(\\mathrm{E}\\)"},
+        {"Ζ", "\\(\\mathrm{Z}\\)"},
+        {"Η", "\\(\\mathrm{H}\\)"},
+        {"Ι", "\\(\\mathrm{I}\\)"},
+        {"Κ", "\\(\\mathrm{K}\\)"},
+        {"Μ", "\\(\\mathrm{M}\\)"},
+        {"Ν", "\\(\\mathrm{N}\\)"},
+        {"Ο", "\\(\\mathrm{O}\\)"},
+        {"Ρ", "\\(\\mathrm{P}\\)"},
+        {"Τ", "\\(\\mathrm{T}\\)"},
+        {"Χ", "\\(\\mathrm{X}\\)"},
+        {"µ", "\\(\\mu\\)"},
+    };
+    return letters;
+}
+
+// Those above and below the line.
+string latex_index(string_view letter) {
+    constexpr std::array<std::pair<string_view, string_view>, 17> raised{{{"⁰", "0"},
+                                                                          {"¹", "1"},
+                                                                          {"²", "2"},
+                                                                          {"³", "3"},
+                                                                          {"⁴", "4"},
+                                                                          {"⁵", "5"},
+                                                                          {"⁶", "6"},
+                                                                          {"⁷", "7"},
+                                                                          {"⁸", "8"},
+                                                                          {"⁹", "9"},
+                                                                          {"⁺", "+"},
+                                                                          {"⁻", "-"},
+                                                                          {"⁼", "="},
+                                                                          {"⁽", "("},
+                                                                          {"⁾", ")"},
+                                                                          {"ⁿ", "n"},
+                                                                          {"ⁱ", "i"}}};
+    constexpr std::array<std::pair<string_view, string_view>, 29> lowered{
+        {{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"}, {"₅", "5"},
+         {"₆", "6"}, {"₇", "7"}, {"₈", "8"}, {"₉", "9"}, {"₊", "+"}, {"₋", "-"},
+         {"₌", "="}, {"₍", "("}, {"₎", ")"}, {"ₐ", "a"}, {"ₑ", "e"}, {"ₒ", "o"},
+         {"ₓ", "x"}, {"ₕ", "h"}, {"ₖ", "k"}, {"ₗ", "l"}, {"ₘ", "m"}, {"ₙ", "n"},
+         {"ₚ", "p"}, {"ₛ", "s"}, {"ₜ", "t"}, {"ᵢ", "i"}, {"ⱼ", "j"}}};
+    for (const auto& [sign, plain] : raised)
+        if (letter == sign) return fmt::format("\\(^{{{}}}\\)", plain);
+    for (const auto& [sign, plain] : lowered)
+        if (letter == sign) return fmt::format("\\(_{{{}}}\\)", plain);
+    return {};
+}
+
+// Two of some letters would become one other.
+string latex(string_view letter, string_view before) {
+    if (string_view("-',").find(letter) != string_view::npos && before.ends_with(letter))
+        return "{}" + string(letter);
+    if (const auto found = latex_letters().find(letter); found != latex_letters().end())
+        return string(found->second);
+    const string index = latex_index(letter);
+    return index.empty() ? string(letter) : index;
+}
+
+// The number of one code point of UTF-8; of a byte that is none, one that no letter has.
+char32_t code_point(string_view letter) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(letter[i]); };
+    if (letter.size() == 1) return byte(0) < 0x80 ? byte(0) : 0xFFFFFFFF;
+    char32_t number = byte(0) & (0xFFU >> (letter.size() + 1));
+    for (std::size_t i = 1; i < letter.size(); ++i) number = number << 6 | (byte(i) & 0x3FU);
+    return number;
+}
+
+// What pdfLaTeX sets by itself beyond ASCII, as the LaTeX of 2022 does with Computer Modern.
+bool is_latex_letter(char32_t letter) {
+    constexpr std::array<std::pair<char32_t, char32_t>, 59> ranges{
+        {{0x00A1, 0x00AA}, {0x00AC, 0x00BA}, {0x00BC, 0x00CF}, {0x00D1, 0x00DD}, {0x00DF, 0x00EF},
+         {0x00F1, 0x00FD}, {0x00FF, 0x0103}, {0x0106, 0x010F}, {0x0112, 0x0117}, {0x011A, 0x0125},
+         {0x0128, 0x012D}, {0x0130, 0x0137}, {0x0139, 0x013E}, {0x0141, 0x0148}, {0x014C, 0x0165},
+         {0x0168, 0x0171}, {0x0174, 0x017E}, {0x0192, 0x0192}, {0x01C4, 0x01D4}, {0x01E2, 0x01E3},
+         {0x01E6, 0x01E9}, {0x01F0, 0x01F0}, {0x01F4, 0x01F5}, {0x0218, 0x021B}, {0x0232, 0x0233},
+         {0x0237, 0x0237}, {0x2010, 0x2016}, {0x2018, 0x2019}, {0x201C, 0x201D}, {0x2020, 0x2022},
+         {0x2026, 0x2026}, {0x2030, 0x2031}, {0x203B, 0x203B}, {0x203D, 0x203D}, {0x2044, 0x2044},
+         {0x204E, 0x204E}, {0x2052, 0x2052}, {0x20A1, 0x20A1}, {0x20A4, 0x20A4}, {0x20A6, 0x20A6},
+         {0x20A9, 0x20A9}, {0x20AB, 0x20AC}, {0x20B1, 0x20B1}, {0x2103, 0x2103}, {0x2116, 0x2117},
+         {0x211E, 0x211E}, {0x2120, 0x2120}, {0x2122, 0x2122}, {0x2126, 0x2127}, {0x212E, 0x212E},
+         {0x2190, 0x2193}, {0x2329, 0x232A}, {0x25E6, 0x25E6}, {0x25EF, 0x25EF}, {0x27E8, 0x27E9},
+         {0xFB00, 0xFB06}, {0x1E8E, 0x1E91}, {0x1E9E, 0x1E9E}, {0x1EF2, 0x1EF3}}};
+    return letter < 0x80 || std::ranges::any_of(ranges, [&](const auto& range) {
+               return letter >= range.first && letter <= range.second;
+           });
+}
+
+}  // namespace
+
+string escaped(string_view text, PageKind kind) {
+    string line, plain;
+    bool blank = false;
+    for (std::size_t i = 0, next = 0; i < text.size(); i = next) {
+        next = next_code_point(text, i);
+        const string_view letter = text.substr(i, next - i);
+        if (letter == " " || letter == "\n" || letter == "\t" || letter == "\r") {
+            blank = !line.empty();
+            continue;
+        }
+        if (std::exchange(blank, false)) {
+            line += ' ';
+            plain += ' ';
+        }
+        if (kind == PageKind::html) line += html(letter);
+        if (kind == PageKind::markdown) line += markdown(letter, plain);
+        if (kind == PageKind::latex) line += latex(letter, plain);
+        plain += letter;
+    }
+    return line;
+}
+
+std::vector<string> beyond_pdflatex(string_view page) {
+    std::vector<string> letters;
+    for (std::size_t i = 0, next = 0; i < page.size(); i = next) {
+        next = next_code_point(page, i);
+        const string letter(page.substr(i, next - i));
+        if (!is_latex_letter(code_point(letter)) &&
+            std::ranges::find(letters, letter) == letters.end())
+            letters.push_back(letter);
+    }
+    return letters;
+}
+
+}  // namespace carom

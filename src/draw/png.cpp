@@ -1,7 +1,8 @@
 #include "draw/png.h"
 
+#include <zlib.h>
+
 #include <cassert>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,16 +10,6 @@ namespace carom {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-// Of the PNG specification, annex D: CRC-32 as in ISO 3309.
-std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
-    std::uint32_t sum = 0xFFFFFFFF;
-    for (const std::uint8_t byte : bytes) {
-        sum ^= byte;
-        for (int bit = 0; bit < 8; ++bit) sum = sum & 1U ? 0xEDB88320 ^ sum >> 1 : sum >> 1;
-    }
-    return ~sum;
-}
 
 void append(Bytes& bytes, std::uint32_t number) {
     for (const int shift : {24, 16, 8, 0}) bytes.push_back(number >> shift & 0xFFU);
@@ -38,7 +29,7 @@ Bytes text_chunk(std::string_view keyword, std::string_view text) {
     Bytes chunk;
     append(chunk, static_cast<std::uint32_t>(body.size() - 4));
     chunk.insert(chunk.end(), body.begin(), body.end());
-    append(chunk, checksum(body));
+    append(chunk, static_cast<std::uint32_t>(crc32_z(0, body.data(), body.size())));
     return chunk;
 }
 

@@ -42,6 +42,7 @@ const std::vector<Door> doors{
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
     {std::regex("xxhash.*"), {"app/fingerprint.cpp"}},
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},
+    {std::regex("zlib.*"), {"draw/png.cpp"}},
     {std::regex("lib(av|sw).*"),
      {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
     {std::regex("CLI/.*"), {"app/command.h"}},

@@ -37,9 +37,10 @@ double counted(const std::string& scene) {
     return json::parse(outcome.out).at("collisions").at("particle");
 }
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
+// As far as the name of its figure.
+const std::string with_figure =
+    "title: T\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
+    "run: {until: 10}\nfilm: {seconds: 1}\nfigures:\n  - {name: ";
 
 }  // namespace
 
@@ -214,11 +215,8 @@ TEST_CASE("values of the command line are checked as in the file") {
 
 TEST_CASE("carom check tells what a set would make, and carom figures makes it") {
     const TemporaryFolder folder;
-    const std::string scene =
-        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
-        "run: {until: 10}\nfilm: {seconds: 1}\nfigures:\n  - {name: ";
-    folder.write("one.yaml", scene + "start, kind: gas, at: 0}\n");
-    folder.write("two.yaml", scene + "speeds, kind: speed-histogram, over: [2, 8]}\n");
+    folder.write("one.yaml", with_figure + "start, kind: gas, at: 0}\n");
+    folder.write("two.yaml", with_figure + "speeds, kind: speed-histogram, over: [2, 8]}\n");
     folder.write("set.yaml",
                  "title: Both\nscenes: [one.yaml, {scene: two.yaml, title: Second}]\n"
                  "formats: [csv, svg]\ntemplate: [html, markdown]\ncomparisons:\n"
@@ -258,12 +256,9 @@ TEST_CASE("carom check tells what a set would make, and carom figures makes it")
 
 TEST_CASE("carom check tells the mistakes of a set, of its scenes and of its pages") {
     const TemporaryFolder folder;
-    const std::string scene =
-        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
-        "run: {until: 10}\nfilm: {seconds: 1}\nfigures:\n  - {name: a, kind: gas, at: ";
-    folder.write("one.yaml", scene + "0}\n");
-    folder.write("two.yaml", scene + "12}\n");
-    folder.write("same.yaml", scene + "1}\n");
+    folder.write("one.yaml", with_figure + "a, kind: gas, at: 0}\n");
+    folder.write("two.yaml", with_figure + "a, kind: gas, at: 12}\n");
+    folder.write("same.yaml", with_figure + "a, kind: gas, at: 1}\n");
     folder.write("page.html", "<p>{{titel}}</p>\n");
     const auto message = [&](const std::string& set) {
         folder.write("set.yaml", "title: T\n" + set);

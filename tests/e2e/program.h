@@ -14,4 +14,8 @@ inline std::string library_scene(const std::string& name) {
     return (root / "scenes" / (name + ".yaml")).string();
 }
 
+inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 }  // namespace carom::test

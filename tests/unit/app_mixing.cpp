@@ -6,17 +6,16 @@
 
 #include "physics/simulation.h"
 #include "physics/theory.h"
-#include "scene/load.h"
 #include "scene/mixing.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
 namespace {
 
 Scene scene_of(const std::string& box, const std::string& gas) {
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {until: 1}\n",
-                           "test", std::string(CAROM_TEST_ROOT) + "/templates", {},
-                           Wanted::physics);
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {until: 1}\n",
+                            {}, Wanted::physics);
 }
 
 // What theory says of the particles themselves.
@@ -106,11 +105,11 @@ TEST_CASE("the reasons against an equilibrium are those of theory") {
 
 TEST_CASE("only a curve that is asked for is missed") {
     const auto with = [](const std::string& panel, const Overrides& overrides = {}) {
-        return load_scene_text(
+        return test::scene_from(
             "title: T\nbox: {length: 9}\ngas: [{count: 5, speed: 1}]\nrun: "
             "{until: 1}\nfilm: {seconds: 1, panels: [" +
                 panel + "]}\n",
-            "test", std::string(CAROM_TEST_ROOT) + "/templates", overrides);
+            overrides);
     };
     CHECK_NOTHROW(with("speed-histogram"));
     CHECK_NOTHROW(with("{kind: speed-histogram}"));

@@ -3,8 +3,8 @@
 
 #include "app/film_words.h"
 #include "app/webvtt.h"
-#include "scene/load.h"
 #include "scene/timeline.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
@@ -12,13 +12,12 @@ namespace {
 
 // Ten equal beads at rest but for one, which hands its speed on: every number is known.
 Scene row_of_beads(const std::string& more) {
-    return load_scene_text(
+    return test::scene_from(
         "title: A row of beads\nsubtitle: One is fast\ndescription: Ten beads in a row.\n"
         "box: {length: 11}\ngas:\n"
         "  - {name: fast, radius: 0, position: [1], velocity: [1]}\n"
         "  - {name: still, radius: 0, position: [2, 3, 4, 5, 6, 7, 8, 9, 10]}\n" +
-            more,
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        more);
 }
 
 FilmWords words_of(const Scene& scene) {

@@ -6,9 +6,9 @@
 #include "app/in_order.h"
 #include "app/pipeline.h"
 #include "app/segment_workers.h"
-#include "scene/load.h"
 #include "support/file_size_limit.h"
 #include "support/process.h"
+#include "support/scene_text.h"
 #include "util/interrupt.h"
 
 using namespace carom;
@@ -18,11 +18,10 @@ using carom::test::TemporaryFolder;
 namespace {
 
 Scene small_scene(int disks, double seconds, const std::string& size = "128, 72") {
-    return load_scene_text(
+    return test::scene_from(
         "title: T\nbox: {size: [400, 300]}\ngas: [{count: " + std::to_string(disks) +
-            ", radius: 0.3, speed: 1}]\nrun: {until: 3}\nfilm: {seconds: " +
-            std::to_string(seconds) + ", size: [" + size + "], panels: []}\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        ", radius: 0.3, speed: 1}]\nrun: {until: 3}\nfilm: {seconds: " + std::to_string(seconds) +
+        ", size: [" + size + "], panels: []}\n");
 }
 
 RenderReport render_with(const Scene& scene, const std::filesystem::path& path, int threads) {

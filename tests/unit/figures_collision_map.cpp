@@ -7,24 +7,22 @@
 
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
-#include "scene/load.h"
+#include "support/figure_run.h"
+#include "support/files.h"
+#include "support/scene_text.h"
 
 using namespace carom;
+using test::run_of;
 
 namespace {
 
 Scene scene_of(const std::string& figures) {
-    return load_scene_text(
+    return test::scene_from(
         "title: Two beads\nbox: {length: 26}\ndescription: They meet.\n"
         "gas:\n  - {name: light, position: 4, mass: 1, velocity: 0}\n"
         "  - {name: heavy, position: 14, mass: 100, velocity: -1}\n"
         "run: {until: 26}\nfilm: {seconds: 2, fps: 10}\nfigures:\n" +
-            figures,
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
-}
-
-FigureRun run_of(const Scene& scene) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
+        figures);
 }
 
 bool collide(const DrawnLine& a, const DrawnLine& b) {
@@ -115,4 +113,17 @@ TEST_CASE("captions and alternative texts of collision maps have the numbers tha
                                 "their relative speed stays 1.5.") != std::string::npos);
     CHECK(words(4).caption == "Mine");
     CHECK(words(5).caption.find("momentum 0 stay") != std::string::npos);  // but for round-off
+}
+
+TEST_CASE("the manual's example of collision maps is a scene with one figure of each kind") {
+    const std::string manual =
+        test::contents(std::filesystem::path(CAROM_TEST_ROOT) / "docs/figures.md");
+    const std::size_t from = manual.find("```yaml\n", manual.find("## Collision maps")) + 8;
+    const Scene scene = test::scene_from("title: Two beads\n" +
+                                         manual.substr(from, manual.find("```", from) - from));
+    const FigureRun run = run_of(scene);
+    REQUIRE(run.figures().size() == 5);
+    for (const Figure& figure : run.figures()) CHECK(figure.spec->panel.kind == "collision-map");
+    CHECK(words_of(run, run.figures()[2]).caption.find("5 collisions with one another and 4") !=
+          std::string::npos);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <string>
 
@@ -15,23 +14,21 @@
 #include "panels/histogram_panel.h"
 #include "panels/series_panel.h"
 #include "scene/limits.h"
-#include "scene/load.h"
+#include "support/figure_run.h"
+#include "support/scene_text.h"
 #include "util/text.h"
 
 using namespace carom;
+using test::run_of;
 
 namespace {
 
 Scene scene_of(const std::string& figures, const std::string& gas = "count: 60, temperature: 2",
                const std::string& run = "until: 6", const Overrides& overrides = {}) {
-    return load_scene_text("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{radius: 0.4, " +
-                               gas + "}]\nrun: {" + run + "}\nfilm: {seconds: 2}\nfigures:\n" +
-                               figures,
-                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates", overrides);
-}
-
-FigureRun run_of(const Scene& scene, int threads = 1) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, threads};
+    return test::scene_from("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{radius: 0.4, " +
+                                gas + "}]\nrun: {" + run + "}\nfilm: {seconds: 2}\nfigures:\n" +
+                                figures,
+                            overrides);
 }
 
 const PanelState& state_of(const FigureRun& run, std::size_t index = 0) {

@@ -2,27 +2,23 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
-#include "scene/load.h"
+#include "support/figure_run.h"
+#include "support/scene_text.h"
 
 using namespace carom;
+using test::run_of;
 
 namespace {
 
 Scene scene_of(const std::string& figures) {
-    return load_scene_text(
+    return test::scene_from(
         "title: Ten disks\nbox: {size: [40, 30]}\n"
         "gas: [{count: 10, radius: 1, speed: 2}]\nrun: {until: 10}\nfilm: {seconds: 2}\n"
         "figures:\n" +
-            figures,
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
-}
-
-FigureRun run_of(const Scene& scene) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
+        figures);
 }
 
 Canvas drawn(const FigureRun& run, std::size_t index, FigureFormat format) {
@@ -107,16 +103,15 @@ TEST_CASE("captions are the scene's, or made of true numbers") {
 TEST_CASE("cards before and after a film change nothing in its figures") {
     // The start is unlike the rest: seen for long it would have another axis.
     const auto pictures = [](const std::string& cards) {
-        const Scene scene = load_scene_text(
+        const Scene scene = test::scene_from(
             "title: Ten disks\nbox: {size: [40, 30]}\n"
             "gas: [{name: cold, count: 40, radius: 1, speed: 0.05}, "
             "{name: hot, count: 1, radius: 1, speed: 30}]\nrun: {until: 10}\n"
             "film: {pace: 0.5, fps: 10" +
-                cards +
-                "}\nfigures:\n"
-                "  - {name: a, kind: energy-histogram}\n"
-                "  - {name: b, kind: energy-by-species}\n  - {name: c, kind: gas, at: 0}\n",
-            "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+            cards +
+            "}\nfigures:\n"
+            "  - {name: a, kind: energy-histogram}\n"
+            "  - {name: b, kind: energy-by-species}\n  - {name: c, kind: gas, at: 0}\n");
         const FigureRun run = run_of(scene);
         std::vector<std::string> all;
         for (const std::size_t index : {0U, 1U, 2U}) {
@@ -130,15 +125,14 @@ TEST_CASE("cards before and after a film change nothing in its figures") {
 }
 
 TEST_CASE("a figure of one collision shows the whole of it and no present") {
-    const Scene scene = load_scene_text(
+    const Scene scene = test::scene_from(
         "title: Two disks\nbox: {size: [24, 18]}\n"
         "gas:\n  - {name: a, position: [3.5, 9], radius: 2, velocity: [1, 0]}\n"
         "  - {name: b, position: [13, 7], radius: 2}\nrun: {until: 12}\nfilm: {seconds: 2}\n"
         "figures:\n  - {name: a, kind: single-collision, at: 1}\n"
         "  - {name: b, kind: single-collision, at: 6.05}\n"
         "  - {name: c, kind: single-collision}\n  - {name: d, kind: contact-time, at: 1}\n"
-        "  - {name: e, kind: contact-time, at: 11}\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        "  - {name: e, kind: contact-time, at: 11}\n");
     const FigureRun run = run_of(scene);
     const auto picture = [&](std::size_t index) {
         return drawn(run, index, FigureFormat::png).file();

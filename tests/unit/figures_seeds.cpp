@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -11,24 +10,21 @@
 #include "figures/figure_words.h"
 #include "panels/histogram_panel.h"
 #include "panels/series_panel.h"
-#include "scene/load.h"
 #include "stats/mean_error.h"
+#include "support/figure_run.h"
+#include "support/scene_text.h"
 
 using namespace carom;
+using test::run_of;
 
 namespace {
 
 Scene scene_of(const std::string& figures, const std::string& count = "60") {
-    return load_scene_text("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{count: " + count +
-                               ", radius: 0.4, temperature: 2}]\n"
-                               "run: {until: 6, events: [{at: 4, reverse: velocities}]}\n"
-                               "film: {seconds: 2}\nfigures:\n" +
-                               figures,
-                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
-}
-
-FigureRun run_of(const Scene& scene, int threads = 1) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, threads};
+    return test::scene_from("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{count: " + count +
+                            ", radius: 0.4, temperature: 2}]\n"
+                            "run: {until: 6, events: [{at: 4, reverse: velocities}]}\n"
+                            "film: {seconds: 2}\nfigures:\n" +
+                            figures);
 }
 
 const HistogramPanel& histogram_of(const FigureRun& run, std::size_t index = 0) {

@@ -3,16 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "draw/color.h"
 #include "figures/figure_drawing.h"
 #include "panels/histogram_panel.h"
-#include "scene/load.h"
+#include "support/figure_run.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 
 using namespace carom;
+using test::run_of;
 
 namespace {
 
@@ -62,19 +63,14 @@ std::vector<Row> part(const std::vector<Row>& rows, const std::string& name) {
 double number(const Row& row, const std::string& column) { return std::stod(row.at(column)); }
 
 Scene scene_of(const std::string& figures) {
-    return load_scene_text(
+    return test::scene_from(
         "title: A mixture\nbox: {size: [40, 30]}\n"
         "gas: [{name: \"light, cold\", count: 90, radius: 0.4, speed: 2},\n"
         "      {name: heavy, count: 9, radius: 0.8, mass: 4, speed: 3},\n"
         "      {name: hot, count: 1, radius: 0.5, mass: 2, speed: 9, label: \"\\\"H\\\"\"}]\n"
         "run: {until: 10, events: [{at: 5, reverse: velocities}]}\nfilm: {seconds: 3}\n"
         "figures:\n" +
-            figures,
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
-}
-
-FigureRun run_of(const Scene& scene) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
+        figures);
 }
 
 std::vector<Row> table(const FigureRun& run, std::size_t index) {
@@ -262,10 +258,9 @@ TEST_CASE("every kind has a table with a name for each column and a cell for eac
 }
 
 TEST_CASE("beads and their world lines: the last bend of each is the bead") {
-    const Scene scene = load_scene_text(
+    const Scene scene = test::scene_from(
         "title: A wire\nbox: {length: 10}\ngas: [{count: 6, temperature: 1}]\n"
-        "run: {until: 10}\nfilm: {seconds: 3}\nfigures: [{name: a, kind: gas, at: 6}]\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        "run: {until: 10}\nfilm: {seconds: 3}\nfigures: [{name: a, kind: gas, at: 6}]\n");
     const FigureRun run = run_of(scene);
     const auto rows = table(run, 0);
     const auto beads = part(rows, "bead"), lines = part(rows, "world line");

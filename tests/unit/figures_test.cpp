@@ -1,27 +1,22 @@
 // Goodness of fit of a figure's bars: what it says, and when it refuses.
 #include <doctest/doctest.h>
 
-#include <filesystem>
-
 #include "figures/figure_words.h"
 #include "panels/histogram_panel.h"
-#include "scene/load.h"
+#include "support/figure_run.h"
 #include "support/goodness_of_fit.h"
+#include "support/scene_text.h"
 #include "util/diagnostics.h"
 
 using namespace carom;
+using test::run_of;
 
 namespace {
 
 Scene scene_of(const std::string& gas, const std::string& figure) {
-    return load_scene_text("title: A gas\nbox: {size: [40, 30]}\ngas: " + gas +
-                               "\nrun: {until: 30}\nfilm: {seconds: 1, fps: 10}\nfigures: [" +
-                               figure + "]\n",
-                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
-}
-
-FigureRun run_of(const Scene& scene) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }};
+    return test::scene_from("title: A gas\nbox: {size: [40, 30]}\ngas: " + gas +
+                            "\nrun: {until: 30}\nfilm: {seconds: 1, fps: 10}\nfigures: [" + figure +
+                            "]\n");
 }
 
 std::string refusal(const Scene& scene) {

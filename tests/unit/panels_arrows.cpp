@@ -8,7 +8,7 @@
 
 #include "panels/frame.h"
 #include "panels/velocity_arrows.h"
-#include "scene/load.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -31,11 +31,10 @@ struct Shot {
 
     Shot(const std::string& gas, const std::string& film,
          const std::string& room = "size: [40, 40]", double time = 0.0)
-        : scene(load_scene_text("title: T\nbox: {" + room + "}\ngas: [" + gas +
-                                    "]\nrun: {until: 4}\nfilm: {seconds: 1, template: wide-gas, "
-                                    "size: [1600, 1800], color_by: species, " +
-                                    film + "}\n",
-                                "test", std::string(CAROM_TEST_ROOT) + "/templates")),
+        : scene(test::scene_from("title: T\nbox: {" + room + "}\ngas: [" + gas +
+                                 "]\nrun: {until: 4}\nfilm: {seconds: 1, template: wide-gas, "
+                                 "size: [1600, 1800], color_by: species, " +
+                                 film + "}\n")),
           simulation(scene.gas, scene.run),
           observers(scene, simulation.particles(), simulation.sample()) {
         Tick tick{};
@@ -181,11 +180,10 @@ TEST_CASE("beads have their arrows in a row below the wire, and a ring joins its
 
 TEST_CASE("a bead that has gone round a ring has its arrow still") {
     // From 36 on a ring of 40 three times round in the film.
-    const test::Shot film(load_scene_text(
+    const test::Shot film(test::scene_from(
         "title: T\nbox: {length: 40, walls: periodic}\ngas: [{count: 1, radius: 1, color: teal, "
         "position: 36, velocity: 30}]\nrun: {until: 4}\nfilm: {seconds: 4, template: wide-gas, "
-        "size: [1600, 1800], theme: dark, color_by: species, velocities: 0.1}\n",
-        "test", std::string(CAROM_TEST_ROOT) + "/templates"));
+        "size: [1600, 1800], theme: dark, color_by: species, velocities: 0.1}\n"));
     FramePainter painter(film.scene, *film.observers);
     const auto ink = [&](const FrameData& frame) {
         const PixelView view = painter.paint(frame).pixels();

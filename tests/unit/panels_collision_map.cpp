@@ -6,10 +6,10 @@
 #include <string>
 
 #include "panels/collision_map.h"
-#include "scene/load.h"
 #include "support/csv.h"
 #include "support/pixels.h"
 #include "support/relative.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -22,10 +22,9 @@ constexpr double round_off = 4e-16;
 
 Scene wire(const std::string& gas, double until, const std::string& more = "",
            const std::string& length = "26") {
-    return load_scene_text("title: T\nbox: {length: " + length + "}\ngas: [" + gas +
-                               "]\nrun: {until: " + std::to_string(until) + more +
-                               "}\nfilm: {seconds: 2, fps: 20}\n",
-                           "test", std::string(CAROM_TEST_ROOT) + "/templates");
+    return test::scene_from("title: T\nbox: {length: " + length + "}\ngas: [" + gas +
+                            "]\nrun: {until: " + std::to_string(until) + more +
+                            "}\nfilm: {seconds: 2, fps: 20}\n");
 }
 
 const std::string light_and_heavy =

@@ -12,6 +12,7 @@
 #include "support/files.h"
 #include "support/first_frame.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 #include "support/vision.h"
 
@@ -24,10 +25,9 @@ constexpr ThemeKind all_themes[] = {ThemeKind::light, ThemeKind::dark, ThemeKind
 
 Scene scene_of(const std::string& gas, const std::string& film,
                const std::string& box = "size: [40, 40]") {
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas +
-                               "]\nrun: {until: 4}\nfilm: {seconds: 1, size: [1920, 1080], " +
-                               film + "}\n",
-                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas +
+                            "]\nrun: {until: 4}\nfilm: {seconds: 1, size: [1920, 1080], " + film +
+                            "}\n");
 }
 
 // The first frame of a scene.

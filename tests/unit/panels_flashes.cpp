@@ -10,8 +10,8 @@
 
 #include "panels/flashes.h"
 #include "panels/frame.h"
-#include "scene/load.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -26,10 +26,9 @@ Scene scene_of(const std::string& box, const std::string& kinds, const std::stri
     char name = 'a';
     for (const char c : kinds)
         gas += c == '{' ? std::string("{name: ") + name++ + ", " : std::string(1, c);
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {" + run +
-                               "}\nfilm: {size: [1280, 720], theme: light, panels: [], " + film +
-                               "}\n",
-                           "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {" + run +
+                            "}\nfilm: {size: [1280, 720], theme: light, panels: [], " + film +
+                            "}\n");
 }
 
 struct Pixels {

@@ -8,8 +8,8 @@
 #include "panels/frame.h"
 #include "panels/registry.h"
 #include "scene/keys.h"
-#include "scene/load.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -18,13 +18,10 @@ using test::Shot;
 
 namespace {
 
-const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
-
 Scene scene_of(const std::string& film,
                const std::string& gas = "{count: 40, radius: 0.5, speed: 1}") {
-    return load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: [" + gas +
-                               "]\nrun: {until: 4}\nfilm: {" + film + "}\n",
-                           "test", templates);
+    return test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [" + gas +
+                            "]\nrun: {until: 4}\nfilm: {" + film + "}\n");
 }
 
 }  // namespace
@@ -39,14 +36,13 @@ TEST_CASE("every panel kind of the scene language is registered, and no other") 
 TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any thread") {
     // A large chosen disk reaches over the periodic sides: its ring and name may leave nothing
     // behind.
-    const Shot film(load_scene_text(
+    const Shot film(test::scene_from(
         "title: T\nbox: {size: [40, 30], walls: periodic}\n"
         "gas: [{name: a, count: 30, radius: 0.3, speed: 1}, {name: b, count: 1, "
         "radius: 6, position: [3, 4], velocity: [-8, -6]}]\n"
         "run: {until: 4, events: [{at: 1, mark: here}, {at: 0, caption: words}]}\n"
         "film: {seconds: 4, fps: 15, size: [320, 180], slow: [{factor: 0.5}], title_card: 1, "
-        "end_card: The end}\n",
-        "test", templates));
+        "end_card: The end}\n"));
     FramePainter painter(film.scene, *film.observers);
     std::vector<std::vector<std::uint32_t>> forward;
     for (const FrameData& frame : film.frames) forward.push_back(pixels_of(painter.paint(frame)));
@@ -97,14 +93,13 @@ TEST_CASE("a caption changes its own line and nothing else, in every template") 
     for (const char* name : {"lecture", "wide-gas", "minimal", "data", "square", "portrait"}) {
         CAPTURE(name);
         const auto frame_of = [&](const std::string& words) {
-            const Shot film(load_scene_text(
+            const Shot film(test::scene_from(
                 "title: T\nbox: {size: [40, 30]}\ngas: [{count: 20, speed: 1}]\n"
                 "run: {until: 4, events: [{at: 0, caption: \"" +
-                    words +
-                    "\"}]}\n"
-                    "film: {seconds: 4, fps: 5, panels: [], size: [480, 480], template: " +
-                    std::string(name) + "}\n",
-                "test", templates));
+                words +
+                "\"}]}\n"
+                "film: {seconds: 4, fps: 5, panels: [], size: [480, 480], template: " +
+                std::string(name) + "}\n"));
             FramePainter painter(film.scene, *film.observers);
             painter.paint(film.frames[7]);
             return std::pair{pixels_of(painter.paint(film.frames[9])), film.scene.film.layout};
@@ -166,10 +161,9 @@ TEST_CASE("a gas at rest, one particle, and infinite masses make a film without 
 
 TEST_CASE("a caption that comes or goes is whole in a still") {
     const Shot film(
-        load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
-                        "run: {until: 4, events: [{at: 2, caption: words}]}\n"
-                        "film: {seconds: 8, fps: 30, panels: [], size: [480, 480]}\n",
-                        "test", templates));
+        test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
+                         "run: {until: 4, events: [{at: 2, caption: words}]}\n"
+                         "film: {seconds: 8, fps: 30, panels: [], size: [480, 480]}\n"));
     FramePainter painter(film.scene, *film.observers);
     const std::vector<CaptionSpan> spans = caption_schedule(film.scene);
     const auto coming = static_cast<std::size_t>(spans[0].first);
@@ -251,10 +245,9 @@ TEST_CASE("vector pictures hold no pixels, whatever they show") {
         }
     }
     CHECK(svgs.size() > 5);
-    svgs.push_back(svg_of(load_scene_text(
+    svgs.push_back(svg_of(test::scene_from(
         "title: T\nbox: {length: 40}\ngas: [{name: a, count: 9, radius: 1, speed: 1}]\n"
-        "run: {until: 4}\nfilm: {seconds: 2, fps: 5, size: [640, 360], velocities: true}\n",
-        "test", templates)));
+        "run: {until: 4}\nfilm: {seconds: 2, fps: 5, size: [640, 360], velocities: true}\n")));
     for (const std::string& svg : svgs) {
         CHECK(svg.find("<path") != std::string::npos);
         CHECK(svg.find("<image") == std::string::npos);
@@ -266,12 +259,11 @@ TEST_CASE(
     for (const char* box : {"size: [40, 30]", "length: 40"}) {
         CAPTURE(box);
         const bool is_wire = std::string(box).starts_with("length");
-        const Shot film(load_scene_text(
+        const Shot film(test::scene_from(
             "title: T\nbox: {" + std::string(box) +
-                "}\ngas: [{count: 12, speed: 1}]\n"
-                "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
-                "film: {seconds: 20, fps: 10, size: [320, 180], monitors: [time], panels: []}\n",
-            "test", templates));
+            "}\ngas: [{count: 12, speed: 1}]\n"
+            "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
+            "film: {seconds: 20, fps: 10, size: [320, 180], monitors: [time], panels: []}\n"));
         std::vector<std::size_t> stopped;
         for (std::size_t i = 0; i < film.frames.size(); ++i)
             if (film.frames[i].tick.phase == Phase::reversing) stopped.push_back(i);
@@ -306,13 +298,12 @@ TEST_CASE(
 TEST_CASE("the way back is lighter than the way out, on every ground") {
     for (const char* theme : {"light", "dark", "print"}) {
         CAPTURE(theme);
-        const Shot film(load_scene_text(
+        const Shot film(test::scene_from(
             "title: T\nbox: {size: [40, 30]}\n"
             "gas: [{name: one, count: 12, speed: 1, color: \"#1f77b4\"}]\n"
             "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
             "film: {seconds: 8, fps: 10, size: [1280, 720], panels: [energy-by-species], theme: " +
-                std::string(theme) + "}\n",
-            "test", templates));
+            std::string(theme) + "}\n"));
         FramePainter painter(film.scene, *film.observers);
         const Canvas& canvas = painter.paint(film.frames.back());
         const auto back = pixels_of(canvas);

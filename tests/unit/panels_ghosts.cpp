@@ -6,8 +6,8 @@
 
 #include "panels/frame.h"
 #include "panels/ghosts.h"
-#include "scene/load.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -15,18 +15,15 @@ using test::Shot;
 
 namespace {
 
-const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
-
 // One particle of radius 2 goes from 5 to 35, by 5 in a unit of time.
 Scene one_particle(const std::string& events, bool wire) {
     const std::string box = wire ? "length: 40" : "size: [40, 30]";
     const std::string gas =
         wire ? "position: 5, velocity: 5" : "position: [5, 15], velocity: [5, 0]";
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [{radius: 2, " + gas +
-                               "}]\nrun: {until: 6, events: [" + events +
-                               "]}\nfilm: {seconds: 12, fps: 10, size: [1280, 720], theme: light, "
-                               "panels: []}\n",
-                           "test", templates);
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [{radius: 2, " + gas +
+                            "}]\nrun: {until: 6, events: [" + events +
+                            "]}\nfilm: {seconds: 12, fps: 10, size: [1280, 720], theme: light, "
+                            "panels: []}\n");
 }
 
 std::size_t frame_at(const Shot& film, double time) {

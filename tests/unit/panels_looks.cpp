@@ -10,9 +10,9 @@
 #include "draw/palette.h"
 #include "panels/bead_words.h"
 #include "panels/frame.h"
-#include "scene/load.h"
 #include "support/first_frame.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
@@ -20,13 +20,11 @@ namespace {
 
 Scene scene_of(const std::string& gas, const std::string& film,
                const std::string& box = "size: [40, 40]") {
-    return load_scene_text(
+    return test::scene_from(
         "title: T\nbox: {" + box + "}\ngas: [" + gas +
-            "]\nrun: {until: 4}\nfilm: {seconds: 1, theme: dark, size: "
-            "[640, 720], " +
-            (film.find("template") == std::string::npos ? "template: wide-gas, " : "") + film +
-            "}\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        "]\nrun: {until: 4}\nfilm: {seconds: 1, theme: dark, size: "
+        "[640, 720], " +
+        (film.find("template") == std::string::npos ? "template: wide-gas, " : "") + film + "}\n");
 }
 
 // The first frame of a scene.

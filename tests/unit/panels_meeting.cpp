@@ -7,10 +7,10 @@
 
 #include "panels/frame.h"
 #include "panels/single_collision.h"
-#include "scene/load.h"
 #include "support/csv.h"
 #include "support/pixels.h"
 #include "support/relative.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -21,10 +21,9 @@ namespace {
 
 Scene scene_of(const std::string& box, const std::string& gas, double until,
                const std::string& film = "panels: []") {
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas +
-                               "]\nrun: {until: " + std::to_string(until) +
-                               "}\nfilm: {seconds: 2, fps: 20, size: [1920, 1080], " + film + "}\n",
-                           "test", std::string(CAROM_TEST_ROOT) + "/templates");
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas +
+                            "]\nrun: {until: " + std::to_string(until) +
+                            "}\nfilm: {seconds: 2, fps: 20, size: [1920, 1080], " + film + "}\n");
 }
 
 // What a watch sees of a simulation in ten frames.

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "draw/palette.h"
@@ -9,9 +8,9 @@
 #include "panels/points_panel.h"
 #include "panels/registry.h"
 #include "panels/series_panel.h"
-#include "scene/load.h"
 #include "stats/speed_classes.h"
 #include "support/relative.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 #include "util/random.h"
 
@@ -179,11 +178,10 @@ TEST_CASE("points are positions against velocities, or against another particle'
 TEST_CASE("points stand before the paths of all, and out from them") {
     // Bead 1 comes, stays at 2 while 0 goes to the wall and back, and goes on: its path crosses the
     // place of 0, which is at rest at 2 from then on.
-    const test::Shot film(load_scene_text(
+    const test::Shot film(test::scene_from(
         "title: T\nbox: {length: 20}\ngas: [{position: [2, 6], velocity: [0, -1]}]\n"
         "run: {until: 10}\nfilm: {seconds: 4, fps: 20, theme: light, "
-        "panels: [{kind: phase, of: [0, 1]}]}\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates"));
+        "panels: [{kind: phase, of: [0, 1]}]}\n"));
     const Grid grid(film.scene.film.layout, film.scene.film.size);
     DiskPainter disks;
     const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()), grid.unit(),

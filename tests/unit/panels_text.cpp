@@ -6,7 +6,7 @@
 #include "draw/text.h"
 #include "panels/frame.h"
 #include "panels/text_panel.h"
-#include "scene/load.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -20,11 +20,10 @@ std::string joined(const SetWords& set) {
 }
 
 Scene scene_of(const std::string& panels) {
-    return load_scene_text(
+    return test::scene_from(
         "title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\nrun: {until: 4}\n"
         "film: {seconds: 1, fps: 4, size: [640, 360], panels: [" +
-            panels + "]}\n",
-        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+        panels + "]}\n");
 }
 
 std::string words_of(std::size_t count) {

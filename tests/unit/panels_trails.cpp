@@ -7,8 +7,8 @@
 #include "panels/chosen.h"
 #include "panels/frame.h"
 #include "panels/world_lines.h"
-#include "scene/load.h"
 #include "support/pixels.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -16,16 +16,12 @@ using test::Shot;
 
 namespace {
 
-const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
-
 Scene scene_of(const std::string& trails, const std::string& box = "size: [64, 48]") {
-    return load_scene_text(
-        "title: T\nbox: {" + box +
-            "}\ngas: [{name: a, count: 5, speed: 1}, {name: b, count: 4, "
-            "speed: 1}, {name: c, count: 3, speed: 1, trail: 7}]\nrun: {until: 3}\n"
-            "film: {seconds: 3, fps: 10, size: [640, 360], panels: [], " +
-            trails + "}\n",
-        "test", templates);
+    return test::scene_from("title: T\nbox: {" + box +
+                            "}\ngas: [{name: a, count: 5, speed: 1}, {name: b, count: 4, "
+                            "speed: 1}, {name: c, count: 3, speed: 1, trail: 7}]\nrun: {until: 3}\n"
+                            "film: {seconds: 3, fps: 10, size: [640, 360], panels: [], " +
+                            trails + "}\n");
 }
 
 std::string trails_of(const std::string& trails) {

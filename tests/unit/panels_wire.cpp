@@ -10,9 +10,9 @@
 #include "panels/histogram_panel.h"
 #include "panels/wire_map.h"
 #include "panels/wire_panel.h"
-#include "scene/load.h"
 #include "support/pixels.h"
 #include "support/relative.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -24,9 +24,8 @@ namespace {
 
 Scene scene_of(const std::string& box, const std::string& gas, const std::string& film,
                const std::string& run = "until: 8") {
-    return load_scene_text("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {" + run +
-                               "}\nfilm: {" + film + "}\n",
-                           "test", std::string(CAROM_TEST_ROOT) + "/templates");
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {" + run +
+                            "}\nfilm: {" + film + "}\n");
 }
 
 const std::string mixture =

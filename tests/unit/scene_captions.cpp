@@ -6,8 +6,8 @@
 #include <string>
 
 #include "scene/captions.h"
-#include "scene/load.h"
 #include "scene/timeline.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
@@ -17,11 +17,11 @@ const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) /
 
 Scene film(const std::string& events, const std::string& film = "seconds: 20",
            const Overrides& overrides = {}) {
-    return load_scene_text(
+    return test::scene_from(
         "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 1}]\nrun: {until: 12, "
         "events: [" +
             events + "]}\nfilm: {" + film + "}\n",
-        "test", templates, overrides);
+        overrides);
 }
 
 std::string complaint(const std::string& events, const std::string& length) {

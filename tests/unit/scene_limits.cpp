@@ -10,9 +10,9 @@
 
 #include "scene/keys.h"
 #include "scene/limits.h"
-#include "scene/load.h"
 #include "scene/yaml.h"
 #include "support/files.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
@@ -34,7 +34,7 @@ std::vector<std::string> rows_of_table(const std::string& text) {
 // What is wrong with a scene, or nothing.
 std::string complaint(const std::string& text, const Overrides& overrides = {}) {
     try {
-        load_scene_text(text, "test", std::string{CAROM_TEST_ROOT} + "/templates", overrides);
+        test::scene_from(text, overrides);
     } catch (const SceneError& error) {
         return error.what();
     }

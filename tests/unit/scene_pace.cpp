@@ -3,25 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "scene/load.h"
 #include "scene/timeline.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
 namespace {
 
-const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
-
 Scene film(const std::string& film, const std::string& events = "") {
-    return load_scene_text(
+    return test::scene_from(
         "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 1}]\nrun: {until: 24, "
         "events: [" +
-            events + "]}\nfilm: {" + film + "}\n",
-        "test", templates);
+        events + "]}\nfilm: {" + film + "}\n");
 }
 
 /// Simulated time in a second of film, from each moving frame to the next.

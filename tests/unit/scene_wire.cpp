@@ -3,16 +3,16 @@
 
 #include <string>
 
-#include "scene/load.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
 namespace {
 
 Scene scene_of(const std::string& box, const std::string& gas, const Overrides& overrides = {}) {
-    return load_scene_text(
+    return test::scene_from(
         "title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {until: 4}\nfilm: {seconds: 4}\n",
-        "test", std::string(CAROM_TEST_ROOT) + "/templates", overrides);
+        overrides);
 }
 
 }  // namespace

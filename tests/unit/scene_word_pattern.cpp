@@ -5,17 +5,16 @@
 #include <string>
 
 #include "physics/placement.h"
-#include "scene/load.h"
 #include "scene/word_pattern.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
 namespace {
 
 Gas gas_of(const std::string& item) {
-    return load_scene_text(
-               "title: T\nbox: {size: [40, 30]}\ngas: [{" + item + "}]\nrun: {until: 1}\n", "test",
-               std::string(CAROM_TEST_ROOT) + "/templates")
+    return test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [{" + item +
+                            "}]\nrun: {until: 1}\n")
         .gas;
 }
 

@@ -1,0 +1,12 @@
+// The figures of a scene without their files.
+#pragma once
+
+#include "figures/figure_run.h"
+
+namespace carom::test {
+
+inline FigureRun run_of(const Scene& scene, int threads = 1) {
+    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, threads};
+}
+
+}  // namespace carom::test

@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 
 // `--size 1280x720` is easier on a shell than `[1280, 720]`.
 std::string as_yaml_size(const std::string& text) {
-    const std::size_t cross = text.find('x');
-    if (cross == std::string::npos) return text;
-    return fmt::format("[{}, {}]", text.substr(0, cross), text.substr(cross + 1));
+    for (const std::string cross : {"x", "X", "×"})
+        if (const std::size_t at = text.find(cross); at != std::string::npos)
+            return fmt::format("[{}, {}]", text.substr(0, at), text.substr(at + cross.size()));
+    return text;
 }
 
 bool names_folder(const std::string& output, bool several) {

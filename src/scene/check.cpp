@@ -134,7 +134,8 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
         return "names: " + names;
     }
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
-    return "";
+    const Form* list = form_of(forms, Shape::list);
+    return list != nullptr && forms.size() > 1 ? "or give " + phrase(*list) : "";
 }
 
 bool is_word(const Node& node, const std::vector<Form>& forms) {
@@ -218,8 +219,10 @@ void unknown_key(const Node& key, const Section& section, Errors& errors) {
         if (refused.name == key.text) return errors.add(key, refused.reason, refused.hint);
     const std::vector<std::string> names = key_names(section);
     const auto near = nearest_spelling(key.text, names);
-    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),
-               near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section));
+    std::string hint = near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section);
+    if (key.text.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
+        hint = "a comma parts keys; numbers have a point: 0.5";
+    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name), hint);
 }
 
 bool knows_all(const Section& section, const Node& mapping) {

@@ -38,6 +38,15 @@ void refuse_newer_format(const Node& root) {
     errors.throw_if_any();
 }
 
+void refuse_figure_set(const Node& root) {
+    const auto scenes = std::ranges::find(root.keys, "scenes", &Node::text);
+    if (scenes == root.keys.end() || find(root, "box") != nullptr) return;
+    Errors errors;
+    errors.add(*scenes, "this is a figure set, and a scene is wanted",
+               "`carom figures` makes the figures of a set, `carom check` checks it");
+    errors.throw_if_any();
+}
+
 // Of the box that a scene asks for, before it is checked: keys and forms depend on it.
 int dimension_of(const Node& root) {
     const Node* box = find(root, "box");
@@ -208,6 +217,7 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     }
     if (figure) keep_figure(tree.root, *figure);
     refuse_newer_format(tree.root);
+    refuse_figure_set(tree.root);
     tree.dimension = dimension_of(tree.root);
     check_mapping(tree.root, scene_section(tree.dimension), errors);
     const Node* film = find(tree.root, "film");

@@ -50,6 +50,23 @@ std::string without(std::string text, std::string_view letters) {
     return text;
 }
 
+// A comma is a decimal point to some, and parts thousands for others.
+std::string separator_hint(const std::string& text) {
+    const std::string plain = without(text, "_,' ");
+    if (plain == text) return "";
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && text.find_first_of(",.", comma + 1) == std::string::npos) {
+        const std::string whole = without(text.substr(0, comma), "_.' ");
+        const std::string pointed = whole + "." + text.substr(comma + 1);
+        const bool may_be_thousands =
+            whole.size() == comma && text.size() - comma == 4 && parse_number(plain);
+        if (may_be_thousands)
+            return fmt::format("write `{}`, or `{}` with a decimal point", plain, pointed);
+        if (parse_number(pointed)) return fmt::format("write `{}`, with a point", pointed);
+    }
+    return parse_number(plain) ? fmt::format("write `{}`, without separators", plain) : "";
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
@@ -81,9 +98,7 @@ std::string number_hint(const Node& node) {
     if (is_one_of(without(word, "+-."), {"nan", "inf", "infinity"})) return "numbers are finite";
     if (word.starts_with("0x") || word.starts_with("0o") || word.starts_with("0b"))
         return "write the number in decimal";
-    const std::string plain = without(node.text, "_,' ");
-    if (plain != node.text && parse_number(plain))
-        return fmt::format("write `{}`, without separators", plain);
+    if (const std::string hint = separator_hint(node.text); !hint.empty()) return hint;
     const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
     const std::size_t zeros = word.find_first_not_of('0', sign);
     if (zeros != std::string::npos && zeros > sign && parse_number(node.text.substr(zeros)))

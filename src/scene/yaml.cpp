@@ -297,7 +297,8 @@ std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t 
     if (std::string_view{source.text}.substr(begin).starts_with("\xEF\xBB\xBF")) begin += 3;
     try {
         if (source.text.size() > most_file_bytes.count()) {
-            errors.add(source, fmt::format("the file has {} bytes", source.text.size()),
+            errors.add(source,
+                       fmt::format("the file has more than {} bytes", most_file_bytes.count()),
                        fmt::format("the ceiling is {} {}", most_file_bytes.value,
                                    most_file_bytes.meaning));
             return std::nullopt;

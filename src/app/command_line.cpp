@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <iostream>
 #include <new>
 #include <optional>
+#include <system_error>
 
 #include "app/command.h"
 #include "app/progress.h"
@@ -40,7 +43,11 @@ int parse_and_run(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
+        const int code = app.exit(error);
+        if (!std::cout.flush())
+            throw SystemError("cannot write standard output: " +
+                              std::generic_category().message(errno));
+        return code == 0 ? 0 : 2;
     }
     return 0;
 }

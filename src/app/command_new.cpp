@@ -101,6 +101,9 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
 
 // Only where there is nothing: an earlier file is never replaced, not even one of this moment.
 void write_new(const fs::path& file, const std::string& text) {
+    std::error_code error;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+    if (error) fail(file, error.value());
     std::FILE* stream = std::fopen(file.c_str(), "wx");
     if (stream == nullptr) fail(file, errno);
     const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();

@@ -51,6 +51,14 @@ TEST_CASE("an independent validator takes the new scene by the schema it names")
     CHECK(found.out == "{\"mine.yml\": null}\n");
 }
 
+TEST_CASE("carom new makes the folder of its file") {
+    const TemporaryFolder folder;
+    const Outcome made = run({program, "new", "course/week-1/gas"}, folder.path());
+    CHECK(made.exit_code == 0);
+    CHECK(run({program, "check", "--quiet", "course/week-1/gas.yaml"}, folder.path()).exit_code ==
+          0);
+}
+
 TEST_CASE("carom new replaces nothing") {
     const TemporaryFolder folder;
     folder.write("mine.yaml", "kept");
@@ -61,7 +69,7 @@ TEST_CASE("carom new replaces nothing") {
         CHECK(again.err.find("exists; it is left as it is\n") != std::string::npos);
     }
     CHECK(contents(folder.path() / "mine.yaml") == "kept");
-    CHECK(run({program, "new", "none/mine"}, folder.path()).exit_code == 1);
+    CHECK(run({program, "new", "mine.yaml/other"}, folder.path()).exit_code == 1);
     CHECK(run({program, "new", "folder/"}, folder.path()).exit_code == 2);
     CHECK(run({program, "new"}, folder.path()).exit_code == 2);
     CHECK(folder.names().size() == 2);

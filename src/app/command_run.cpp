@@ -27,6 +27,7 @@ struct RunArguments : SceneOptions {
 bool is_same_output(const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() &&
            (a == b || is_same_file(a, b) ||
+            (Output::is_standard_output(a) && Output::is_standard_output(b)) ||
             fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal());
 }
 

@@ -18,7 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// By such a name even an ordinary file is not one of its own folder, which is the system's.
+bool is_open_already(const std::string& path) {
+    return path == "/dev/stderr" || path.starts_with("/dev/fd/") || path.starts_with("/proc/");
+}
+
 bool is_stream(const fs::path& path) {
+    if (is_open_already(path.lexically_normal().string())) return true;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);

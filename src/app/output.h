@@ -10,8 +10,8 @@
 
 namespace carom {
 
-/// `-` is standard output. A device or a pipe is written as it stands, any other path as an
-/// AtomicFile.
+/// `-` and `/dev/stdout` are standard output. A device, a pipe or a file that is open already
+/// (`/dev/fd/3`) is written as it stands, any other path as an AtomicFile.
 class Output {
   public:
     /// Throws SystemError when it cannot be written.
@@ -28,7 +28,9 @@ class Output {
     /// not appear.
     std::string left_behind() const;
 
-    static bool is_standard_output(std::string_view path) { return path == "-"; }
+    static bool is_standard_output(std::string_view path) {
+        return path == "-" || path == "/dev/stdout";
+    }
 
   private:
     std::string path_;

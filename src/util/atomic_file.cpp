@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -25,8 +26,27 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+// Names have room for 255 bytes: of a long one the beginning, as whole code points.
 std::string pattern_beside(const fs::path& path) {
-    return (folder_of(path) / ("." + path.filename().string() + ".XXXXXX")).string();
+    std::string name = path.filename().string();
+    constexpr std::size_t enough = 200;
+    std::size_t length = std::min(name.size(), enough);
+    while (length > 0 && length < name.size() && (name[length] & 0xC0) == 0x80) --length;
+    name.resize(length);
+    return (folder_of(path) / ("." + name + ".XXXXXX")).string();
+}
+
+// A link stays one: what it leads to is written, which need not be there yet.
+fs::path behind_links(const fs::path& path) {
+    constexpr int most = 40;  // as the system follows
+    fs::path target = path;
+    std::error_code error;
+    for (int i = 0; fs::is_symlink(fs::symlink_status(target, error)); ++i) {
+        if (i == most) fail("write", path, ELOOP);
+        target = folder_of(target) / fs::read_symlink(target, error);
+        if (error) fail("write", path, error.value());
+    }
+    return target;
 }
 
 void create_folder_of(const fs::path& path) {
@@ -35,8 +55,8 @@ void create_folder_of(const fs::path& path) {
     if (error) fail("create the folder", folder_of(path), error.value());
 }
 
-int create_beside(const fs::path& path, fs::path& temporary) {
-    std::string name = pattern_beside(path);
+int create_beside(const fs::path& path, const fs::path& target, fs::path& temporary) {
+    std::string name = pattern_beside(target);
     const int descriptor = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor < 0) fail("write", path);
     temporary = name;
@@ -74,11 +94,11 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)) {
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
     std::error_code error;
-    if (fs::is_directory(path_, error)) fail("write", path_, EISDIR);
-    create_folder_of(path_);
-    descriptor_ = create_beside(path_, temporary_);
+    if (fs::is_directory(target_, error)) fail("write", path_, EISDIR);
+    create_folder_of(target_);
+    descriptor_ = create_beside(path_, target_, temporary_);
     fchmod(descriptor_, usual_rights(0666));
 }
 
@@ -119,9 +139,9 @@ void AtomicFile::commit() {
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (close(descriptor) != 0) fail("write", path_);
-    if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("write", path_);
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("write", path_);
     temporary_.clear();
-    sync_folder(folder_of(path_));
+    sync_folder(folder_of(target_));
 }
 
 AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {

@@ -11,7 +11,8 @@
 namespace carom {
 
 /// Writes to a temporary file in the folder of `path`; `commit()` gives it its name, replacing an
-/// earlier one. Destroyed uncommitted, it leaves nothing.
+/// earlier one. Of a symbolic link, in the folder and by the name that it leads to. Destroyed
+/// uncommitted, it leaves nothing.
 class AtomicFile {
   public:
     /// Creates the folder of `path` when it is missing. Throws SystemError naming the path and the
@@ -34,6 +35,7 @@ class AtomicFile {
 
   private:
     std::filesystem::path path_;
+    std::filesystem::path target_;  ///< behind links
     std::filesystem::path temporary_;
     int descriptor_ = -1;
 };

@@ -110,6 +110,20 @@ TEST_CASE("what cannot be written is exit code 1; earlier files stay and no part
     CHECK(table.exit_code == 1);
 }
 
+TEST_CASE("a file that is open already is written as it stands") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", "title: T\n" + one_disk);
+    const std::string command = "'" + program + "' run scene.yaml --quiet ";
+    const Outcome third = shell(command + "--csv /dev/fd/3 3> a.csv", folder.path());
+    CAPTURE(third.err);
+    CHECK(third.exit_code == 0);
+    CHECK(rows_of(contents(folder.path() / "a.csv")).size() == 8);
+    // A name that no one may replace, whatever it leads to.
+    const Outcome both = shell(command + "--csv - --json /dev/stdout", folder.path());
+    CHECK(both.exit_code == 2);
+    CHECK(both.err == "carom: --json and --csv would both be written to standard output\n");
+}
+
 TEST_CASE("a pipe is written as it stands") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", "title: T\n" + one_disk);

@@ -8,6 +8,7 @@
 #include "support/files.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 using namespace carom;
 using test::contents;
@@ -30,6 +31,43 @@ TEST_CASE("an atomic file appears whole, or not at all and the earlier one stays
     }
     CHECK(contents(path) == "first");
     CHECK(folder.names().size() == 1);
+}
+
+TEST_CASE("of a link what it leads to is written, and the link stays one") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "disk");
+    folder.write("disk/film.mp4", "earlier");
+    fs::create_symlink("disk/film.mp4", folder.path() / "link.mp4");
+    fs::create_symlink("link.mp4", folder.path() / "second.mp4");
+    fs::create_symlink("new/film.mp4", folder.path() / "dangling.mp4");
+    for (const char* name : {"second.mp4", "dangling.mp4"}) {
+        CAPTURE(name);
+        AtomicFile file(folder.path() / name);
+        file.write("film");
+        file.commit();
+        CHECK(fs::is_symlink(folder.path() / name));
+        CHECK(contents(folder.path() / name) == "film");
+    }
+    CHECK(contents(folder.path() / "disk/film.mp4") == "film");
+    CHECK(contents(folder.path() / "new/film.mp4") == "film");
+    fs::create_symlink("ring", folder.path() / "ring");
+    CHECK_THROWS_WITH_AS(AtomicFile(folder.path() / "ring"),
+                         doctest::Contains("Too many levels of symbolic links"), SystemError);
+    CHECK(folder.names() == std::vector<std::string>{"dangling.mp4", "disk", "link.mp4", "new",
+                                                     "ring", "second.mp4"});
+}
+
+TEST_CASE("a name may be as long as the system allows") {
+    const TemporaryFolder folder;
+    std::string long_name = "x";  // so that no cut falls between code points by chance
+    while (long_name.size() < 251) long_name += "ä";
+    long_name += ".mp4";
+    REQUIRE(long_name.size() == 255);
+    AtomicFile file(folder.path() / long_name);
+    CHECK(is_utf8(folder.names().front()));
+    file.write("film");
+    file.commit();
+    CHECK(folder.names() == std::vector<std::string>{long_name});
 }
 
 TEST_CASE("a folder in the place of the file is a clear error") {

@@ -12,6 +12,7 @@
 #include "app/set_loading.h"
 #include "scene/set_reading.h"
 #include "util/diagnostics.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -108,10 +109,15 @@ void make_all(const FiguresArguments& arguments) {
     SetOptions options = arguments.options;
     options.threads = threads_of(arguments);
     options.quiet = arguments.quiet;
-    for (const FigureSet& set : sets_of(arguments)) {
-        const SetReport report = make_figures(set, options);
-        warn(set, report);
-        if (!arguments.quiet) tell(set, report);
+    const std::vector<FigureSet> sets = sets_of(arguments);
+    try {
+        for (const FigureSet& set : sets) {
+            const SetReport report = make_figures(set, options);
+            warn(set, report);
+            if (!arguments.quiet) tell(set, report);
+        }
+    } catch (const Interrupted&) {
+        throw Interrupted("figures that were finished stay, and are not made again");
     }
 }
 

@@ -14,6 +14,7 @@
 #include "app/scratch_folder.h"
 #include "media/gif_film.h"
 #include "util/diagnostics.h"
+#include "util/interrupt.h"
 
 namespace carom {
 namespace {
@@ -168,8 +169,15 @@ void render_scenes(const RenderArguments& arguments) {
         refuse_format(film_format(destination, film_path(destination, arguments.scenes[i])),
                       scenes[i]);
     }
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-        render_scene(arguments, arguments.scenes[i], scenes[i]);
+    std::size_t rendered = 0;
+    try {
+        for (; rendered < scenes.size(); ++rendered)
+            render_scene(arguments, arguments.scenes[rendered], scenes[rendered]);
+    } catch (const Interrupted&) {
+        if (rendered == 0) throw;
+        throw Interrupted(fmt::format("{} of {} films {} written", rendered, scenes.size(),
+                                      rendered == 1 ? "is" : "are"));
+    }
 }
 
 }  // namespace

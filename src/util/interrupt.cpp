@@ -11,6 +11,13 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // hence safe in a signa
 
 void on_signal(int) { interrupted.store(true, std::memory_order_relaxed); }
 
+// A terminal that closes; nohup has asked to outlive it.
+void stop_at_hangup(const struct sigaction& action) {
+    struct sigaction before = {};
+    sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+}
+
 }  // namespace
 
 void install_signal_handlers() {
@@ -19,6 +26,7 @@ void install_signal_handlers() {
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    stop_at_hangup(action);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
 }

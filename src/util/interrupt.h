@@ -14,8 +14,8 @@ class Interrupted : public std::runtime_error {
         : std::runtime_error("interrupted; " + left) {}
 };
 
-/// Sets the flag on SIGINT and SIGTERM, and ignores SIGXFSZ and SIGPIPE, so that a full disk or a
-/// closed pipe is an error and no death.
+/// Sets the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored; ignores SIGXFSZ and
+/// SIGPIPE, so that a full disk or a closed pipe is an error and no death.
 void install_signal_handlers();
 
 /// Throws Interrupted if the user has asked to stop. Cheap: one relaxed atomic load.

@@ -151,6 +151,58 @@ TEST_CASE("Ctrl-C ends at once with exit code 130; the earlier film stays and no
     CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
 }
 
+TEST_CASE("a terminal that closes leaves no part of a film, and nohup outlives it") {
+    const TemporaryFolder folder;
+    const std::string render =
+        "'" + program + "' render '" + scene + "' -o film.mp4 --size 320x180 ";
+    const std::string hang_up = "& sleep 0.5; kill -HUP $!; wait $!";
+    const Outcome closed = shell(render + "--seconds 2000 " + hang_up, folder.path());
+    CHECK(closed.exit_code == 130);
+    CHECK(closed.err.find("interrupted; nothing was written") != std::string::npos);
+    CHECK(folder.names().empty());
+    const Outcome kept =
+        shell("trap '' HUP; " + render + "--seconds 60 --quiet " + hang_up, folder.path());
+    CHECK(kept.exit_code == 0);
+    CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
+}
+
+TEST_CASE("an interruption between films tells how many there are") {
+    const TemporaryFolder folder;
+    fs::copy(scene, folder.path() / "a.yaml");
+    folder.write("b.yaml", contents(scene));
+    fs::create_directory(folder.path() / "films");
+    // The first is there when the second begins.
+    const Outcome outcome =
+        shell("'" + program +
+                  "' render a.yaml b.yaml -o films --size 320x180 --seconds 120 & "
+                  "for i in $(seq 900); do [ -e films/a.mp4 ] && break; sleep 0.05; done; kill "
+                  "-INT $!; wait $!",
+              folder.path());
+    CHECK(outcome.exit_code == 130);
+    CHECK(outcome.err.find("carom: interrupted; 1 of 2 films is written\n") != std::string::npos);
+    CHECK(std::distance(fs::directory_iterator(folder.path() / "films"), {}) == 1);
+}
+
+TEST_CASE("a size is written with any cross, and a wrong one is told the form") {
+    const TemporaryFolder folder;
+    for (const std::string size : {"320x180", "320X180", "320×180"}) {
+        CAPTURE(size);
+        const Outcome outcome =
+            run({program, "check", "--quiet", scene, "--size", size}, folder.path());
+        CHECK(outcome.exit_code == 0);
+        CHECK(outcome.err.empty());
+    }
+    const Outcome wrong = run({program, "check", "--quiet", scene, "--size", "320,180"});
+    CHECK(wrong.exit_code == 2);
+    CHECK(wrong.err.find("  hint: or give [width, height]\n") != std::string::npos);
+}
+
+TEST_CASE("help that cannot be written is exit code 1") {
+    CHECK(shell("'" + program + "' --help > /dev/full").exit_code == 1);
+    CHECK(shell("'" + program + "' render --help > /dev/full").exit_code == 1);
+    CHECK(shell("'" + program + "' render --help > /dev/null").exit_code == 0);
+}
+
 TEST_CASE("a standard error that cannot be written costs neither the film nor the exit code") {
     const TemporaryFolder folder;
     CHECK(shell("'" + program + "' render missing.yaml 2>&-", folder.path()).exit_code == 2);

@@ -100,6 +100,23 @@ TEST_CASE("what carom did not write is never replaced unasked") {
     CHECK(has(figures(folder, {"scene.yaml", "--force"}).err, "is not the list that carom keeps"));
 }
 
+TEST_CASE("figures that were finished before Ctrl-C stay, and it says so") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    const Outcome outcome =
+        shell("'" + program +
+                  "' figures scene.yaml --films --set film.seconds=200 & "
+                  "for i in $(seq 900); do [ -e out/scene/speeds.csv ] && break; sleep 0.05; done; "
+                  "kill -INT $!; wait $!",
+              folder.path());
+    CHECK(outcome.exit_code == 130);
+    CHECK(has(outcome.err,
+              "carom: interrupted; figures that were finished stay, and are not made again\n"));
+    CHECK_FALSE(fs::exists(folder.path() / "out/scene/.film"));
+    CHECK(figures(folder, {"scene.yaml", "--set", "film.seconds=200"}).out ==
+          "out/scene: up to date, 2 figures\n");
+}
+
 TEST_CASE("files of figures that are gone stay, and are told") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

@@ -231,18 +231,24 @@ TEST_CASE("a WebM is the same, byte for byte, on any number of threads") {
     }
 }
 
-TEST_CASE("a WebM that cannot be written, or is interrupted, leaves the earlier one") {
-    const TemporaryFolder folder;
-    folder.write("film.webm", "earlier");
-    const std::string command = "'" + program + "' render '" + scene + "' -o film.webm --quiet ";
-    const Outcome limited = shell("ulimit -f 40; " + command + "--seconds 1", folder.path());
-    CHECK(limited.exit_code == 1);
-    CHECK(limited.err == "carom: cannot write film.webm: File too large\n");
-    const Outcome stopped =
-        shell(command + "--quality final & sleep 1; kill -INT $!; wait $!", folder.path());
-    CHECK(stopped.exit_code == 130);
-    CHECK(contents(folder.path() / "film.webm") == "earlier");
-    CHECK(folder.names() == std::vector<std::string>{"film.webm"});
+TEST_CASE("a WebM or GIF that cannot be written, or is interrupted, leaves the earlier one") {
+    for (const auto& [film, slowly] :
+         {std::pair<std::string, std::string>{"film.webm", "--quality final"},
+          {"film.gif", "--size 2160p"}}) {
+        CAPTURE(film);
+        const TemporaryFolder folder;
+        folder.write(film, "earlier");
+        const std::string command =
+            "'" + program + "' render '" + scene + "' -o " + film + " --quiet ";
+        const Outcome limited = shell("ulimit -f 40; " + command + "--seconds 1", folder.path());
+        CHECK(limited.exit_code == 1);
+        CHECK(limited.err == "carom: cannot write " + film + ": File too large\n");
+        const Outcome stopped =
+            shell(command + slowly + " & sleep 1; kill -INT $!; wait $!", folder.path());
+        CHECK(stopped.exit_code == 130);
+        CHECK(contents(folder.path() / film) == "earlier");
+        CHECK(folder.names() == std::vector<std::string>{film});
+    }
 }
 
 TEST_CASE(

@@ -105,17 +105,3 @@ TEST_CASE("a GIF of more frames a second than it can hold is refused, a large on
           std::string::npos);
     CHECK(render(folder.path(), "small.gif").err.find("large") == std::string::npos);
 }
-
-TEST_CASE("a GIF that cannot be written, or is interrupted, leaves the earlier one") {
-    const TemporaryFolder folder;
-    folder.write("film.gif", "earlier");
-    const std::string command = "'" + program + "' render '" + scene + "' -o film.gif --quiet ";
-    const Outcome limited = shell("ulimit -f 40; " + command + "--seconds 1", folder.path());
-    CHECK(limited.exit_code == 1);
-    CHECK(limited.err == "carom: cannot write film.gif: File too large\n");
-    const Outcome stopped =
-        shell(command + "--size 2160p & sleep 1; kill -INT $!; wait $!", folder.path());
-    CHECK(stopped.exit_code == 130);
-    CHECK(contents(folder.path() / "film.gif") == "earlier");
-    CHECK(folder.names() == std::vector<std::string>{"film.gif"});
-}

@@ -101,6 +101,24 @@ struct Case {
     bool good;
 };
 
+// Each by the validator and by carom check, from files in the folder.
+void compare_verdicts(const TemporaryFolder& folder, const std::vector<Case>& all,
+                      const std::string& what) {
+    std::vector<fs::path> files;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        files.push_back(folder.write(std::to_string(i) + ".yaml", all[i].scene));
+    const json found = verdicts(files, what);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const json verdict = found.at(files[i].string());
+        const Outcome outcome = run({program, "check", "--quiet", files[i].string()});
+        CAPTURE(all[i].scene);
+        CAPTURE(verdict);
+        CAPTURE(outcome.err);
+        CHECK(verdict.is_null() == all[i].good);
+        CHECK(outcome.exit_code == (all[i].good ? 0 : 2));
+    }
+}
+
 std::string with_comparison(const std::string& options) {
     return "title: T\nscenes: [scene.yaml]\ncomparisons: [{name: c, kind: entropy, " + options +
            "}]\n";
@@ -227,19 +245,7 @@ TEST_CASE("the schema of sets and carom check say the same of single faults") {
                  plane("",
                        "film: {seconds: 1}\nfigures: [{name: a, kind: entropy}, {name: b, "
                        "kind: gas}]\n"));
-    std::vector<fs::path> files;
-    for (std::size_t i = 0; i < sets.size(); ++i)
-        files.push_back(folder.write(std::to_string(i) + ".yaml", sets[i].scene));
-    const json found = verdicts(files, "set");
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        const json verdict = found.at(files[i].string());
-        const Outcome outcome = run({program, "check", "--quiet", files[i].string()});
-        CAPTURE(sets[i].scene);
-        CAPTURE(verdict);
-        CAPTURE(outcome.err);
-        CHECK(verdict.is_null() == sets[i].good);
-        CHECK(outcome.exit_code == (sets[i].good ? 0 : 2));
-    }
+    compare_verdicts(folder, sets, "set");
 }
 
 TEST_CASE("every good scene fits the schema") {
@@ -275,20 +281,5 @@ TEST_CASE("every bad scene is refused by the schema, where a schema can") {
 }
 
 TEST_CASE("the schema and the loader say the same of single faults") {
-    const TemporaryFolder folder;
-    std::vector<fs::path> files;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        files.push_back(folder.path() / (std::to_string(i) + ".yaml"));
-        std::ofstream(files.back()) << cases[i].scene;
-    }
-    const json found = verdicts(files);
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const json verdict = found.at(files[i].string());
-        const Outcome outcome = run({program, "check", "--quiet", files[i].string()});
-        CAPTURE(cases[i].scene);
-        CAPTURE(verdict);
-        CAPTURE(outcome.err);
-        CHECK(verdict.is_null() == cases[i].good);
-        CHECK(outcome.exit_code == (cases[i].good ? 0 : 2));
-    }
+    compare_verdicts(TemporaryFolder(), cases, "scene");
 }

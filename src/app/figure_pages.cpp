@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/resources.h"
 #include "figures/figure_words.h"
 #include "media/base64.h"
+#include "scene/file_text.h"
+#include "scene/limits.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -19,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_template_bytes = 4 << 20, most_picture_bytes = 256 << 20;
+constexpr std::int64_t most_picture_bytes = 256 << 20;
 
 const std::array<std::pair<std::string, PageKind>, 3> kinds{
     {{".md", PageKind::markdown}, {".html", PageKind::html}, {".tex", PageKind::latex}}};
@@ -78,6 +81,18 @@ PageFields fields_of(const SetFilm& film) {
     return fields;
 }
 
+// What cannot be read is a mistake of the command line or the set, as with scenes.
+Source template_file(const fs::path& path) {
+    Source source{path.string(), ""};
+    Errors errors;
+    const std::optional<std::string> text = file_text(path, source, errors);
+    if (text && text->size() > most_file_bytes.count())
+        errors.add(source, fmt::format("the file has more than {} bytes", most_file_bytes.count()));
+    errors.throw_if_any();
+    source.text = *text;
+    return source;
+}
+
 }  // namespace
 
 PageTemplate page_template(const std::string& asked) {
@@ -88,8 +103,7 @@ PageTemplate page_template(const std::string& asked) {
         path = templates_folder() / "documents" / (asked + kinds.at(own).first);
     }
     for (const auto& [ending, kind] : kinds)
-        if (path.extension() == ending)
-            return {{path.string(), read_file(path, most_template_bytes)}, kind, ending};
+        if (path.extension() == ending) return {template_file(path), kind, ending};
     throw UsageError(
         fmt::format("--page {}: expected {} or a template of your own, whose name ends in .md, "
                     ".html or .tex",

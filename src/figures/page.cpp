@@ -209,6 +209,18 @@ class Filler {
     PageKind kind_;
 };
 
+// As the words that are filled in.
+void require_utf8(const Source& page, Errors& errors) {
+    for (std::size_t i = 0, next = 0; i < page.text.size(); i = next) {
+        next = next_code_point(page.text, i);
+        if (is_utf8(string_view(page.text).substr(i, next - i))) continue;
+        return errors.add(
+            page, i,
+            fmt::format("byte 0x{:02X} is not UTF-8", static_cast<unsigned char>(page.text[i])),
+            "save the file as UTF-8");
+    }
+}
+
 }  // namespace
 
 const std::map<string, std::vector<string>>& placeholders() {
@@ -226,6 +238,7 @@ const std::map<string, std::vector<string>>& placeholders() {
 
 string filled_page(const Source& page, PageKind kind, const PageFields& fields) {
     Errors errors;
+    require_utf8(page, errors);
     const std::vector<Part> parts = Parser(page, errors).parse();
     errors.throw_if_any();
     return Filler(kind).fill(parts, {&fields});

@@ -78,6 +78,9 @@ TEST_CASE("a template of one's own is told its mistakes before any work") {
     CHECK(has(wrong.err, "did you mean `title`?"));
     CHECK_FALSE(fs::exists(folder.path() / "new"));
     CHECK(figures(folder, {"scene.yaml", "--page", "mine.doc"}).exit_code == 2);
+    const Outcome missing = figures(folder, {"scene.yaml", "--page", "none.html"});
+    CHECK(missing.exit_code == 2);
+    CHECK(missing.err == "none.html: error: cannot be read: No such file or directory\n");
     CHECK(figures(folder, {"scene.yaml", "--page", "mine.md,markdown"}).exit_code == 2);
 }
 

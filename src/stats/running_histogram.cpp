@@ -6,13 +6,18 @@
 namespace carom {
 namespace {
 
-void add_counts(Histogram& sum, const Histogram& more) {
-    for (std::size_t k = 0; k < sum.counts.size(); ++k) sum.counts[k] += more.counts[k];
-    sum.below += more.below;
-    sum.above += more.above;
+void add_counts(Histogram& sum, const Histogram& more, std::int64_t times) {
+    for (std::size_t k = 0; k < sum.counts.size(); ++k) sum.counts[k] += times * more.counts[k];
+    sum.below += times * more.below;
+    sum.above += times * more.above;
 }
 
 }  // namespace
+
+RunningHistogram::RunningHistogram(const Bins& bins, std::optional<double> window)
+    : bins_(bins),
+      window_(window),
+      sum_{bins, std::vector<std::int64_t>(static_cast<std::size_t>(bins.count)), 0, 0} {}
 
 void RunningHistogram::Moments::join(const Moments& other) {
     const double total = count + other.count;
@@ -39,36 +44,42 @@ RunningHistogram::Moments RunningHistogram::moments_of(const Eigen::ArrayXd& val
 }
 
 void RunningHistogram::add(double time, const Eigen::ArrayXd& values) {
-    Entry entry{time, histogram(values, bins_), moments_of(values)};
-    samples_ += 1.0;
-    if (!window_ && !entries_.empty()) return join(entry);
     if (window_)
-        while (!entries_.empty() && entries_.front().time <= time - *window_) entries_.pop_front();
-    entries_.push_back(std::move(entry));
-    if (window_) samples_ = static_cast<double>(entries_.size());
+        while (!entries_.empty() && entries_.front().time <= time - *window_) drop_first();
+    Entry entry{time, histogram(values, bins_), moments_of(values)};
+    add_counts(sum_, entry.histogram, 1);
+    newer_.join(entry.moments);
+    samples_ += 1.0;
+    if (window_) entries_.push_back(std::move(entry));
 }
 
-void RunningHistogram::join(const Entry& entry) {
-    add_counts(entries_.front().histogram, entry.histogram);
-    entries_.front().moments.join(entry.moments);
+void RunningHistogram::drop_first() {
+    if (older_.empty()) {
+        Moments from_here;
+        for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+            from_here.join(entry->moments);
+            older_.push_back(from_here);
+        }
+        newer_ = {};
+    }
+    older_.pop_back();
+    add_counts(sum_, entries_.front().histogram, -1);
+    entries_.pop_front();
+    samples_ -= 1.0;
 }
 
 MeanHistogram RunningHistogram::mean() const {
-    Histogram sum{bins_, std::vector<std::int64_t>(static_cast<std::size_t>(bins_.count)), 0, 0};
-    Moments moments;
-    for (const Entry& entry : entries_) {
-        add_counts(sum, entry.histogram);
-        moments.join(entry.moments);
-    }
+    Moments moments = older_.empty() ? Moments{} : older_.back();
+    moments.join(newer_);
     MeanHistogram result{bins_,
                          {},
-                         static_cast<double>(sum.below) / samples_,
-                         static_cast<double>(sum.above) / samples_,
+                         static_cast<double>(sum_.below) / samples_,
+                         static_cast<double>(sum_.above) / samples_,
                          moments.count,
                          moments.mean,
                          moments.count > 0.0 ? std::sqrt(moments.squares / moments.count) : 0.0};
     if (moments.count == 0.0) result.mean = std::numeric_limits<double>::quiet_NaN();
-    for (const std::int64_t count : sum.counts)
+    for (const std::int64_t count : sum_.counts)
         result.counts.push_back(static_cast<double>(count) / samples_);
     return result;
 }

@@ -26,13 +26,12 @@ class RunningHistogram {
   public:
     /// Means over samples later than `window` before the last one, or over all: with a window of 0
     /// of the last alone.
-    RunningHistogram(const Bins& bins, std::optional<double> window)
-        : bins_(bins), window_(window) {}
+    RunningHistogram(const Bins& bins, std::optional<double> window);
 
-    /// The next sample; times must not fall.
+    /// The next sample; times must not fall. Its cost does not grow with the window.
     void add(double time, const Eigen::ArrayXd& values);
 
-    /// Of at least one sample.
+    /// Of at least one sample. Its cost does not grow with the window.
     MeanHistogram mean() const;
 
   private:
@@ -47,12 +46,17 @@ class RunningHistogram {
         Moments moments;
     };
     static Moments moments_of(const Eigen::ArrayXd& values);
-    void join(const Entry& entry);
+    void drop_first();
 
     Bins bins_;
     std::optional<double> window_;
-    std::deque<Entry> entries_;  // those of the window; with none, the sum of all as the only one
+    std::deque<Entry> entries_;  // those of the window; none without one
+    Histogram sum_;              // of all samples that count
     double samples_ = 0.0;
+    // Moments can be joined, not taken apart without loss: a queue of two stacks. Of the older
+    // entries those from each one on, the first at the end; of the newer all together.
+    std::vector<Moments> older_;
+    Moments newer_;
 };
 
 }  // namespace carom

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "stats/running_histogram.h"
 #include "support/relative.h"
@@ -38,6 +40,38 @@ TEST_CASE("a window holds the samples later than it before the last") {
     CHECK(mean.counts[5] == 1.5);
     CHECK(mean.mean == relative(5.0, 1e-14));
     CHECK(mean.deviation == relative(0.5, 1e-14));
+}
+
+TEST_CASE("a long window that slides is that of its samples in one") {
+    Random random(11, "running histogram");
+    const Bins bins{-1.0, 3.0, 16};
+    constexpr double window = 30.0;
+    RunningHistogram running(bins, window);
+    std::vector<std::pair<double, Eigen::ArrayXd>> samples;
+    double time = 0.0;
+    for (int s = 0; s < 400; ++s) {
+        time += s == 200 ? 100.0 : random.uniform();  // once all at once are too old
+        Eigen::ArrayXd values(s % 5);                 // of some samples none
+        for (double& value : values) value = random.uniform() * 4.0 - 1.2;
+        samples.emplace_back(time, values);
+        running.add(time, values);
+        std::erase_if(samples, [&](const auto& one) { return one.first <= time - window; });
+        std::vector<double> all;
+        for (const auto& one : samples) all.insert(all.end(), one.second.begin(), one.second.end());
+        const Eigen::ArrayXd joined =
+            Eigen::Map<Eigen::ArrayXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+        const Histogram expected = histogram(joined, bins);
+        const MeanHistogram mean = running.mean();
+        const auto count = static_cast<double>(samples.size());
+        for (std::size_t k = 0; k < mean.counts.size(); ++k)
+            REQUIRE(mean.counts[k] == static_cast<double>(expected.counts[k]) / count);
+        REQUIRE(mean.above == static_cast<double>(expected.above) / count);
+        REQUIRE(mean.values == static_cast<double>(joined.size()));
+        if (joined.size() == 0) continue;
+        REQUIRE(std::abs(mean.mean - joined.mean()) < 1e-12);
+        const double deviation = std::sqrt((joined - joined.mean()).square().mean());
+        REQUIRE(std::abs(mean.deviation - deviation) < 1e-9);
+    }
 }
 
 TEST_CASE("what is not finite is counted and has no part in the moments") {

@@ -189,8 +189,8 @@ TEST_CASE("a still speaks of no present") {
         CHECK(has(text.out, "mean"));
         CHECK_FALSE(has(text.out, "now"));
     }
-    for (const json& figure : captions(folder).at("figures"))
-        CHECK_FALSE(has(figure.at("caption"), "so far"));
+    const json words = captions(folder);
+    for (const json& figure : words.at("figures")) CHECK_FALSE(has(figure.at("caption"), "so far"));
 }
 
 TEST_CASE("every picture says what it is and what it was made from") {

@@ -121,6 +121,15 @@ void make_all(const FiguresArguments& arguments) {
     }
 }
 
+// One word with commas in it, so that a scene may stand behind it.
+CLI::Option& listed_option(CLI::App& command, const std::string& flag,
+                           std::vector<std::string>& words, const std::string& about) {
+    return *command.add_option(flag, words, about)
+                ->delimiter(',')
+                ->allow_extra_args(false)
+                ->transform([](const std::string& word) { return CLI::detail::trim_copy(word); });
+}
+
 }  // namespace
 
 void add_figures(CLI::App& app) {
@@ -133,21 +142,16 @@ void add_figures(CLI::App& app) {
     command.add_option("-o,--output", arguments->output,
                        "a folder, of several scenes one with a folder for each; out/SCENE if not "
                        "given");
-    command
-        .add_option("--formats", arguments->formats,
-                    fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")))
-        ->delimiter(',')
-        ->check(CLI::IsMember(figure_formats));
-    command
-        .add_option("--only", arguments->options.only, "names of figures, with commas between them")
-        ->delimiter(',');
+    listed_option(command, "--formats", arguments->formats,
+                  fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")))
+        .check(CLI::IsMember(figure_formats));
+    listed_option(command, "--only", arguments->options.only,
+                  "names of figures, with commas between them");
     command.add_flag("--force", arguments->options.force,
                      "make all again, and replace files that carom did not write");
-    command
-        .add_option("--page", arguments->pages,
-                    "a page that shows them: markdown, html, latex, or a template of your own "
-                    "(.md, .html, .tex); several with commas between them")
-        ->delimiter(',');
+    listed_option(command, "--page", arguments->pages,
+                  "a page that shows them: markdown, html, latex, or a template of your own "
+                  "(.md, .html, .tex); several with commas between them");
     command.add_flag("--films", arguments->options.films,
                      "render the films of the scenes, too, which pages then show");
     add_scene_options(command, *arguments);

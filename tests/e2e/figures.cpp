@@ -117,6 +117,18 @@ TEST_CASE("figures that were finished before Ctrl-C stay, and it says so") {
           "out/scene: up to date, 2 figures\n");
 }
 
+TEST_CASE("options with lists may stand before the scene") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    CHECK(figures(folder,
+                  {"--only", "start", "--formats", "svg, csv", "--page", "markdown", "scene.yaml"})
+              .out == "out/scene: 1 figure made\n");
+    for (const std::string file : {"start.svg", "start.csv", "scene.md"})
+        CHECK(fs::exists(folder.path() / "out/scene" / file));
+    CHECK(figures(folder, {"--only", "start, speeds", "scene.yaml", "--formats", "svg"}).out ==
+          "out/scene: 1 figure made, 1 up to date\n");
+}
+
 TEST_CASE("files of figures that are gone stay, and are told") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

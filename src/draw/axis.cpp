@@ -130,6 +130,24 @@ void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
     draw_text(canvas, {x, area.y - 0.7 * words.size}, title, words);
 }
 
+// How many multiples of a step there are from `first` to `last`.
+int multiples(int first, int last, int step) {
+    const auto floor_of = [&](int value) {
+        return value >= 0 ? value / step : -((step - 1 - value) / step);
+    };
+    return floor_of(last) - floor_of(first - 1);
+}
+
+// The smallest round step with at most so many multiples, and with two at least.
+int step_of_decades(int first, int last, int most) {
+    int step = 1;
+    for (const int round : {2, 5, 10, 20, 25, 50, 100, 200, 250, 500, 1000}) {
+        if (multiples(first, last, step) <= most || multiples(first, last, round) < 2) break;
+        step = round;
+    }
+    return step;
+}
+
 }  // namespace
 
 std::vector<TickMark> ticks(double low, double high, int most, bool whole) {
@@ -149,7 +167,7 @@ std::vector<TickMark> ticks(double low, double high, int most, bool whole) {
 std::vector<TickMark> decade_ticks(double low, double high, int most) {
     const int first = static_cast<int>(std::ceil(low - slack));
     const int last = static_cast<int>(std::floor(high + slack));
-    const int step = std::max(1, (last - first + most - 1) / most);
+    const int step = step_of_decades(first, last, most);
     const bool is_plain = first >= -4 && last <= 5;
     std::vector<TickMark> marks;
     for (int exponent = first; exponent <= last; ++exponent) {

@@ -29,7 +29,8 @@ struct TickMark {
 /// precision. Nothing for an empty range. `whole`: whole numbers only, for counts.
 std::vector<TickMark> ticks(double low, double high, int most = 5, bool whole = false);
 
-/// Powers of ten from 10^low to 10^high, at most about `most`; a mark's value is its exponent.
+/// Powers of ten from 10^low to 10^high, mostly at most `most`, two at least if there are; their
+/// exponents are multiples of 1, 2, 5, 10, 20, 25, 50 or 100. A mark's value is its exponent.
 std::vector<TickMark> decade_ticks(double low, double high, int most = 5);
 
 /// The smallest round value at or above `value` (> 0) that gives an axis from 0 good ticks.

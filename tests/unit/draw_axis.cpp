@@ -53,6 +53,32 @@ TEST_CASE("ticks lie inside the range, as many as asked for at most") {
     CHECK(ticks(0, 1.0 / 0.0).empty());
 }
 
+TEST_CASE("powers of ten stand at round exponents, two of them at least") {
+    const auto exponents = [](double low, double high, int most = 5) {
+        std::vector<int> all;
+        for (const TickMark& mark : decade_ticks(low, high, most))
+            all.push_back(static_cast<int>(mark.value));
+        return all;
+    };
+    using Exponents = std::vector<int>;
+    CHECK(exponents(-27, 2) == Exponents{-20, -10, 0});
+    CHECK(exponents(-133, 1) == Exponents{-100, -50, 0});
+    CHECK(exponents(-77, 0) == Exponents{-60, -40, -20, 0});
+    CHECK(exponents(-98, 0) == Exponents{-80, -60, -40, -20, 0});
+    CHECK(exponents(-110, 0) == Exponents{-100, -75, -50, -25, 0});
+    CHECK(exponents(-307, 2) == Exponents{-300, -200, -100, 0});
+    CHECK(exponents(-3, 1) == Exponents{-3, -2, -1, 0, 1});
+    CHECK(exponents(-19, -11, 2) == Exponents{-18, -16, -14, -12});  // one of 5 is too few
+    CHECK(exponents(-4.5, -3.5) == Exponents{-4});
+    CHECK(decade_ticks(-27, 2).front().label == "10\u207B\u00B2\u2070");
+    for (int low = -500; low < 0; low += 7)
+        for (int high = low + 2; high < 300; high += 11) {
+            const std::size_t count = exponents(low, high).size();
+            CHECK(count >= 2);
+            CHECK(count <= 6);
+        }
+}
+
 TEST_CASE("a rounded end of an axis is a tick itself") {
     for (double value = 0.00123; value < 1e6; value *= 1.17) {
         const double end = round_up_for_axis(value);

@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <deque>
 #include <limits>
-#include <numbers>
+#include <map>
 #include <optional>
 #include <vector>
 
+#include "physics/collision_rate.h"
+#include "physics/error_growth.h"
 #include "physics/event_loop.h"
 #include "physics/multiprecision.h"
 #include "physics/placement.h"
@@ -326,14 +329,12 @@ class Search {
         }
     }
 
-    // Round-off of disks grows by so many bits with each collision (a safe fit for equal disks); on
-    // a wire more slowly, by how much is found out.
+    // The law is for equal disks; of others it is a guess. On a wire errors grow more slowly, by
+    // how much is found out.
     double first_guess() const {
         if (gas_.box.dimension == 1) return least_bits;
-        const double packing =
-            std::numbers::pi * placed_.first.radius.square().sum() / gas_.box.size.prod();
         const double lost =
-            packing > 0.0 ? 3.85 * std::log2(1.0 + 0.115 / packing) * of_each_ : 0.0;
+            of_each_ * bits_lost_per_collision(packing_fraction(gas_.box, placed_.first));
         return std::log2(gas_.box.size.maxCoeff() / tolerance_) + 12.0 + lost +
                2.0 * std::sqrt(lost);
     }
@@ -392,14 +393,32 @@ class Search {
 }  // namespace
 
 int bits_for(const Nudge& nudge, double size) {
-    Real square = 0.0;
-    for (const std::string& by : nudge.by) {
-        const Real length = Real::from_text(by, least_bits);
-        square += length * length;
+    const ReturnDistance moved = moved_by({nudge}, 1);
+    if (!std::isfinite(moved.log10_largest)) return least_bits;
+    return up_to_whole_words((std::log10(size) - moved.log10_largest) / std::log10(2.0) + 64.0);
+}
+
+ReturnDistance moved_by(const std::vector<Nudge>& nudges, Eigen::Index particles) {
+    std::map<std::int64_t, std::array<Real, 2>> displaced;
+    for (const Nudge& nudge : nudges) {
+        std::array<Real, 2>& by = displaced[nudge.particle];
+        for (std::size_t axis = 0; axis < by.size(); ++axis)
+            by[axis] += Real::from_text(nudge.by[axis], least_bits);
     }
-    if (square.is_zero()) return least_bits;
-    const double log10_nudge = log10(sqrt(square));
-    return up_to_whole_words((std::log10(size) - log10_nudge) / std::log10(2.0) + 64.0);
+    Real largest = 0.0, sum = 0.0;
+    for (const auto& [particle, by] : displaced) {
+        const Real square = by[0] * by[0] + by[1] * by[1];
+        largest = std::max(largest, square);
+        sum += square;
+    }
+    const auto distance = [](const Real& square) {
+        const Real root = sqrt(square);
+        constexpr double none = -std::numeric_limits<double>::infinity();
+        return std::pair{static_cast<double>(root), root.is_zero() ? none : log10(root)};
+    };
+    const auto [most, log10_most] = distance(largest);
+    const auto [mean, log10_mean] = distance(sum / static_cast<double>(particles));
+    return {most, mean, log10_most, log10_mean};
 }
 
 int bits_to_come_home(const Gas& gas, const Run& run) {

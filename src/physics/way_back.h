@@ -2,13 +2,15 @@
 // and how many bits that takes. Knows no film and no scene.
 #pragma once
 
-#include <cstdint>
+#include <Eigen/Core>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "physics/gas.h"
 #include "physics/run.h"
+#include "physics/whereabouts.h"
 
 namespace carom {
 
@@ -32,5 +34,8 @@ int bits_to_come_home(const Gas& gas, const Run& run);
 
 /// Bits by which positions up to `size` can be moved by a nudge, and seen to have been.
 int bits_for(const Nudge& nudge, double size);
+
+/// How far a gas of so many particles is from itself, once these nudges have moved it.
+ReturnDistance moved_by(const std::vector<Nudge>& nudges, Eigen::Index particles);
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -170,6 +171,17 @@ TEST_CASE("a nudge moves one particle by what it says, to the last digit") {
             if (!precise) CHECK(nudged.sample().position(1, 0) == 10.001);
         }
     }
+}
+
+TEST_CASE("how far nudges move a gas: of one particle they add up") {
+    const Nudge right{2, {"3e-400", "0"}}, up{2, {"0", "4e-400"}}, other{5, {"0", "-12e-400"}};
+    const ReturnDistance moved = moved_by({right, up, other}, 2);
+    CHECK(moved.log10_largest == doctest::Approx(std::log10(12.0) - 400.0).epsilon(1e-12));
+    CHECK(moved.log10_root_mean_square ==
+          doctest::Approx(std::log10(13.0 / std::sqrt(2.0)) - 400.0).epsilon(1e-12));
+    CHECK(moved_by({Nudge{0, {"0.25", "0"}}}, 1).largest == 0.25);
+    CHECK(moved_by({Nudge{0, {"0.25", "0"}}}, 4).root_mean_square == 0.125);
+    CHECK(moved_by({}, 4).log10_largest == -std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("a nudge into another particle or a wall is refused") {

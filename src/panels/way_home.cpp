@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "physics/error_growth.h"
+#include "physics/way_back.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -17,7 +19,10 @@ double bytes_of(int bits) { return bits > bits_of_double ? 64.0 + bits / 8.0 : 8
 
 }  // namespace
 
-WayHome::WayHome(const Cast& cast) : cast_(cast), reversals_(reversal_times(cast.scene.run)) {
+WayHome::WayHome(const Cast& cast)
+    : cast_(cast),
+      reversals_(reversal_times(cast.scene.run)),
+      bits_per_collision_(bits_lost_per_collision(cast.scene.gas.box, cast.particles)) {
     const int bits = cast.scene.run.bits.value_or(bits_of_double);
     in_full_ = bits > bits_of_double;
     const double bytes =
@@ -31,6 +36,8 @@ void WayHome::survey(const Observation& observation) {
     if (passed == 0) return;
     const auto reversal = static_cast<std::size_t>(passed) - 1;
     const double since = time - reversals_[reversal];
+    const std::int64_t collisions = observation.passage.counts.particle;
+    while (collisions_until_.size() <= reversal) collisions_until_.push_back(collisions);
     const bool stands_still =
         !steps_.empty() && steps_.back().reversal == reversal && steps_.back().since == since;
     const bool is_kept =
@@ -40,7 +47,9 @@ void WayHome::survey(const Observation& observation) {
     const double rounding = 1e-12 * reversals_[reversal];
     const double mirror = reversals_[reversal] - since;
     const bool is_known = mirror >= before - rounding;
-    steps_.push_back({observation.tick.frame, reversal, since, {}, is_known});
+    const double of_each = 2.0 * static_cast<double>(collisions - collisions_until_[reversal]) /
+                           static_cast<double>(cast_.particles.count());
+    steps_.push_back({observation.tick.frame, reversal, since, of_each, {}, is_known});
     kept_.push_back({std::max(mirror, before), {}, {}});
     if (is_known && !in_full_) kept_.back().position = observation.sample.position;
 }
@@ -77,7 +86,59 @@ void WayHome::compare_in_full() {
 }
 
 void WayHome::settle() {
-    if (in_full_) return compare_in_full();
+    if (in_full_)
+        compare_in_full();
+    else
+        compare();
+    begin_at_nudges();
+    apply_law();
+}
+
+std::vector<Nudge> WayHome::nudges_at(double time) const {
+    std::vector<Nudge> nudges;
+    for (const RunEvent& event : cast_.scene.run.events)
+        if (const auto* nudge = std::get_if<Nudge>(&event.action); nudge && event.at == time)
+            nudges.push_back(*nudge);
+    return nudges;
+}
+
+// At the instant of a reversal both ways are one state, but for the nudges of that instant.
+void WayHome::begin_at_nudges() {
+    for (Step& step : steps_) {
+        if (!step.is_known || step.since > 0.0) continue;
+        const std::vector<Nudge> nudges = nudges_at(reversals_[step.reversal]);
+        if (!nudges.empty()) step.apart = moved_by(nudges, cast_.particles.count());
+    }
+}
+
+// From the round-off of coordinates as large as the box, and from the nudges.
+void WayHome::apply_law() {
+    if (!bits_per_collision_) return;
+    const double digits = std::log10(2.0);
+    const int bits = cast_.scene.run.bits.value_or(bits_of_double);
+    const double round_off = std::log10(cast_.scene.gas.box.size.maxCoeff()) - bits * digits;
+    double law = 0.0, collisions = 0.0, before = 0.0;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+        Step& step = steps_[k];
+        if (k == 0 || step.reversal != steps_[k - 1].reversal) {
+            law = round_off;
+            collisions = 0.0;
+            before = -1.0;
+        }
+        law += (step.collisions - collisions) * *bits_per_collision_ * digits;
+        collisions = step.collisions;
+        for (const RunEvent& event : cast_.scene.run.events) {
+            const auto* nudge = std::get_if<Nudge>(&event.action);
+            const double since = event.at - reversals_[step.reversal];
+            if (nudge && since > before && since >= 0.0 && since <= step.since)
+                law = std::max(law, moved_by({*nudge}, 1).log10_largest);
+        }
+        before = step.since;
+        step.log10_law = law;
+    }
+}
+
+void WayHome::compare() {
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < steps_.size(); ++k)
         if (steps_[k].is_known) order.push_back(k);

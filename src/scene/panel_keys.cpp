@@ -35,17 +35,20 @@ const vector<string>& averaged() {
 
 // Those that can show several runs in one panel: one line of each.
 const vector<string>& compared() {
-    static const vector<string> kinds{"speed-histogram",
-                                      "energy-histogram",
-                                      "velocity-histogram",
-                                      "position-histogram",
-                                      "temperature",
-                                      "entropy",
-                                      "pressure"};
+    static const vector<string> kinds{
+        "speed-histogram", "energy-histogram", "velocity-histogram", "position-histogram",
+        "temperature",     "entropy",          "pressure",           "return-distance"};
     return kinds;
 }
 
 namespace {
+
+// Those with a curve of theory.
+const vector<string>& with_theory() {
+    static const vector<string> kinds{"speed-histogram", "energy-histogram", "velocity-histogram",
+                                      "return-distance"};
+    return kinds;
+}
 
 // Those that take numbers over a time.
 const vector<string>& timed() {
@@ -158,13 +161,19 @@ vector<Key> panel_keys(Form kind, Key over) {
                            "Along which axis; `both` counts either component of a particle.",
                            {one_of({"x", "y", "both"})}})),
         only_with(
-            predicted(),
+            with_theory(),
             otherwise(
                 "true",
                 {"theory",
                  "Whether to draw the curve that theory predicts for this finite mixture, if "
-                 "it comes to an equilibrium; an error where `true` is written and it cannot.",
+                 "it comes to an equilibrium; an error where `true` is written and it cannot. Of "
+                 "return distances the law by which they grow, for equal disks.",
                  {flag()}})),
+        only_with({"return-distance"},
+                  otherwise("time", {"against",
+                                     "What they are drawn against: the time since the reversal, or "
+                                     "the collisions of each particle since then, on average.",
+                                     {one_of({"time", "collisions"})}})),
         only_with(histograms(),
                   otherwise("false", {"fit",
                                       "Whether to draw the normal curve of the same mean and "

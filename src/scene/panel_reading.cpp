@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -167,11 +168,41 @@ std::pair<double, double> read_range(const Node& range, const std::string& kind,
     return {ends[0], ends[1]};
 }
 
+// Whether all particles have one radius and one mass, as far as the scene says it in one number.
+bool are_equal(const Gas& gas) {
+    const auto one_number = [](const Species& species) -> std::optional<std::array<double, 2>> {
+        const auto* radius = std::get_if<double>(&species.radius);
+        const auto* density = std::get_if<Density>(&species.mass);
+        const auto* mass =
+            density != nullptr ? &density->value : std::get_if<Quantity>(&species.mass);
+        const double* number = mass != nullptr ? std::get_if<double>(mass) : nullptr;
+        if (radius == nullptr || number == nullptr) return std::nullopt;
+        return std::array{*radius, density != nullptr ? -*number : *number};
+    };
+    const auto first = one_number(gas.species.front());
+    return first && std::ranges::all_of(gas.species, [&](const Species& species) {
+               return one_number(species) == first;
+           });
+}
+
+void check_law(const Node& asked, const Gas& gas, Errors& errors) {
+    const std::string hint = "leave out `theory`, and the curve is drawn where there is one";
+    if (gas.box.dimension == 1)
+        errors.add(asked, "there is no growth law for beads on a wire: neighbours part too slowly",
+                   hint);
+    else if (!are_equal(gas))
+        errors.add(asked,
+                   "there is no growth law for this gas: it is known for disks of one radius and "
+                   "one finite mass",
+                   hint);
+}
+
 // A curve that is asked for is missed; where it is only the default, it is left out.
 void check_theory(const Fields& fields, const Gas& gas, Errors& errors) {
     const Node* asked = fields.given("theory");
     if (asked == nullptr || fields.flag("theory") != true || gas.species.empty()) return;
     if (asked->source->origin == Origin::template_file) return;
+    if (fields.text("kind") == "return-distance") return check_law(*asked, gas, errors);
     if (const auto reason = why_no_equilibrium(gas))
         errors.add(*asked, "there is no equilibrium curve for this gas: " + *reason,
                    "leave out `theory`, and the curve is drawn where there is one");
@@ -217,6 +248,7 @@ PanelSpec read_panel(const Fields& fields, const Shown& shown, Errors& errors) {
     panel.mean_now = fields.flag("mean_now");
     panel.mean_start = fields.flag("mean_start");
     panel.reference_initial = fields.text("reference") == "initial";
+    panel.against_collisions = fields.text("against") == "collisions";
     panel.numbers = read_monitors(fields.given("numbers"), shown, errors);
     panel.words = fields.text("words").value_or("");
     check_words(fields.node(), &fields, panel, errors);

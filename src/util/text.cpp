@@ -138,6 +138,19 @@ std::string three_digits(double value) {
     return value < 0 ? "\u2212" + text : text;
 }
 
+std::string three_digits_of_power(double exponent) {
+    constexpr double plain = 300.0;  // doubles have all their digits
+    if (!std::isfinite(exponent)) return exponent < 0.0 ? "0" : "–";
+    if (std::abs(exponent) < plain) return three_digits(std::pow(10.0, exponent));
+    double whole = std::floor(exponent);
+    double digits = std::round(std::pow(10.0, exponent - whole + 2.0));
+    if (digits == 1000.0) {
+        digits = 100.0;
+        whole += 1.0;
+    }
+    return fmt::format("{:.2f}×10", digits / 100.0) + superscript(static_cast<int>(whole));
+}
+
 std::string plain_number(double value) {
     const bool is_plain = std::abs(value) >= 1e-4 && std::abs(value) < 1e6;
     if (value != 0.0 && !is_plain) return three_digits(value);

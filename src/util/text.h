@@ -49,6 +49,10 @@ std::string superscript(int value);
 /// minus.
 std::string three_digits(double value);
 
+/// The same for a power of ten with any exponent, also where no double is so small or so large;
+/// 0 for minus infinity.
+std::string three_digits_of_power(double exponent);
+
 /// A number as it would be given: 12, 0.25, with at most six digits.
 std::string plain_number(double value);
 

@@ -129,6 +129,49 @@ TEST_CASE("the table names the run of each row, and has the numbers of that run"
         for (const std::vector<Cell>& row : one->rows) CHECK(row.size() == one->columns.size());
 }
 
+TEST_CASE("ways back in numbers of more and more bits, each as a run of its own") {
+    const std::string run = "until: 24, precision: 192, events: [{at: 12, reverse: velocities}]";
+    const std::string kind = "  - {name: a, kind: return-distance, against: collisions";
+    const FigureRun together = run_of(
+        scene_of(kind +
+                     ", compare: [{label: 53 bits, set: run.precision=double}, {label: 113 bits, "
+                     "set: run.precision=113}, {label: 192 bits}]}\n",
+                 "count: 260, temperature: 2", run),
+        3);
+    const Figure& figure = together.figures()[0];
+    const Table table = table_of(figure);
+    double first = 0.0;
+    for (const auto& [label, bits] :
+         {std::pair{"53 bits", "double"}, {"113 bits", "113"}, {"192 bits", "192"}}) {
+        const FigureRun alone = run_of(
+            scene_of(kind + "}\n", "count: 260, temperature: 2", run, {{{"run.precision", bits}}}));
+        std::vector<std::vector<Cell>> own;
+        for (const std::vector<Cell>& row : table_of(alone.figures()[0]).rows)
+            if (std::get<std::string>(row[1]) != "root mean square" &&
+                std::get<std::string>(row[0]) != "level")
+                own.push_back(row);
+        std::vector<std::vector<Cell>> its = rows_of(table, label);
+        std::erase_if(its,
+                      [](const auto& row) { return std::get<std::string>(row[0]) == "level"; });
+        REQUIRE(its.size() > 20);
+        CHECK(its == own);
+        const auto step = std::ranges::find_if(its, [](const std::vector<Cell>& row) {
+            return std::get<std::string>(row[0]) == "line" && number(row[5]) > 2.0;
+        });
+        REQUIRE(step != its.end());
+        if (first != 0.0) CHECK(number((*step)[6]) < first - 15.0);
+        first = number((*step)[6]);
+    }
+    CHECK(figure.sides[0].told.starts_with("a radius astray after "));
+    CHECK(figure.sides[2].told.find("\u207B") != std::string::npos);  // a small power of ten
+    CHECK(figure.sides[2].told.find(" from the way out after ") != std::string::npos);
+    const FigureWords words = words_of(together, figure);
+    CHECK(words.caption.find("53 bits (260 disks, ") != std::string::npos);
+    CHECK(words.caption.find("The growth law: distances double ") != std::string::npos);
+    for (const FigureFormat format : {FigureFormat::png, FigureFormat::svg})
+        CHECK(draw_figure(together, figure, format, {"t", "d"}).file().size() > 1000);
+}
+
 TEST_CASE("all runs find room on the axes") {
     // The second gas is four times as fast: an axis for the first alone would end far below it.
     const std::string fast =
@@ -230,7 +273,7 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
           "      |                          ^^^^^^^\n"
           "  hint: it goes with `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
-          "`position-histogram`, `temperature`, `entropy` or `pressure`");
+          "`position-histogram`, `temperature`, `entropy`, `pressure` or `return-distance`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
               .find("`seeds` and `compare` exclude one another") != std::string::npos);
     CHECK(

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "util/text.h"
@@ -18,6 +20,15 @@ TEST_CASE("three significant digits read as on an axis") {
     CHECK(three_digits(1.0 / 0.0) == "–");
     CHECK(three_digits(9.996) == "10.0");
     CHECK(three_digits(0.9996) == "1.00");
+}
+
+TEST_CASE("three digits of powers that no double holds") {
+    CHECK(three_digits_of_power(-2.0) == three_digits(0.01));
+    CHECK(three_digits_of_power(std::log10(2.5e-51)) == "2.50×10\u207B\u2075\u00B9");
+    CHECK(three_digits_of_power(-500.0 + std::log10(3.14)) == "3.14×10\u207B\u2075\u2070\u2070");
+    CHECK(three_digits_of_power(-400.0 - 1e-6) == "1.00×10\u207B\u2074\u2070\u2070");
+    CHECK(three_digits_of_power(400.0) == "1.00×10\u2074\u2070\u2070");
+    CHECK(three_digits_of_power(-std::numeric_limits<double>::infinity()) == "0");
 }
 
 TEST_CASE("what is half-way between two digits is rounded away from 0, round-off or not") {

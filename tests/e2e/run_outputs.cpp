@@ -15,7 +15,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 TEST_CASE("without files the report is a table for people; --timings adds to it, --quiet says no") {
-    const std::string scene = library_scene("time-reversal");
+    const std::string scene = (root / "tests/e2e/there-and-back.yaml").string();
     const Outcome table = run({program, "run", scene});
     CHECK(table.exit_code == 0);
     CHECK(table.err.empty());
@@ -33,7 +33,7 @@ TEST_CASE("without files the report is a table for people; --timings adds to it,
 
 TEST_CASE("standard output holds what is asked for and nothing else") {
     const TemporaryFolder folder;
-    const std::string scene = library_scene("time-reversal");
+    const std::string scene = (root / "tests/e2e/there-and-back.yaml").string();
     const Outcome both =
         run({program, "run", scene, "--json", "-", "--csv", "a.csv", "--timings"}, folder.path());
     CHECK(both.exit_code == 0);

@@ -77,6 +77,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"theory_at_rest", several_places},
     {"theory_drifts", several_places},
     {"theory_equal_masses", several_places},
+    {"theory_growth_mixed", several_places},
     {"theory_one_axis", several_places},
     {"theory_piston", several_places},
     {"total_too_large", several_places},

@@ -16,7 +16,7 @@ namespace {
 
 // Reversed at 12 of 24, with pauses at both ends and there; trails, histograms and means since the
 // start, all of which must know what came before the part.
-const std::string scene = library_scene("time-reversal");
+const std::string scene = (root / "tests/e2e/there-and-back.yaml").string();
 
 // Without captions: one that fades in is whole in a still.
 const std::string events = "run.events=[{at: 12, reverse: velocities}]";

@@ -21,7 +21,8 @@ struct Still {
     std::string scene, at;
 };
 // Two dimensions with arrows and a wire with rods and world lines.
-const std::vector<Still> stills{{"two-to-one", "6"}, {"time-reversal", "3"}, {"tonks-gas", "40"}};
+const std::vector<Still> stills{
+    {"two-to-one", "6"}, {"one-hot-particle", "6"}, {"tonks-gas", "40"}};
 
 Outcome draw(const Still& still, const std::string& output, const fs::path& folder) {
     return run({program, "still", library_scene(still.scene), "--at", still.at, "--size", "960x540",

@@ -153,8 +153,8 @@ TEST_CASE("small pictures of the scenes are as they were") {
     compare("one-hot-particle", "1", "dark");
     compare("one-hot-particle", "12", "light");
     compare("mixed-masses", "30", "dark");
-    compare("time-reversal", "3", "dark");
-    compare("time-reversal", "24", "print");
+    compare("time-reversal", "2", "dark");
+    compare("time-reversal", "190", "print");
     compare("two-to-one", "6", "light");
     compare("tonks-gas", "40", "dark");
     compare("words", "2.1", "light");

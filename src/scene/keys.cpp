@@ -15,6 +15,19 @@ namespace {
 using std::string;
 using std::vector;
 
+// What would make collisions lose energy, wherever it may be asked for.
+Section all_elastic(Section section) {
+    for (const char* name : {"restitution", "elasticity", "elastic", "inelastic", "dissipation",
+                             "damping", "friction"})
+        section.refused.push_back(
+            {name,
+             fmt::format("there is no `{}`: all collisions are elastic and without friction, with "
+                         "walls too",
+                         name),
+             "energy is conserved, and every collision can be undone: leave it out"});
+    return complete(std::move(section));
+}
+
 Section walls(int dimension) {
     const Form side = one_of({"solid", "periodic"});
     Section section{.name = "`walls`", .keys = {}};
@@ -34,12 +47,12 @@ Section walls(int dimension) {
             section.refused.push_back(
                 {key.name, "a wire has no `" + key.name + "`", "its ends are `left` and `right`"});
     }
-    return complete(std::move(section));
+    return all_elastic(std::move(section));
 }
 
 Section box(int dimension) {
     const Form side = one_of({"solid", "periodic"});
-    return complete(
+    return all_elastic(
         {.name = "`box`",
          .keys = {{"size",
                    "Width and height of the box, x from 0 to the width, y from 0 to the height.",
@@ -153,7 +166,7 @@ Section gas_item(int dimension) {
     if (dimension == 2)
         section.refused = {{"drawn_radius", "`drawn_radius` is for beads on a wire (`length`)",
                             "disks are drawn as large as they are: give `radius`"}};
-    return complete(std::move(section));
+    return all_elastic(std::move(section));
 }
 
 Section nudge(int dimension) {
@@ -178,7 +191,10 @@ Section run(int dimension) {
         {.name = "an item of `events`",
          .keys = {required(
                       {"at", "When, in simulated time, before `until`.", {number(not_negative)}}),
-                  {"reverse", "Turns every velocity round.", {one_of({"velocities"})}},
+                  {"reverse",
+                   "Turns every velocity round; a run with one reversal must last until the gas is "
+                   "home, at twice its time.",
+                   {one_of({"velocities"})}},
                   {"nudge",
                    "Moves one particle by a little, which shows how soon a reversed film goes "
                    "another way.",
@@ -198,7 +214,7 @@ Section run(int dimension) {
                            {number({least_caption_seconds, most_seconds.value,
                                     most_seconds.meaning})}})},
          .choices = {{{"reverse", "nudge", "mark", "caption"}, true}}});
-    return complete(
+    return all_elastic(
         {.name = "`run`",
          .keys = {
              required({"until", "The end of the run, in simulated time.", {number(positive)}}),
@@ -230,7 +246,7 @@ Section run(int dimension) {
 }
 
 Section scene(int dimension) {
-    return complete(
+    return all_elastic(
         {.name = "a scene",
          .keys = {
              otherwise("1", {"carom",

@@ -93,22 +93,23 @@ bool is_overridden(const Fields& scene, const char* section, const char* key) {
     return node != nullptr && node->source->origin == Origin::command_line;
 }
 
-// A gas that is to come home must have the time to.
+// A gas that turns round must have the time to come home. Of several reversals each ends the way
+// back of the one before it.
 void check_way_home(const RunDraft& draft, Errors& errors) {
     const Run& run = draft.run;
     const auto reverses = [](const RunEvent& event) {
         return std::holds_alternative<ReverseVelocities>(event.action);
     };
-    if (run.bits || std::ranges::count_if(run.events, reverses) != 1) return;
+    if (std::ranges::count_if(run.events, reverses) != 1) return;
     const auto reversal = std::ranges::find_if(run.events, reverses);
-    if (2.0 * reversal->at <= run.until || reversal->at >= run.until) return;
+    const double home = 2.0 * reversal->at;
+    if (home <= run.until) return;
     const Node& node = *draft.event_nodes[static_cast<std::size_t>(reversal - run.events.begin())];
     errors.add(
-        node,
-        fmt::format("the gas would be home at {}, and the run ends at {}", 2.0 * reversal->at,
-                    run.until),
-        "`precision: auto` brings it home: a later `until`, or an earlier `at`, gives it the "
-        "time");
+        node, fmt::format("the gas would be home at {}, and the run ends at {}", home, run.until),
+        fmt::format("`until: {}` and more, or `at: {}` and less, have room for the way back; "
+                    "`--to` renders a part of a film",
+                    home, 0.5 * run.until));
 }
 
 // In order of time, with their nodes.

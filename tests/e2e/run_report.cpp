@@ -206,12 +206,15 @@ TEST_CASE("a reversed gas comes home by as many events as it left") {
     CHECK(mean <= largest);
     CHECK(mean * std::sqrt(20.0) >= largest);
 
-    const json late = run_scene(gas + "run: {until: 7, events: [{at: 4, reverse: velocities}]}\n")
+    // The run ends before the second has led back to the first.
+    const json late = run_scene(gas +
+                                "run: {until: 9, events: [{at: 1, reverse: velocities}, "
+                                "{at: 6, reverse: velocities}]}\n")
                           .report["reversals"];
-    CHECK(late[0]["events"]["out"] == once[0]["events"]["out"]);
-    CHECK(late[0]["events"]["back"].is_null());
-    CHECK(late[0]["largest_return_distance"].is_null());
-    CHECK(late[0]["root_mean_square"].is_null());
+    CHECK(late[1]["events"]["out"].get<int>() > 5);
+    CHECK(late[1]["events"]["back"].is_null());
+    CHECK(late[1]["largest_return_distance"].is_null());
+    CHECK(late[1]["root_mean_square"].is_null());
 
     // The second comes before the first has led home; at 8 the gas is elsewhere.
     const json twice = run_scene(gas +

@@ -66,7 +66,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"packing", several_places},
     {"panels_range", several_places},
     {"precision", "53 bits are a double, those between 53 and 64 are nothing"},
-    {"precision_no_way_home", several_places},  // `at` against `until`
+    {"reversal_no_way_home", several_places},  // `at` against `until`
     {"radius_too_large", several_places},
     {"sample_every", several_places},
     {"template_caption", other_file},

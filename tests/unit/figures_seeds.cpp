@@ -22,7 +22,7 @@ namespace {
 Scene scene_of(const std::string& figures, const std::string& count = "60") {
     return test::scene_from("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{count: " + count +
                             ", radius: 0.4, temperature: 2}]\n"
-                            "run: {until: 6, events: [{at: 4, reverse: velocities}]}\n"
+                            "run: {until: 6, events: [{at: 3, reverse: velocities}]}\n"
                             "film: {seconds: 2}\nfigures:\n" +
                             figures);
 }

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "app/progress.h"
 #include "app/simulate.h"
 #include "app/webvtt.h"
 #include "scene/captions.h"
+#include "scene/event_words.h"
 #include "scene/timeline.h"
 #include "stats/speed_classes.h"
 #include "util/atomic_file.h"
@@ -24,10 +26,11 @@ namespace {
 struct Moment {
     int frame = 0;
     double time = 0.0;
-    bool reversed = false;  ///< just now
-    bool ends = false;      ///< the film
-    bool is_title = false;  ///< the title card
-    std::string mark = {};  ///< the words of places that are marked just now
+    bool reversed = false;                 ///< just now
+    bool ends = false;                     ///< the film
+    bool is_title = false;                 ///< the title card
+    std::vector<std::string> nudges = {};  ///< of just now, in words
+    std::string mark = {};                 ///< the words of places that are marked just now
     std::string end_card = {};
     std::string caption = {};  ///< that comes up just now
     std::int64_t collisions = 0;
@@ -68,12 +71,21 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (!caption.words.empty() && caption.first <= caption.last && caption.last >= span.first &&
             caption.first < span.end)
             at(std::max(caption.first, span.first)).caption = caption.words;
-    for (const Mark& mark : scene.marks) {
+    // The first frame that shows what happens at a time, if it is among these.
+    const auto shown_from = [&](double time) {
         const auto shown = std::ranges::find_if(ticks, [&](const Tick& tick) {
-            return tick.frame >= span.first && tick.time >= mark.at && !is_card(tick.phase);
+            return tick.frame >= span.first && tick.time >= time && !is_card(tick.phase);
         });
-        if (shown != ticks.end() && shown->frame < span.end) at(shown->frame).mark = mark.words;
-    }
+        return shown != ticks.end() && shown->frame < span.end ? std::optional(shown->frame)
+                                                               : std::nullopt;
+    };
+    for (const Mark& mark : scene.marks)
+        if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
+    const double begins = ticks[static_cast<std::size_t>(span.first)].time;
+    for (const RunEvent& event : scene.run.events)
+        if (const auto* nudge = std::get_if<Nudge>(&event.action); nudge && event.at >= begins)
+            if (const auto frame = shown_from(event.at))
+                at(*frame).nudges.push_back(words_of(*nudge));
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = scene.film.end_card;
@@ -163,6 +175,7 @@ std::string happening(const Moment& moment) {
     std::string text;
     if (moment.ends) text += "The film ends. ";
     if (moment.reversed) text += "All velocities are reversed. ";
+    for (const std::string& nudge : moment.nudges) text += nudge + ". ";
     if (!moment.mark.empty())
         text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
                             moment.mark);
@@ -176,6 +189,7 @@ std::string heading(const Moment& moment, const Scene& scene) {
     if (!moment.end_card.empty()) return moment.end_card;
     if (moment.is_title) return scene.title;
     if (moment.reversed) return "Velocities reversed";
+    if (!moment.nudges.empty()) return moment.nudges.front();
     if (!moment.mark.empty()) return moment.mark;
     if (moment.time == 0.0) return "The start";
     return "Time " + three_digits(folded_time(scene.run, moment.time));

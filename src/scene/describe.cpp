@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "scene/event_words.h"
 #include "scene/film_reading.h"
 #include "util/text.h"
 
@@ -64,11 +65,8 @@ std::string describe(const Scene& scene) {
         fmt::format("{} {} {} and {} elastically.", listed(groups), alone ? "starts" : "start",
                     box_words(gas.box), alone ? "collides" : "collide");
     text += passage_words(gas.box);
-    std::vector<std::string> times;
-    for (const double time : reversal_times(scene.run)) times.push_back(fmt::format("{}", time));
-    if (!times.empty())
-        text += fmt::format(" At time {} every velocity is turned round.", listed(times));
-    return text;
+    const std::string events = words_of_events(scene.run);
+    return events.empty() ? text : text + " " + events;
 }
 
 }  // namespace carom

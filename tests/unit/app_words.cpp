@@ -3,6 +3,7 @@
 
 #include "app/film_words.h"
 #include "app/webvtt.h"
+#include "scene/event_words.h"
 #include "scene/timeline.h"
 #include "support/scene_text.h"
 
@@ -81,6 +82,32 @@ TEST_CASE("captions and reversals are told when they come") {
     const FilmWords part = words_of_film(scene, {20, 60});
     CHECK(contains(part.captions, "00:00:00.000 --> 00:00:02.000\nA bead"));
     CHECK(contains(part.transcript, "A silent film of 0:04."));
+}
+
+TEST_CASE("nudges are told when they come, and in descriptions made from the scene") {
+    const std::string run =
+        "run:\n  until: 9\n  precision: 256\n  events:\n    - {at: 4.5, reverse: velocities}\n"
+        "    - {at: 4.5, nudge: {particle: 0, by: 3e-40}}\n    - {at: 8, nudge: {particle: 2, by: "
+        "-0.001}}\nfilm: {seconds: 20, fps: 10}\n";
+    const Scene scene = row_of_beads(run);
+    const FilmWords words = words_of(scene);
+    CHECK(contains(words.transcript,
+                   "All velocities are reversed. Particle 0 is moved by 3.00×10⁻⁴⁰. Time 4.50, "));
+    CHECK(contains(words.transcript, "Particle 2 is moved by 0.00100. Time "));
+    CHECK(contains(words.chapters, "\nVelocities reversed\n"));
+    CHECK(contains(words.chapters, "\nParticle 2 is moved by 0.00100\n"));
+    CHECK(contains(words.descriptions, "Particle 0 is moved by 3.00×10⁻⁴⁰. "));
+    // Not where the film is over before, or begins after it.
+    const int frames = static_cast<int>(timeline(scene).size());
+    CHECK_FALSE(contains(words_of_film(scene, {0, 60}).transcript, "is moved"));
+    CHECK_FALSE(contains(words_of_film(scene, {frames - 5, frames}).transcript, "is moved"));
+    CHECK(words_of_events(scene.run) ==
+          "At time 4.5 every velocity is turned round. Particle 0 is moved by 3.00×10⁻⁴⁰ at time "
+          "4.5. Particle 2 is moved by 0.00100 at time 8.");
+    Run many;
+    CHECK(words_of_events(many).empty());
+    for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Nudge{0, {"0.1", "0"}}});
+    CHECK(words_of_events(many) == "4 times a particle is moved by a little.");
 }
 
 TEST_CASE("cards and marks are told too") {

@@ -101,7 +101,7 @@ Canvas picture(const Scene& scene, double time, std::string_view format) {
 RenderReport render(const Scene& asked, const RenderOptions& options, Progress& progress) {
     const double begun = seconds_of(CLOCK_MONOTONIC);
     const double cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
-    const Scene scene = with_precision(asked);
+    const Scene scene = with_precision(asked, progress);
     Simulation simulation = simulate(scene);
     const std::vector<Tick> ticks = timeline(scene);
     const FrameSpan span = frames_between(ticks, options.from, options.to);

@@ -199,7 +199,7 @@ double sample_time(const Run& run, std::int64_t index) {
 }
 
 RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress) {
-    return Course(with_precision(scene), progress).run(take);
+    return Course(with_precision(scene, progress), progress).run(take);
 }
 
 }  // namespace carom

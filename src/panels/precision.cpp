@@ -4,7 +4,6 @@
 
 #include "physics/placement.h"
 #include "physics/simulation.h"
-#include "physics/way_back.h"
 
 namespace carom {
 namespace {
@@ -29,10 +28,10 @@ void try_nudges(const Scene& scene) {
 
 }  // namespace
 
-Scene with_precision(const Scene& scene) {
+Scene with_precision(const Scene& scene, const TrialTold& told) {
     Scene precise = scene;
     try {
-        if (!scene.run.bits) precise.run.bits = bits_to_come_home(scene.gas, scene.run);
+        if (!scene.run.bits) precise.run.bits = bits_to_come_home(scene.gas, scene.run, told);
         try_nudges(precise);
     } catch (const PrecisionError& error) {
         refuse(scene.precision_place, error.what(), error.hint());

@@ -2,12 +2,14 @@
 // scene calculate with the same bits.
 #pragma once
 
+#include "physics/way_back.h"
 #include "scene/scene.h"
 
 namespace carom {
 
 /// The scene with `run.bits` found where it leaves them to be found, which takes several runs; and
-/// its nudges tried out. Throws SceneError, with the place in the file.
-Scene with_precision(const Scene& scene);
+/// its nudges tried out; `told` hears how far the trials have come. Throws SceneError, with the
+/// place in the file.
+Scene with_precision(const Scene& scene, const TrialTold& told = {});
 
 }  // namespace carom

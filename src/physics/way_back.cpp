@@ -202,8 +202,9 @@ struct Echo {
 template <int Dimension>
 class EchoRun {
   public:
-    EchoRun(const Gas& gas, const Particles& particles, Sample start, const Run& run, int bits)
-        : box_(gas.box), loop_(gas.box, particles, {.bits = bits}) {
+    EchoRun(const Gas& gas, const Particles& particles, Sample start, const Run& run, int bits,
+            const TrialTold& told)
+        : box_(gas.box), loop_(gas.box, particles, {.bits = bits}), bits_(bits), told_(told) {
         start.time = -run.equilibrate;
         loop_.start(start);
         loop_.advance(0.0, nullptr);
@@ -272,6 +273,7 @@ class EchoRun {
             for (const Collision& collision : collisions_)
                 if (!diary.write(leg, collision)) return false;
             throw_if_interrupted();
+            if (told_ && now_ > 0.0) told_(bits_, now_);
         }
         diary.reach(leg.at(now_));
         return true;
@@ -282,13 +284,20 @@ class EchoRun {
     std::vector<Seen> seen_;
     std::vector<Collision> collisions_;
     double now_ = 0.0;
+    int bits_;
+    const TrialTold& told_;
 };
 
 /// A gas in search of its bits.
 class Search {
   public:
-    Search(const Gas& gas, const Run& run, const Itinerary& way)
-        : gas_(gas), run_(run), way_(way), placed_(place(gas)), tolerance_(tolerance_length()) {}
+    Search(const Gas& gas, const Run& run, const Itinerary& way, const TrialTold& told)
+        : gas_(gas),
+          run_(run),
+          way_(way),
+          told_(told),
+          placed_(place(gas)),
+          tolerance_(tolerance_length()) {}
 
     int bits() {
         count_collisions();
@@ -326,6 +335,7 @@ class Search {
             if (each >= of_each_) longest_ = leg.end - leg.begin;
             of_each_ = std::max(of_each_, each);
             before = now;
+            if (told_) told_(bits_of_double, leg.end);
         }
     }
 
@@ -349,7 +359,7 @@ class Search {
         // The times of collisions come as doubles.
         const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * run_.until;
         Diary diary(particles.count(), (fastest > 0.0 ? tolerance_ / fastest : 0.0) + round_off);
-        return EchoRun<Dimension>(gas_, particles, start, run_, bits)
+        return EchoRun<Dimension>(gas_, particles, start, run_, bits, told_)
             .go(way_, diary, tolerance_, fastest);
     }
 
@@ -384,6 +394,7 @@ class Search {
     const Gas& gas_;
     const Run& run_;
     const Itinerary& way_;
+    const TrialTold& told_;
     std::pair<Particles, Sample> placed_;
     double tolerance_;      ///< length
     double of_each_ = 0.0;  ///< collisions with others, on the leg with most
@@ -421,10 +432,10 @@ ReturnDistance moved_by(const std::vector<Nudge>& nudges, Eigen::Index particles
     return {most, mean, log10_most, log10_mean};
 }
 
-int bits_to_come_home(const Gas& gas, const Run& run) {
+int bits_to_come_home(const Gas& gas, const Run& run, const TrialTold& told) {
     const Itinerary way(run);
     int bits = bits_of_double;
-    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run, way).bits());
+    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run, way, told).bits());
     for (const RunEvent& event : run.events)
         if (const auto* nudge = std::get_if<Nudge>(&event.action))
             bits = std::max(bits, bits_for(*nudge, gas.box.size.maxCoeff()));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,12 +26,16 @@ class PrecisionError : public std::runtime_error {
     std::string hint_;
 };
 
+/// Told now and then how far a trial has come: the bits that are tried, those of a double where
+/// collisions are only counted, and the simulated time.
+using TrialTold = std::function<void(int bits, double time)>;
+
 /// Bits with which the gas comes home after every reversal of `run`, as far as the run goes on:
 /// within `run.tolerance`, and each particle meets on the way back whom it met on the way out, in
 /// reverse order. Tried out, without the nudges; and enough for these too. Those of a double where
 /// there is neither. Runs the gas several times; the same on any machine. Throws PrecisionError,
 /// and what Simulation throws.
-int bits_to_come_home(const Gas& gas, const Run& run);
+int bits_to_come_home(const Gas& gas, const Run& run, const TrialTold& told = {});
 
 /// Bits by which positions up to `size` can be moved by a nudge, and seen to have been.
 int bits_for(const Nudge& nudge, double size);

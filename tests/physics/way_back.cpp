@@ -70,6 +70,20 @@ TEST_CASE("with the bits that were found a gas comes home, event by event") {
     }
 }
 
+TEST_CASE("trials tell how far they have come") {
+    const Gas gas = test::equal_disks(0.3, 36);
+    const Run run = reversed_at({5.0}, 10.0);
+    std::vector<std::pair<int, double>> told;
+    const int bits = bits_to_come_home(
+        gas, run, [&](int trying, double time) { told.emplace_back(trying, time); });
+    REQUIRE(told.size() > 20);
+    CHECK(told.front().first == 53);
+    CHECK(told.back() == std::pair{bits, 10.0});
+    for (std::size_t k = 1; k < told.size(); ++k)
+        CHECK((told[k].first > told[k - 1].first || told[k].second >= told[k - 1].second));
+    for (const auto& [trying, time] : told) CHECK(time > 0.0);
+}
+
 TEST_CASE("a finer tolerance takes more bits") {
     const Gas gas = test::equal_disks(0.3, 36);
     Run run = reversed_at({5.0}, 10.0);

@@ -14,8 +14,8 @@
 #include "physics/placement.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
-#include "support/csv.h"
 #include "support/equal_disks.h"
+#include "support/nudged_echo.h"
 #include "support/small_scenes.h"
 
 using namespace carom;
@@ -232,39 +232,17 @@ TEST_CASE("a nudge into another particle or a wall is refused") {
 }
 
 TEST_CASE("a nudged echo fails when the growth law says") {
-    std::map<double, double> bits_for_each;  // packing: lost with each collision of a particle
-    for (const auto& row : test::reference_rows("reversal_growth_rate.csv"))
-        if (row[1] == "100") bits_for_each[std::stod(row[0])] = std::stod(row[2]);
-    for (const double packing : {0.1, 0.2, 0.3, 0.4}) {
-        for (const char* by : {"1e-20", "1e-60"}) {
-            CAPTURE(packing);
-            CAPTURE(by);
-            if (std::stod(by) < 1e-30 && packing < 0.35) continue;
-            Gas gas = test::equal_disks(packing, 100);
-            gas.box.walls = {Wall::solid, Wall::solid};
-            const double out = 70.0;
-            Run plain{.until = 2.0 * out, .equilibrate = 1.0, .events = {}};
-            plain.bits = 1024;
-            Run run = plain;
-            run.events = {{out, ReverseVelocities{}}, {out, Nudge{7, {by, "0"}}}};
-            Simulation way_out(gas, plain), back(gas, run);
-            std::vector<Whereabouts> mirror;
-            const double step = 0.25;
-            for (double time = 0.0; time < out; time += step) {
-                way_out.advance_to(time);
-                mirror.push_back(way_out.whereabouts());
-            }
-            const std::int64_t there = back.advance_to(out).counts.particle;
-            double each = 0.0;
-            for (double time = out + step; !mirror.empty(); time += step) {
-                each = 0.02 * static_cast<double>(back.advance_to(time).counts.particle - there);
-                if (return_distance(mirror.back(), back.whereabouts()).largest > 0.5) break;
-                mirror.pop_back();
-            }
-            REQUIRE_FALSE(mirror.empty());
-            const double expected = -std::log2(std::stod(by)) / bits_for_each.at(packing);
-            CHECK(each > expected / 1.5);
-            CHECK(each < expected * 1.5);
-        }
+    const std::map<double, double> growth = test::measured_growth();
+    for (const auto& [packing, by] : {std::pair{0.1, "1e-20"},
+                                      {0.2, "1e-20"},
+                                      {0.3, "1e-20"},
+                                      {0.4, "1e-20"},
+                                      {0.4, "1e-60"}}) {
+        CAPTURE(packing);
+        CAPTURE(by);
+        const double expected = -std::log2(std::stod(by)) / growth.at(packing);
+        const double each = test::collisions_until_astray(packing, by, 1.6 * expected);
+        CHECK(each > expected / 1.5);
+        CHECK(each < expected * 1.5);
     }
 }

@@ -8,6 +8,7 @@
 #include "physics/simulation.h"
 #include "physics/way_back.h"
 #include "support/equal_disks.h"
+#include "support/nudged_echo.h"
 
 using namespace carom;
 
@@ -87,6 +88,24 @@ TEST_CASE("mixtures of sizes and masses come home, with fixed and driven disks t
             else
                 gas.species.push_back({.name = "fixed", .count = 2, .mass = Infinite{}});
             check_comes_home(gas, 60.0);
+        }
+    }
+}
+
+TEST_CASE("nudged echoes fail when the growth law says, from 1e-20 to 1e-120") {
+    for (const auto& [packing, bits] : test::measured_growth()) {
+        if (packing > 0.45) continue;
+        for (const char* by : {"1e-20", "1e-40", "1e-80", "1e-120"}) {
+            for (const std::uint64_t seed : {2, 3}) {
+                CAPTURE(packing);
+                CAPTURE(by);
+                CAPTURE(seed);
+                const double expected = -std::log2(std::stod(by)) / bits;
+                const double each =
+                    test::collisions_until_astray(packing, by, 1.6 * expected, seed);
+                CHECK(each > expected / 1.5);
+                CHECK(each < expected * 1.5);
+            }
         }
     }
 }

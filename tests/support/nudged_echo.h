@@ -1,0 +1,59 @@
+// A gas that turns round, one of its disks moved by far less than anything could measure: when its
+// way back leaves the way out.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "physics/simulation.h"
+#include "support/csv.h"
+#include "support/equal_disks.h"
+
+namespace carom::test {
+
+/// Bits by which a distance grows with each collision of a particle, as measured for 100 disks; by
+/// packing fraction.
+inline std::map<double, double> measured_growth() {
+    std::map<double, double> bits_for_each;
+    for (const auto& row : reference_rows("reversal_growth_rate.csv"))
+        if (row[1] == "100") bits_for_each[std::stod(row[0])] = std::stod(row[2]);
+    return bits_for_each;
+}
+
+/// Collisions of each of 100 disks between walls, from the reversal on, until one of them is a
+/// radius away from where it was on the way out; -1 if `most` are not enough.
+inline double collisions_until_astray(double packing, const std::string& by, double most,
+                                      std::uint64_t seed = 1) {
+    constexpr int count = 100;
+    constexpr double step = 0.25;
+    Gas gas = equal_disks(packing, count);
+    gas.box.walls = {Wall::solid, Wall::solid};
+    gas.seed = seed;
+    Run plain{.until = 1e9, .equilibrate = 1.0, .events = {}};
+    plain.bits = 1024;
+    Simulation way_out(gas, plain);
+    std::vector<Whereabouts> mirror;
+    double out = 0.0;
+    while (true) {
+        const Passage passage = way_out.advance_to(out);
+        if (2.0 * static_cast<double>(passage.counts.particle) / count >= most) break;
+        mirror.push_back(way_out.whereabouts());
+        out += step;
+    }
+    Run run = plain;
+    run.events = {{out, ReverseVelocities{}}, {out, Nudge{7, {by, "0"}}}};
+    Simulation back(gas, run);
+    const std::int64_t there = back.advance_to(out).counts.particle;
+    for (double time = out + step; !mirror.empty(); time += step) {
+        const std::int64_t now = back.advance_to(time).counts.particle;
+        if (return_distance(mirror.back(), back.whereabouts()).largest > 0.5)
+            return 2.0 * static_cast<double>(now - there) / count;
+        mirror.pop_back();
+    }
+    return -1.0;
+}
+
+}  // namespace carom::test

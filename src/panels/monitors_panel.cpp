@@ -22,6 +22,7 @@ struct MonitorsState : PanelState {
     double mean_energy = 0.0;
     std::array<double, 3> shares{};
     std::optional<double> return_distance;
+    double log10_return_distance = 0.0;  // where it is known, also beyond doubles
     Slowness slow;
     double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
 };
@@ -152,6 +153,7 @@ double MonitorsPanel::width(Monitor number, double unit) const {
         return column(number).width;
     MonitorsState least, most;
     most.return_distance = 8.88e-16;
+    most.log10_return_distance = std::log10(8.88e-16);
     least.mean_speed = smallest_speed_;
     least.mean_energy = smallest_energy_;
     most.mean_speed = largest_speed_;
@@ -194,8 +196,10 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observ
     state->mean_energy = observation.energy.mean();
     state->shares = class_shares(observation.speed, state->mean_speed);
     if (way_home_)
-        if (const auto apart = way_home_->at(observation.tick.frame))
+        if (const auto apart = way_home_->at(observation.tick.frame)) {
             state->return_distance = apart->largest;
+            state->log10_return_distance = apart->log10_largest;
+        }
     state->slow = observation.tick.slow;
     const bool turning = observation.tick.phase == Phase::reversing;
     const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
@@ -235,7 +239,7 @@ std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
         case Monitor::all_collisions:
             return counted(now.collisions + now.with_walls);
         case Monitor::return_distance:
-            return now.return_distance ? three_digits(*now.return_distance) : "–";
+            return now.return_distance ? three_digits_of_power(now.log10_return_distance) : "–";
     }
     return "";
 }

@@ -64,8 +64,10 @@ class ReturnDistancePanel : public Panel {
 
     Scales scales(const Page& page) const;
     Look look(Line line, std::size_t run, const Page& page) const;
+    std::vector<std::string> titles() const;
     void draw_note(Canvas& canvas, const Page& page) const;
     void draw_floor(Canvas& canvas, const Page& page) const;
+    double level_baseline(const Page& page) const;
     void draw_level(Canvas& canvas, const Page& page) const;
     void draw_home(Canvas& canvas, const Page& page) const;
     void draw_law(Canvas& canvas, const Page& page, const ReturnDistancePanel& run,

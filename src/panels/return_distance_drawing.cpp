@@ -1,4 +1,6 @@
 // How return distances are drawn: lines over powers of ten, with a place of its own for 0.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,9 +46,18 @@ ReturnDistancePanel::Look ReturnDistancePanel::look(Line line, std::size_t run,
     return {edge_of(page.theme.bar, page.theme), {0.5 * page.unit, 0.5 * page.unit}};
 }
 
-void ReturnDistancePanel::draw_ground(Canvas& canvas, const Page& page) const {
+// With the bits of the run's numbers, which are why it comes home or does not.
+std::vector<std::string> ReturnDistancePanel::titles() const {
     const std::string title = "Distance from the way out";
-    draw_panel_title(canvas, page, spec_.title ? escape_markup(*spec_.title) : title);
+    if (compares()) return {title};
+    const int bits = cast_.scene.run.bits.value_or(bits_of_double);
+    return {fmt::format("{}, in numbers of {} bits", title, bits),
+            fmt::format("{}, {} bits", title, bits), title};
+}
+
+void ReturnDistancePanel::draw_ground(Canvas& canvas, const Page& page) const {
+    draw_panel_title(canvas, page,
+                     spec_.title ? escape_markup(*spec_.title) : fitting_title(page, titles()));
     draw_note(canvas, page);
     const Scales s = scales(page);
     draw_x_axis(canvas, s.area, s.x,
@@ -75,7 +86,7 @@ void ReturnDistancePanel::draw_note(Canvas& canvas, const Page& page) const {
         for (const Line line : lines())
             entries.push_back({look(line, 0, page), line_width,
                                line == Line::largest ? std::array{name_of(line), name_of(line)}
-                                                     : std::array{name_of(line), "rms"}});
+                                                     : std::array{name_of(line), "r.m.s."}});
     if (has_law())
         entries.push_back({{page.theme.accent, {}}, law_width, {"growth law", "growth law"}});
     const auto words_at = [&](const Entry& entry) {
@@ -111,6 +122,10 @@ void ReturnDistancePanel::draw_floor(Canvas& canvas, const Page& page) const {
     draw_text(canvas, {s.area.x - 0.65 * u, s.area.bottom() + 0.36 * u}, "0", style);
 }
 
+double ReturnDistancePanel::level_baseline(const Page& page) const {
+    return scales(page).y(std::log10(radius())) + 1.1 * page.unit;
+}
+
 // A particle's radius: beyond it the way home is lost to the eye.
 void ReturnDistancePanel::draw_level(Canvas& canvas, const Page& page) const {
     if (!(radius() > 0.0) || std::log10(radius()) < low_) return;
@@ -123,7 +138,7 @@ void ReturnDistancePanel::draw_level(Canvas& canvas, const Page& page) const {
     const bool all_alike = (cast_.particles.radius == cast_.particles.radius[0]).all();
     TextStyle style = label_style(page);
     style.align = Align::right;  // at the left the lines are steep
-    draw_text(canvas, {s.area.right() - 0.4 * u, y + 1.1 * u},
+    draw_text(canvas, {s.area.right() - 0.4 * u, level_baseline(page)},
               all_alike ? "a radius" : "a mean radius", style);
 }
 
@@ -190,7 +205,9 @@ void ReturnDistancePanel::draw_start(Canvas& canvas, const Page& page) const {
     const Scales s = scales(page);
     TextStyle style = label_style(page);
     style.align = Align::center;
-    const Point middle{s.area.x + s.area.width / 2, 0.5 * (s.area.y + s.y.from) + 0.35 * page.unit};
+    Point middle{s.area.x + s.area.width / 2, 0.5 * (s.area.y + s.y.from) + 0.35 * page.unit};
+    const double level = level_baseline(page);  // whose words are not to be touched
+    if (std::abs(middle.y - level) < 1.5 * page.unit) middle.y = level + 1.5 * page.unit;
     const std::string begins = "begins at time " + three_digits(way_home_.reversals().front());
     const std::string whole = begins + ", when all turn round";
     const bool fits = measure_text(whole, style).width <= s.area.width;

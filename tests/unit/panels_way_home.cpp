@@ -251,3 +251,20 @@ TEST_CASE("without a law for the gas there is no curve") {
               "{name: a, count: 20, radius: 0.5, speed: 1}, {name: b, count: 1, radius: 1}") == 0);
     CHECK(law("{length: 12}", "{count: 5, radius: 0.1, speed: 1}") == 0);
 }
+
+TEST_CASE("the title of the distances tells the bits, where there is room") {
+    const auto words = [](const std::string& precision, int width) {
+        Scene scene = lanes(reversal(2.0), 4.0, ", precision: " + precision);
+        scene.film.size = {width, 720};
+        const test::Shot film(scene);
+        TextLog log;
+        FramePainter painter(film.scene, *film.observers);
+        painter.paint(film.frames.back());
+        std::string all;
+        for (const DrawnLine& line : log.lines) all += line.markup + "\n";
+        return all;
+    };
+    CHECK(words("auto", 1280).find("Distance from the way out, in numbers of 64 bits\n") !=
+          std::string::npos);
+    CHECK(words("double", 1280).find(" 53 bits\n") != std::string::npos);
+}

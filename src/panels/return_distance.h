@@ -65,6 +65,7 @@ class ReturnDistancePanel : public Panel {
     Scales scales(const Page& page) const;
     Look look(Line line, std::size_t run, const Page& page) const;
     std::vector<std::string> titles() const;
+    std::string along_words(const Page& page) const;
     void draw_note(Canvas& canvas, const Page& page) const;
     void draw_floor(Canvas& canvas, const Page& page) const;
     double level_baseline(const Page& page) const;

@@ -55,14 +55,20 @@ std::vector<std::string> ReturnDistancePanel::titles() const {
             fmt::format("{}, {} bits", title, bits), title};
 }
 
+// Of the horizontal axis: the longer words where they leave room for its numbers.
+std::string ReturnDistancePanel::along_words(const Page& page) const {
+    if (!spec_.against_collisions) return "since the reversal";
+    const std::string all = "collisions of each since the reversal";
+    const double room = 0.3 * scales(page).area.width;
+    return measure_text(all, label_style(page)).width <= room ? all : "collisions of each";
+}
+
 void ReturnDistancePanel::draw_ground(Canvas& canvas, const Page& page) const {
     draw_panel_title(canvas, page,
                      spec_.title ? escape_markup(*spec_.title) : fitting_title(page, titles()));
     draw_note(canvas, page);
     const Scales s = scales(page);
-    draw_x_axis(canvas, s.area, s.x,
-                spec_.against_collisions ? "collisions of each" : "since the reversal",
-                axis_style(page));
+    draw_x_axis(canvas, s.area, s.x, along_words(page), axis_style(page));
     const Rect above{s.area.x, s.area.y, s.area.width, s.y.from - s.area.y};
     draw_log_y_axis(canvas, above, s.y, "", axis_style(page));
     draw_floor(canvas, page);

@@ -172,8 +172,9 @@ std::vector<TickMark> decade_ticks(double low, double high, int most) {
     std::vector<TickMark> marks;
     for (int exponent = first; exponent <= last; ++exponent) {
         if (exponent % step != 0) continue;
-        const std::string plain = with_decimals(std::pow(10.0, exponent), std::max(0, -exponent));
-        marks.push_back({double(exponent), is_plain ? plain : "10" + superscript(exponent)});
+        marks.push_back({double(exponent),
+                         is_plain ? with_decimals(std::pow(10.0, exponent), std::max(0, -exponent))
+                                  : "10" + superscript(exponent)});
     }
     return marks;
 }

@@ -71,6 +71,8 @@ TEST_CASE("powers of ten stand at round exponents, two of them at least") {
     CHECK(exponents(-19, -11, 2) == Exponents{-18, -16, -14, -12});  // one of 5 is too few
     CHECK(exponents(-4.5, -3.5) == Exponents{-4});
     CHECK(decade_ticks(-27, 2).front().label == "10\u207B\u00B2\u2070");
+    CHECK(decade_ticks(0, 5, 6).back().label == "100\u2009000");
+    CHECK(decade_ticks(0, 300).back().label == "10\u00B3\u2070\u2070");
     for (int low = -500; low < 0; low += 7)
         for (int high = low + 2; high < 300; high += 11) {
             const std::size_t count = exponents(low, high).size();

@@ -157,10 +157,11 @@ void HistogramPanel::draw_name(Canvas& canvas, const Page& page, Point at, const
     TextStyle style = label_style(page);
     style.color = legible(color, page.theme);
     style.max_width = names_width(page);
-    const double width = measure_text(words, style).width;
-    if (at.y > scales(page).area.y)
-        canvas.fill({at.x - 0.9 * page.unit, at.y - 1.05 * page.unit, width + 1.2 * page.unit,
-                     1.4 * page.unit},
+    const double right = at.x + measure_text(words, style).width + 0.3 * page.unit;
+    const Rect area = scales(page).area;
+    const double left = std::max(at.x - 0.9 * page.unit, area.x + 0.1 * page.unit);  // off the axis
+    if (at.y > area.y)
+        canvas.fill({left, at.y - 1.05 * page.unit, right - left, 1.4 * page.unit},
                     with_alpha(page.theme.page, plate_alpha));
     draw_text(canvas, at, words, style);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "panels/histogram_panel.h"
+#include "support/pixels.h"
 #include "support/relative.h"
 
 using namespace carom;
@@ -167,4 +168,44 @@ TEST_CASE("chosen particles are drawn together, each choice with its own bars an
     CHECK(frame[1].counts == std::vector{0.0, 0.0, 3.0, 0.0});
     CHECK(frame[2].counts == std::vector{0.0, 1.0, 0.0, 0.0});
     CHECK(frame[0].mean == relative((6 * 0.5 + 1.5 + 3 * 2.5) / 10, 1e-14));
+}
+
+TEST_CASE("the number beyond the lower end is told beside the axis, which stays whole") {
+    Stage stage(10);
+    PanelSpec spec = four_bins(Over::Since::now);
+    spec.range = {-1.0, 1.0};
+    HistogramSubject subject = speeds_with({});
+    subject.symmetric = true;
+    HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, std::move(subject));
+    Eigen::ArrayXd values = Eigen::ArrayXd::Constant(10, 0.2);
+    values[0] = -1.5;
+    REQUIRE(shown(panel, {0.0}, {values}).front().front().below == 1.0);
+
+    DiskPainter disks;
+    const Page page{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
+    Canvas canvas({600, 400});
+    canvas.fill({0, 0, 600, 400}, page.theme.page);
+    const std::vector<std::uint32_t> blank = test::pixels_of(canvas);
+    panel.draw_ground(canvas, page);
+    const std::vector<std::uint32_t> ground = test::pixels_of(canvas);
+    const Tick tick;
+    const Sample sample;
+    const Passage passage;
+    panel.draw(canvas, page, *panel.state({tick, sample, values, values, passage}));
+    const std::vector<std::uint32_t> drawn = test::pixels_of(canvas);
+    CHECK(drawn != ground);
+    // The axis is the column with most ink.
+    const auto inked = [&](const std::vector<std::uint32_t>& picture, std::size_t x) {
+        int rows = 0;
+        for (std::size_t at = x; at < picture.size(); at += 600) rows += picture[at] != blank[at];
+        return rows;
+    };
+    std::size_t axis = 0;
+    for (std::size_t x = 0; x < 300; ++x)
+        if (inked(ground, x) > inked(ground, axis)) axis = x;
+    CHECK(inked(ground, axis) > 200);
+    int changed = 0;
+    for (std::size_t y = 0; y < 300; ++y)
+        changed += drawn[y * 600 + axis] != ground[y * 600 + axis];
+    CHECK(changed == 0);
 }

@@ -2,6 +2,7 @@
 // colour and by dashes in every theme, and the key of them over the plot.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,16 @@ std::vector<Kind*> runs_of(Kind& first, const std::vector<Panel*>& others) {
     std::vector<Kind*> runs{&first};
     for (Panel* other : others) runs.push_back(&dynamic_cast<Kind&>(*other));
     return runs;
+}
+
+/// The state of several runs, each of which is told by one number: how much of it is shown.
+template <class State>
+std::shared_ptr<const PanelState> shown_of_each(
+    const std::vector<std::shared_ptr<const PanelState>>& states) {
+    auto all = std::make_shared<State>();
+    for (const auto& state : states)
+        all->shown.push_back(static_cast<const State&>(*state).shown.front());
+    return all;
 }
 
 /// The colour of a run's line, to be seen on the page of the theme.

@@ -127,10 +127,7 @@ std::shared_ptr<const PanelState> ReturnDistancePanel::state(const Observation& 
 
 std::shared_ptr<const PanelState> ReturnDistancePanel::beside(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    auto all = std::make_shared<ReturnDistanceState>();
-    for (const auto& state : states)
-        all->shown.push_back(static_cast<const ReturnDistanceState&>(*state).shown.front());
-    return all;
+    return shown_of_each<ReturnDistanceState>(states);
 }
 
 // Whether, and when, the way back of the last reversal has left the way out.

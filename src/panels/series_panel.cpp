@@ -126,10 +126,7 @@ void SeriesPanel::settle_beside(const std::vector<Panel*>& others,
 
 std::shared_ptr<const PanelState> SeriesPanel::beside(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    auto all = std::make_shared<SeriesState>();
-    for (const auto& state : states)
-        all->shown.push_back(static_cast<const SeriesState&>(*state).shown.front());
-    return all;
+    return shown_of_each<SeriesState>(states);
 }
 
 // The last number of each that there is.

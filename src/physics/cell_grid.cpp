@@ -94,7 +94,7 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
     // Of two in neighbouring cells, less than two cells apart, the nearest image is the one meant.
     plain_ = !has_large_ && (!periodic_x || columns_ >= 5) && (!periodic_y || rows_ >= 5);
     const auto around = [](const Axis& axis, std::int32_t stride) {
-        std::vector<std::int32_t> cells;
+        std::vector<std::int64_t> cells;
         for (std::int32_t k = -1; k <= axis.cells; ++k) {
             const Wrapped in = wrap(k, axis);
             cells.push_back(stride * (in.cell < 0 ? axis.cells : in.cell));
@@ -144,16 +144,21 @@ void CellGrid::put_in(std::int32_t particle, Slots& slots) {
     slots.set_chain(particle);
 }
 
-// The chain's first fills the gap.
+// The last, or the chain's first, fills the gap.
 void CellGrid::take_out(std::int32_t particle, Slots& slots) {
+    if (!slots.has_chain()) [[likely]] {
+        // those behind the last may hold anything, so the first to match counts; without branches,
+        // which the processor could not foretell
+        const bool not_first = slots.particle_[0] != particle;
+        const bool not_second = slots.particle_[1] != particle;
+        const std::size_t gap = (not_first ? 1U : 0U) + (not_first & not_second ? 1U : 0U);
+        --slots.rest_;
+        slots.particle_[gap] = slots.particle_[slots.rest_];
+        return;
+    }
     for (std::int32_t k = 0; k < slots.count(); ++k) {
         std::int32_t& gap = slots.particle_[static_cast<std::size_t>(k)];
         if (gap != particle) continue;
-        if (!slots.has_chain()) {
-            gap = slots.particle_[static_cast<std::size_t>(slots.count() - 1)];
-            --slots.rest_;
-            return;
-        }
         gap = slots.chain();
         slots.set_chain(next_[static_cast<std::size_t>(gap)]);
         return;
@@ -178,10 +183,10 @@ void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
 
 // Three cells of a row lie within two lines of memory.
 void CellGrid::fetch_around(Cell cell) const {
-    const std::int32_t* const columns = &column_around_[cell[0]];
-    const std::int32_t* const rows = &row_around_[cell[1]];
+    const std::int64_t* const columns = &column_around_[cell[0]];
+    const std::int64_t* const rows = &row_around_[cell[1]];
     for (std::size_t k = 0; k < 3; ++k)
-        for (const std::int32_t column : {columns[0], columns[2]})
+        for (const std::int64_t column : {columns[0], columns[2]})
             __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);
 }
 

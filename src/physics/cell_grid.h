@@ -126,7 +126,7 @@ class CellGrid {
                                       : fine_slots_[fine_index(cell)];
     }
     template <std::size_t Firsts, std::size_t Seconds>
-    void append_cells(const std::int32_t* first, const std::int32_t* second,
+    void append_cells(const std::int64_t* first, const std::int64_t* second,
                       std::vector<std::int32_t>& list, std::size_t& size) const;
     void put_in(std::int32_t particle, Slots& slots);
     void take_out(std::int32_t particle, Slots& slots);
@@ -149,7 +149,7 @@ class CellGrid {
     bool plain_ = false;
     // Where in fine_slots_ the columns and rows -1 to columns_ or rows_ are found. Beyond a wall
     // lie one more column and row, of cells that stay empty.
-    std::vector<std::int32_t> column_around_, row_around_;
+    std::vector<std::int64_t> column_around_, row_around_;
     std::array<Axis, 2> fine_{}, coarse_{};
     LargeVector<Slots> fine_slots_, coarse_slots_;
     std::vector<std::int32_t> coarse_column_, coarse_row_;  ///< of each column, row of fine cells
@@ -167,24 +167,28 @@ inline void CellGrid::append(const Slots& slots, std::vector<std::int32_t>& list
 // What the cells at first[k] + second[l] hold. Crowded cells, with chains, are rare: then all is
 // done a second time.
 template <std::size_t Firsts, std::size_t Seconds>
-[[gnu::always_inline]] inline void CellGrid::append_cells(const std::int32_t* first,
-                                                          const std::int32_t* second,
+[[gnu::always_inline]] inline void CellGrid::append_cells(const std::int64_t* first,
+                                                          const std::int64_t* second,
                                                           std::vector<std::int32_t>& list,
                                                           std::size_t& size) const {
-    std::int32_t* const out = list.data();
-    std::size_t used = size;
+    // Variables of its own: for all that the compiler knows the list might lie over the others.
+    std::array<const Slots*, Firsts> row;
+    for (std::size_t k = 0; k < Firsts; ++k) row[k] = fine_slots_.data() + first[k];
+    std::array<std::int64_t, Seconds> column;
+    for (std::size_t l = 0; l < Seconds; ++l) column[l] = second[l];
+    std::int32_t* out = list.data() + size;
     std::uint32_t together = 0;
     for (std::size_t k = 0; k < Firsts; ++k) {
-        const Slots* const cells = fine_slots_.data() + first[k];
         for (std::size_t l = 0; l < Seconds; ++l) {
-            const Slots& slots = cells[second[l]];
-            std::memcpy(out + used, &slots, sizeof slots);
-            used += slots.rest_ & 3U;
-            together |= slots.rest_;
+            const Slots& slots = row[k][column[l]];
+            std::memcpy(out, &slots, sizeof slots);
+            const std::uint32_t rest = slots.rest_;
+            out += rest & 3U;
+            together |= rest;
         }
     }
     if (together <= 3U) [[likely]] {
-        size = used;
+        size = static_cast<std::size_t>(out - list.data());
         return;
     }
     for (std::size_t k = 0; k < Firsts; ++k)

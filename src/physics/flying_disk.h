@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "physics/cell_grid.h"
+#include "physics/lanes.h"
 #include "util/large_pages.h"
 
 namespace carom {
@@ -20,6 +21,14 @@ struct alignas(64) FlyingDisk {
     Cell cell;
 };
 static_assert(sizeof(FlyingDisk) == 64);
+/// As for any body. What is read as a pair is written as a pair: a processor can hand on at once
+/// only what it stored in one piece.
+inline void fly(FlyingDisk& d, double now) {
+    const TwoLanes x = load_two(d.x.data()), v = load_two(d.v.data());
+    store_two(x + v * (now - d.time), d.x.data());
+    d.time = now;
+}
+
 using FlyingDisks = LargeVector<FlyingDisk>;
 
 }  // namespace carom

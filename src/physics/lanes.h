@@ -15,6 +15,7 @@ namespace carom {
 
 using TwoLanes = double __attribute__((vector_size(2 * sizeof(double))));
 using FourLanes = double __attribute__((vector_size(4 * sizeof(double))));
+using TwoMasks = std::int64_t __attribute__((vector_size(2 * sizeof(std::int64_t))));
 using FourMasks = std::int64_t __attribute__((vector_size(4 * sizeof(std::int64_t))));
 
 template <typename T>
@@ -26,6 +27,24 @@ inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
     FourLanes to;
     std::memcpy(&to, from, sizeof to);
     return to;
+}
+[[gnu::always_inline]] inline TwoLanes load_two(const double* from) {
+    TwoLanes to;
+    std::memcpy(&to, from, sizeof to);
+    return to;
+}
+[[gnu::always_inline]] inline FourLanes load_two_and_two(const double* low, const double* high) {
+    return __builtin_shufflevector(load_two(low), load_two(high), 0, 1, 2, 3);
+}
+[[gnu::always_inline]] inline void store_two(TwoLanes from, double* to) {
+#ifdef __x86_64__
+    asm("" : "+x"(from));
+#endif
+    std::memcpy(to, &from, sizeof from);
+}
+
+[[gnu::always_inline]] inline void store_lanes(const FourLanes& from, double* to) {
+    std::memcpy(to, &from, sizeof from);
 }
 
 template <SomeLanes Lanes>
@@ -54,6 +73,15 @@ template <SomeLanes Lanes>
 #ifdef __x86_64__
     asm("" : "+x"(a));
 #endif
+}
+
+/// One number in both.
+[[gnu::always_inline]] inline TwoLanes both(double a) { return TwoLanes{a, a}; }
+
+/// The two lanes the other way round.
+template <typename Two>
+[[gnu::always_inline]] inline Two swapped(const Two& a) {
+    return __builtin_shufflevector(a, a, 1, 0);
 }
 
 /// Lane by lane a where `mask`, else b.

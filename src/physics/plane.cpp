@@ -34,14 +34,25 @@ int cell_side(const Event& event) { return static_cast<int>(event.border - first
 }  // namespace
 
 Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
-    : box_(box), grid_(box, radii), nearest_(Images::nearest(box)) {
+    : box_(box),
+      grid_(box, radii),
+      nearest_(Pairing::nearest(box)),
+      only_(Pairing::shifted(0.0, 0.0)) {
     const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
     cell_size_ = {grid_.cell_width(), grid_.cell_height()};
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
+    if (radii.size() > 0 && (radii == radii[0]).all()) nearest_.sigma = only_.sigma = 2.0 * largest;
     for (std::size_t a = 0; a < 2; ++a) {
         const double size = box.size[static_cast<Eigen::Index>(a)];
         const bool periodic = box.walls[a] == Wall::periodic;
         narrow_[a] = periodic && 4.0 * largest > 0.99 * size;
+        first_inner_[a] = periodic ? 1 : 0;
+        inner_cells_[a] = static_cast<unsigned>(std::max(0, last_cell_[a] + (periodic ? -1 : 1)));
+        cell_sizes_[a] = cell_size_[a];
+        last_cells_[a] = last_cell_[a];
+        box_sizes_[a] = size;
+        solid_[a] = periodic ? 0 : -1;
+        has_walls_ |= !periodic;
         surely_nearest_[a] = narrow_[a] ? -1.0 : periodic ? 0.5 * size : Event::never;
     }
 }
@@ -78,10 +89,9 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
     if (!separation_at_contact(a, b, m.x, m.y)) return false;
     const double factor = impulse_factor(m, a.inverse_mass, b.inverse_mass);
-    a.v[0] += a.inverse_mass * factor * m.x;
-    a.v[1] += a.inverse_mass * factor * m.y;
-    b.v[0] -= b.inverse_mass * factor * m.x;
-    b.v[1] -= b.inverse_mass * factor * m.y;
+    const TwoLanes r{m.x, m.y};
+    store_two(load_two(a.v.data()) + a.inverse_mass * factor * r, a.v.data());
+    store_two(load_two(b.v.data()) - b.inverse_mass * factor * r, b.v.data());
     const double square = m.x * m.x + m.y * m.y;
     const double sigma = a.radius + b.radius;
     contact = {{m.x, m.y}, -factor * square, 0.5 * (1.0 - square / (sigma * sigma))};
@@ -123,10 +133,11 @@ bool Plane::separation_at_contact(const Body& a, const Body& b, double& x, doubl
 // In a periodic box the first follows the last.
 Cell Plane::next_cell(Cell cell, int side) const {
     const auto axis = static_cast<std::size_t>(side / 2);
-    const bool up = side % 2 == 1;
+    const int up = side % 2;
     const int last = last_cell_[axis];
-    const int next = cell[axis] + (up ? 1 : -1);
-    cell[axis] = static_cast<std::uint16_t>(next < 0 ? last : next > last ? 0 : next);
+    const int next = cell[axis] + 2 * up - 1;
+    const int beyond = (next < 0) | (next > last);
+    cell[axis] = static_cast<std::uint16_t>((next & (beyond - 1)) | (last & (up - 1) & -beyond));
     return cell;
 }
 
@@ -134,88 +145,101 @@ void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
     Body& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;
     const auto axis = static_cast<std::size_t>(side / 2);
-    const bool up = side % 2 == 1;
+    const int up = side % 2;
     body.cell = next_cell(from, side);
-    if (from[axis] == (up ? last_cell_[axis] : 0)) [[unlikely]] {
+    if (from[axis] == (last_cell_[axis] & -up)) [[unlikely]] {
         // leaves a periodic box, and enters at the other side
         body.x[0] += body.v[0] * (now - body.time);
         body.x[1] += body.v[1] * (now - body.time);
         body.time = now;
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
-        body.x[axis] += up ? -size : size;
+        body.x[axis] += up == 1 ? -size : size;
     }
     grid_.move(i, body.radius, from, body.cell);
 }
 
-// The first of the borders ahead on each axis, of the cell or of the box; it becomes the event
-// unless a contact comes first. A large disk touches the wall from several cells away.
-inline void Plane::foresee_border(const Body& d, double now, Event& first) const {
-    std::array<double, 2> time;
-    std::array<unsigned, 2> kind;
-    for (std::size_t a = 0; a < 2; ++a) {
-        const double position = d.x[a] + d.v[a] * (now - d.time);
-        const int in = d.cell[a];
-        const int up = d.v[a] > 0.0 ? 1 : 0;
-        const unsigned side = 2U * static_cast<unsigned>(a) + static_cast<unsigned>(up);
-        double border = cell_size_[a] * (in + up);
-        kind[a] = first_cell_side + side;
-        if (box_.walls[a] == Wall::solid) {
-            const double size = box_.size[static_cast<Eigen::Index>(a)];
-            const double wall = up ? size - d.radius : d.radius;
-            if (in == (up ? last_cell_[a] : 0) || (up ? wall <= border : wall >= border)) {
-                border = wall;
-                kind[a] = side;
-            }
-        }
-        time[a] = now + wall_time(position, d.v[a], border, border);
+// The contact, or the first of the borders ahead on each axis, of the cell or of the box. A large
+// disk touches the wall from several cells away.
+inline Event Plane::next_event(const Body& d, double now, const FirstContact& contact) const {
+    const TwoLanes none = both(Event::never), zero{};
+    const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
+    const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
+    const TwoMasks up = v > 0.0;
+    TwoLanes border = cell_sizes_ * (cell + select(up, both(1.0), zero));
+    TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
+    if (has_walls_) {
+        const TwoLanes wall = select(up, box_sizes_ - d.radius, both(d.radius));
+        const TwoLanes last = select(up, last_cells_, zero);
+        // both the other way round for those that go down, so that one comparison is enough
+        const TwoLanes before = select(up, wall, border), behind = select(up, border, wall);
+        const TwoMasks at_wall = solid_ & ((cell == last) | (before <= behind));
+        border = select(at_wall, wall, border);
+        kind -= at_wall & first_cell_side;
     }
-    const std::size_t a = time[1] < time[0] ? 1 : 0;
-    first.border = kind[a] & 7U;
-    first.time = std::min(time[a], first.contact_time);
+    const TwoLanes ahead = (border - (x + v * (now - d.time))) / v;
+    const TwoLanes time = now + select(v == 0.0, none, select(ahead > 0.0, ahead, zero));
+    // all in lanes: the processor cannot foretell which is first
+    const TwoMasks other_first = swapped(time) < time;
+    const TwoMasks first_kind = other_first ? swapped(kind) : kind;
+    const TwoLanes border_time = select(other_first, swapped(time), time);
+    const TwoLanes contact_time = both(contact.time);
+    return {.time = select(contact_time < border_time, contact_time, border_time)[0],
+            .contact_time = contact.time,
+            .partner = contact.partner(),
+            .partner_collisions = contact.collisions() & most_collisions,
+            .border = static_cast<std::uint32_t>(first_kind[0]) & 7U};
 }
 
-// With the disk itself, which it never meets.
+// With the disk itself, which it never meets; never none.
 inline void Plane::fill_up_lanes(std::int32_t i) {
-    for (std::size_t k = 0; k + 1 < lanes; ++k) near_[near_count_ + k] = i;
-    near_count_ = (near_count_ + lanes - 1) / lanes * lanes;
+    for (std::size_t k = 0; k < lanes; ++k) near_[near_count_ + k] = i;
+    near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
 }
 
 // The first contact with one of those listed.
-inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
-                          const EventQueue& queue, Event& first) {
+inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
+                          const EventQueue& queue, FirstContact& first) {
     fill_up_lanes(i);
     const std::size_t count = near_count_;
     near_count_ = 0;
-    for (std::size_t k = 0; k < count; k += most_searched)
-        search_contact(bodies, i, now, &near_[k], std::min(count - k, most_searched), images, queue,
-                       first);
+    std::size_t k = 0;
+    do {
+        search_contact(bodies, i, now, &near_[k], std::min(count - k, most_searched), pairing,
+                       queue, first);
+        k += most_searched;
+    } while (k < count);
+}
+
+// Of those in the cells around.
+inline const Pairing& Plane::pairing_near(Cell cell) const {
+    const auto inner = [&](std::size_t a) { return cell[a] - first_inner_[a] < inner_cells_[a]; };
+    return inner(0) & inner(1) ? only_ : nearest_;
 }
 
 // As it is called for every cell.
 inline auto Plane::search_slots(const Bodies& bodies, std::int32_t i, double now,
-                                const EventQueue& queue, Event& first) {
+                                const EventQueue& queue, FirstContact& first) {
     return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
         grid_.append(slots, near_, near_count_);
-        search(bodies, i, now, Images::shifted(shift_x, shift_y), queue, first);
+        search(bodies, i, now, Pairing::shifted(shift_x, shift_y), queue, first);
     };
 }
 
 Event Plane::foresee(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue) {
     const Body& a = at(bodies, i);
-    Event first;
+    FirstContact first;
     if (grid_.plain(a.radius)) {
         grid_.append_around(a.cell, near_, near_count_);
-        search(bodies, i, now, nearest_, queue, first);
+        search(bodies, i, now, pairing_near(a.cell), queue, first);
     } else {
         grid_.for_each_near(a.radius, a.cell, search_slots(bodies, i, now, queue, first));
     }
-    foresee_border(a, now, first);
-    return first;
+    return next_event(a, now, first);
 }
 
 // The nearest image of the other recedes, and no other image comes into question.
 bool Plane::foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
-                         const EventQueue& queue, std::array<Event, 2>& firsts) {
+                         const EventQueue& queue, std::array<Event, 2>& next) {
     const Body &a = at(bodies, i), &b = at(bodies, j);
     if (!grid_.plain(a.radius) || !grid_.plain(b.radius)) return false;
     grid_.append_around(a.cell, near_, near_count_);
@@ -226,25 +250,26 @@ bool Plane::foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, d
     const std::size_t count = near_count_;
     near_count_ = 0;
     if (count > most_searched) return false;
-    search_two_contacts(bodies, {i, j}, now, near_.data(), split, count, nearest_, queue, firsts);
-    foresee_border(a, now, firsts[0]);
-    foresee_border(b, now, firsts[1]);
+    const bool at_edge = pairing_near(a.cell).several_images || pairing_near(b.cell).several_images;
+    std::array<FirstContact, 2> contacts;
+    search_two_contacts(bodies, {i, j}, now, near_.data(), split, count, at_edge ? nearest_ : only_,
+                        queue, contacts);
+    next = {next_event(a, now, contacts[0]), next_event(b, now, contacts[1])};
     return true;
 }
 
 Event Plane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
                                     const Event& before, double now, const EventQueue& queue) {
     const Body& a = at(bodies, i);
-    Event first = before;
+    FirstContact first(before.contact_time, before.partner, before.partner_collisions);
     if (grid_.plain(a.radius)) {
         grid_.append_newly_around(a.cell, side, near_, near_count_);
-        search(bodies, i, now, nearest_, queue, first);
+        search(bodies, i, now, pairing_near(a.cell), queue, first);
     } else {
         grid_.for_each_newly_near(a.radius, a.cell, side,
                                   search_slots(bodies, i, now, queue, first));
     }
-    foresee_border(a, now, first);
-    return first;
+    return next_event(a, now, first);
 }
 
 void Plane::fetch_disks_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const {

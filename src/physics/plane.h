@@ -13,6 +13,7 @@
 #include "physics/contact_search.h"
 #include "physics/event_queue.h"
 #include "physics/flying_disk.h"
+#include "physics/lanes.h"
 
 namespace carom {
 
@@ -39,7 +40,7 @@ class Plane {
     /// What happens next to two bodies that have just collided; false, and nothing is found, where
     /// one might meet the other again before it meets a third.
     bool foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
-                      const EventQueue& queue, std::array<Event, 2>& firsts);
+                      const EventQueue& queue, std::array<Event, 2>& next);
 
     /// The same when it has just crossed the side of a cell; `before` is what was foreseen until
     /// then, whose contact still holds.
@@ -61,23 +62,29 @@ class Plane {
 
   private:
     void fill_up_lanes(std::int32_t i);
-    void search(const Bodies& bodies, std::int32_t i, double now, const Images& images,
-                const EventQueue& queue, Event& first);
+    void search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
+                const EventQueue& queue, FirstContact& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue,
-                      Event& first);
+                      FirstContact& first);
     Cell next_cell(Cell cell, int side) const;
-    void foresee_border(const Body& d, double now, Event& first) const;
+    Event next_event(const Body& d, double now, const FirstContact& contact) const;
     bool separation_at_contact(const Body& a, const Body& b, double& x, double& y) const;
 
     Box box_;
     CellGrid grid_;
-    Images nearest_;
+    const Pairing& pairing_near(Cell cell) const;
+
+    Pairing nearest_, only_;  ///< with several images, and with the only one
     std::vector<std::int32_t> near_ =
         std::vector<std::int32_t>(2 * CellGrid::spare);  ///< scratch: the disks to be looked at
     std::size_t near_count_ = 0;
 
     std::array<double, 2> cell_size_{};
     std::array<int, 2> last_cell_{};
+    std::array<unsigned, 2> first_inner_{}, inner_cells_{};  ///< with no other image around
+    TwoLanes cell_sizes_{}, last_cells_{}, box_sizes_{};
+    TwoMasks solid_{};
+    bool has_walls_ = false;
     std::array<bool, 2> narrow_{};            ///< periodic and so narrow that two images may touch
     std::array<double, 2> surely_nearest_{};  ///< a disk less far away is the image in contact
 };

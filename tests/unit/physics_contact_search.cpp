@@ -16,8 +16,8 @@ namespace {
 constexpr double size = 20.0;
 
 // Disks at times of their own; some without mass's inverse, some points, some alike in place and
-// motion, so that times are equal.
-FlyingDisks draw_disks(Random& random, std::size_t count) {
+// motion, so that times are equal; all with one radius if `alike`.
+FlyingDisks draw_disks(Random& random, std::size_t count, bool alike) {
     FlyingDisks disks(count);
     for (std::size_t k = 0; k < count; ++k) {
         FlyingDisk& d = disks[k];
@@ -29,6 +29,7 @@ FlyingDisks draw_disks(Random& random, std::size_t count) {
         d.v = {random.normal(), random.normal()};
         d.time = random.uniform();
         d.radius = random.uniform() < 0.1 ? 0.0 : random.uniform(0.1, 1.0);
+        if (alike) d.radius = 0.6;
         d.inverse_mass = random.uniform() < 0.3 ? 0.0 : 1.0;
         d.collisions = static_cast<std::uint32_t>(random.below(1000));
     }
@@ -40,9 +41,9 @@ double nearest_image(double x) {
 }
 
 // One after the other, as the header has it.
-Event slow_search(const FlyingDisks& disks, std::int32_t i, double now,
-                  const std::vector<std::int32_t>& near, double shift, bool nearest,
-                  const EventQueue& queue, Event first) {
+FirstContact slow_search(const FlyingDisks& disks, std::int32_t i, double now,
+                         const std::vector<std::int32_t>& near, double shift, bool nearest,
+                         const EventQueue& queue, FirstContact first) {
     const FlyingDisk& a = disks[std::size_t(i)];
     for (const std::int32_t other : near) {
         const FlyingDisk& b = disks[std::size_t(other)];
@@ -59,11 +60,8 @@ Event slow_search(const FlyingDisks& disks, std::int32_t i, double now,
         if (other == i || !std::isfinite(time) || a.inverse_mass + b.inverse_mass == 0.0 ||
             a.radius + b.radius == 0.0 || time > queue.event(other).contact_time)
             continue;
-        if (time < first.contact_time || (time == first.contact_time && other < first.partner)) {
-            first.contact_time = time;
-            first.partner = other;
-            first.partner_collisions = b.collisions & most_collisions;
-        }
+        if (time < first.time || (time == first.time && other < first.partner()))
+            first = FirstContact(time, other, b.collisions);
     }
     return first;
 }
@@ -91,13 +89,13 @@ std::vector<std::int32_t> all_but(std::int32_t one, Random& random, std::size_t 
     return near;
 }
 
-Images draw_images(Random& random, bool& nearest, double& shift) {
+Pairing draw_pairing(Random& random, bool& nearest, double& shift) {
     nearest = random.uniform() < 0.5;
     Box box;
     box.size = {size, size};
     box.walls = {Wall::periodic, Wall::periodic};
     shift = nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
-    return nearest ? Images::nearest(box) : Images::shifted(shift, 0.0);
+    return nearest ? Pairing::nearest(box) : Pairing::shifted(shift, 0.0);
 }
 
 TEST_CASE("the search among many finds what looking at one after the other finds") {
@@ -105,26 +103,26 @@ TEST_CASE("the search among many finds what looking at one after the other finds
     int found = 0, equal = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(1 + random.below(most_searched));
-        const FlyingDisks disks = draw_disks(random, count);
+        const bool alike = random.uniform() < 0.5;
+        const FlyingDisks disks = draw_disks(random, count, alike);
         const EventQueue queue = draw_contacts(random, count);
-        Event known;
-        if (random.uniform() < 0.3)
-            known = {.time = 1.0, .contact_time = random.uniform(1.0, 9.0), .partner = 3};
+        FirstContact known;
+        if (random.uniform() < 0.3) known = FirstContact(random.uniform(1.0, 9.0), 3, 5);
         const auto i = static_cast<std::int32_t>(random.below(count));
         const std::vector<std::int32_t> near = all_but(-1, random, count, i);
         bool nearest;
         double shift;
-        const Images images = draw_images(random, nearest, shift);
+        Pairing pairing = draw_pairing(random, nearest, shift);
+        if (alike) pairing.sigma = 1.2;
 
-        const Event slow = slow_search(disks, i, 1.0, near, shift, nearest, queue, known);
-        Event fast = known;
-        search_contact(disks, i, 1.0, near.data(), near.size(), images, queue, fast);
-        REQUIRE(fast.contact_time == slow.contact_time);
-        REQUIRE(fast.partner == slow.partner);
-        REQUIRE(std::uint32_t{fast.partner_collisions} == std::uint32_t{slow.partner_collisions});
-        if (!std::isfinite(slow.contact_time) || slow.contact_time == known.contact_time) continue;
+        const FirstContact slow = slow_search(disks, i, 1.0, near, shift, nearest, queue, known);
+        FirstContact fast = known;
+        search_contact(disks, i, 1.0, near.data(), near.size(), pairing, queue, fast);
+        REQUIRE(fast.time == slow.time);
+        REQUIRE(fast.who == slow.who);
+        if (!std::isfinite(slow.time) || slow.time == known.time) continue;
         ++found;
-        const auto partner = std::size_t(slow.partner);
+        const auto partner = std::size_t(slow.partner());
         if (partner + 1 < count && disks[partner + 1].x == disks[partner].x) ++equal;
     }
     // Otherwise the comparison would say little.
@@ -137,7 +135,8 @@ TEST_CASE("the search for two at once finds what two searches find") {
     int found = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(2 + random.below(most_searched / 2 - 1));
-        const FlyingDisks disks = draw_disks(random, count);
+        const bool alike = random.uniform() < 0.5;
+        const FlyingDisks disks = draw_disks(random, count, alike);
         const EventQueue queue = draw_contacts(random, count);
         const auto i = static_cast<std::int32_t>(random.below(count));
         const auto j = static_cast<std::int32_t>((i + 1 + random.below(count - 1)) % count);
@@ -147,19 +146,18 @@ TEST_CASE("the search for two at once finds what two searches find") {
         near.insert(near.end(), near_j.begin(), near_j.end());
         bool nearest;
         double shift;
-        const Images images = draw_images(random, nearest, shift);
+        Pairing pairing = draw_pairing(random, nearest, shift);
+        if (alike) pairing.sigma = 1.2;
 
         const std::array slow{slow_search(disks, i, 1.0, near_i, shift, nearest, queue, {}),
                               slow_search(disks, j, 1.0, near_j, shift, nearest, queue, {})};
-        std::array<Event, 2> fast;
-        search_two_contacts(disks, {i, j}, 1.0, near.data(), near_i.size(), near.size(), images,
+        std::array<FirstContact, 2> fast;
+        search_two_contacts(disks, {i, j}, 1.0, near.data(), near_i.size(), near.size(), pairing,
                             queue, fast);
         for (std::size_t k = 0; k < 2; ++k) {
-            REQUIRE(fast[k].contact_time == slow[k].contact_time);
-            REQUIRE(fast[k].partner == slow[k].partner);
-            REQUIRE(std::uint32_t{fast[k].partner_collisions} ==
-                    std::uint32_t{slow[k].partner_collisions});
-            if (std::isfinite(slow[k].contact_time)) ++found;
+            REQUIRE(fast[k].time == slow[k].time);
+            REQUIRE(fast[k].who == slow[k].who);
+            if (std::isfinite(slow[k].time)) ++found;
         }
     }
     CHECK(found > 10'000);

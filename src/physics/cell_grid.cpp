@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 // More cells than this a particle would mostly be empty and cost crossings.
-constexpr double cells_per_particle = 1.5;
+constexpr double cells_per_particle = 1.25;
 constexpr double wider = 1.0 + 1e-9;  // so that round-off never leaves a cell too narrow
 
 double least_cell(double area, double count) {

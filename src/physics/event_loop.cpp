@@ -12,8 +12,8 @@
 namespace carom {
 namespace {
 
-// A lap is one or two events of each disk; it takes some tens for neighbours to part.
-constexpr int laps_between_sorts = 20;
+// A lap is some ten events of each disk; it takes a few for neighbours to part.
+constexpr int laps_between_sorts = 5;
 
 // Fewer lie near the processor anyhow.
 constexpr std::size_t least_fetched_ahead = 16384;

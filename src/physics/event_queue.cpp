@@ -13,8 +13,13 @@ namespace {
 constexpr double events_per_hour = 0.5;
 constexpr int most_in_list = 32;
 
+// A lap is as long as several events of each particle, so that beginning one costs each event
+// little.
+constexpr std::uint64_t hours_per_particle = 16;
+constexpr std::uint64_t least_hours = 8, most_hours = std::uint64_t{1} << 30;
+
 // Hours of a day, as a power of two, unless the lap has fewer.
-constexpr int most_day_bits = 11;
+constexpr int most_day_bits = 13;
 
 // At most, on average; one and a half are usual.
 constexpr std::size_t notes_per_particle = 4;
@@ -49,7 +54,8 @@ EventQueue::EventQueue(std::int32_t count)
     : count_(count),
       nodes_(index(count) + 1),
       hours_(static_cast<std::int32_t>(
-          std::bit_ceil(std::max(8U, 2U * static_cast<std::uint32_t>(count))))),
+          std::bit_ceil(std::clamp(hours_per_particle * index(count), least_hours, most_hours)))),
+      hours_in_lap_(hours_),
       day_bits_(std::min(most_day_bits, std::countr_zero(static_cast<std::uint32_t>(hours_)))),
       elsewhere_(1 << day_bits_) {
     clear();
@@ -58,6 +64,7 @@ EventQueue::EventQueue(std::int32_t count)
 void EventQueue::clear() {
     forget_notes();
     heads_.assign(index(elsewhere_) + 1, nobody());
+    nodes_[index(nobody())].next = nobody();
     occupied_.assign(index(elsewhere_) / 64 + 1, 0);
     occupied_.back() = std::uint64_t{1} << (index(elsewhere_) % 64);
     heap_.clear();
@@ -79,32 +86,46 @@ void EventQueue::reset(const std::vector<Event>& events) {
     clear();
     for (std::size_t i = 0; i < events.size(); ++i) {
         nodes_[i] = Node{.event = events[i]};
-        insert(static_cast<std::int32_t>(i));
+        insert(static_cast<std::int32_t>(i), events[i].time);
     }
-}
-
-void EventQueue::schedule(std::int32_t particle, const Event& event) {
-    unlink(particle);
-    nodes_[index(particle)].event = event;
-    insert(particle);
-    ++events_in_lap_;
 }
 
 // In the lap, or hours_ for a time beyond.
 std::int32_t EventQueue::hour_of(double time) const {
     double due = time * per_width_;
-    const double limit = hours_;
-    due = due < limit ? due : limit;
+    due = due < hours_in_lap_ ? due : hours_in_lap_;
 #ifdef __x86_64__
     asm("" : "+x"(due));  // lest the compiler makes a branch of it
 #endif
     return static_cast<std::int32_t>(due);
 }
 
+inline void EventQueue::link(std::int32_t particle, std::int32_t list) {
+    std::int32_t& head = heads_[index(list)];
+    Node& node = nodes_[index(particle)];
+    node.previous = ~list;
+    node.next = head;
+    nodes_[index(head)].previous = particle;
+    head = particle;
+    occupied_[index(list) / 64] |= std::uint64_t{1} << (index(list) % 64);
+}
+
+inline void EventQueue::unlink(std::int32_t particle) {
+    const Node& node = nodes_[index(particle)];
+    const std::int32_t at_head = node.previous < 0 ? -1 : 0;
+    const std::int32_t list = ~node.previous & at_head;
+    const std::array<std::int32_t*, 2> links{&nodes_[index(node.previous & ~at_head)].next,
+                                             &heads_[index(list)]};
+    *links[index(-at_head)] = node.next;
+    nodes_[index(node.next)].previous = node.previous;
+    const bool emptied = (at_head != 0) & (node.next == nobody()) & (list != elsewhere_);
+    occupied_[index(list) / 64] &= ~(std::uint64_t{emptied} << (index(list) % 64));
+}
+
 // Whether it is for the present day, for a later one or beyond the lap the processor cannot
 // foretell either: it is always linked, be it elsewhere, and always noted, be it for nothing.
-void EventQueue::insert(std::int32_t particle) {
-    const std::int32_t hour = std::max(hour_, hour_of(nodes_[index(particle)].event.time));
+inline void EventQueue::insert(std::int32_t particle, double time) {
+    const std::int32_t hour = std::max(hour_, hour_of(time));
     if (crowded_ && hour == hour_) [[unlikely]] {
         insert_into_heap(particle);
         return;
@@ -188,7 +209,9 @@ void EventQueue::begin_day() {
             const std::int32_t particle = leaf.particle[index(k)];
             const Node& node = nodes_[index(particle)];
             const std::int32_t hour = hour_of(node.event.time);
-            if (hour >> day_bits_ == day && is_elsewhere(node)) link(particle, hour - midnight_);
+            const bool due = (hour >> day_bits_ == day) & is_elsewhere(node);
+            link(due ? particle : nobody(), due ? hour - midnight_ : elsewhere_);
+            heads_[index(elsewhere_)] = nobody();
         }
         const std::int32_t before = leaf.before;
         if (before == none) break;
@@ -199,27 +222,11 @@ void EventQueue::begin_day() {
     its.used = 0;
 }
 
-void EventQueue::link(std::int32_t particle, std::int32_t list) {
-    std::int32_t& head = heads_[index(list)];
-    Node& node = nodes_[index(particle)];
-    node.previous = ~list;
-    node.next = head;
-    nodes_[index(head)].previous = particle;
-    head = particle;
-    occupied_[index(list) / 64] |= std::uint64_t{1} << (index(list) % 64);
-}
-
-void EventQueue::unlink(std::int32_t particle) {
-    const Node& node = nodes_[index(particle)];
-    const std::int32_t at_head = node.previous < 0 ? -1 : 0;
-    const std::int32_t list = ~node.previous & at_head;
-    const std::array<std::int32_t*, 2> links{&nodes_[index(node.previous & ~at_head)].next,
-                                             &heads_[index(list)]};
-    std::int32_t* const link = links[index(-at_head)];
-    *link = node.next;
-    nodes_[index(node.next)].previous = node.previous;
-    const bool emptied = (at_head != 0) & (node.next == nobody()) & (list != elsewhere_);
-    occupied_[index(list) / 64] &= ~(std::uint64_t{emptied} << (index(list) % 64));
+void EventQueue::schedule(std::int32_t particle, const Event& event) {
+    unlink(particle);
+    nodes_[index(particle)].event = event;
+    insert(particle, event.time);
+    ++events_in_lap_;
 }
 
 // From an hour of the day on; elsewhere_ when there is none.
@@ -286,16 +293,20 @@ std::int32_t EventQueue::earliest() {
             continue;
         }
         hour_ = midnight_ + list;
+        // there is mostly one, sometimes a second, who is nobody otherwise
         std::int32_t best = heads_[index(list)];
+        std::int32_t i = nodes_[index(best)].next;
         double time = nodes_[index(best)].event.time;
-        int count = 1;
-        for (std::int32_t i = nodes_[index(best)].next; i != nobody(); i = nodes_[index(i)].next) {
-            ++count;
+        int count = 0;
+        do {
             const double its = nodes_[index(i)].event.time;
             const bool earlier = (its < time) | ((its == time) & (i < best));
-            time = earlier ? its : time;
-            best = earlier ? i : best;
-        }
+            const std::int32_t mask = -static_cast<std::int32_t>(earlier);
+            time = std::min(its, time);
+            best ^= (best ^ i) & mask;
+            i = nodes_[index(i)].next;
+            ++count;
+        } while (i != nobody());
         if (count <= most_in_list) return best;
         order_present_hour();
     }
@@ -321,7 +332,7 @@ void EventQueue::begin_lap(double shift) {
         Node& node = nodes_[index(i)];
         node.event.time -= shift;
         node.event.contact_time -= shift;
-        insert(i);
+        insert(i, node.event.time);
     }
 }
 

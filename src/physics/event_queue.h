@@ -95,7 +95,7 @@ class EventQueue {
     bool is_current(const Present& entry) const;
     void clear();
     void set_width(double width);
-    void insert(std::int32_t particle);
+    void insert(std::int32_t particle, double time);
     void insert_into_heap(std::int32_t particle);
     void link(std::int32_t particle, std::int32_t list);
     void unlink(std::int32_t particle);
@@ -126,6 +126,7 @@ class EventQueue {
     std::vector<Present> heap_;  ///< of a crowded hour; entries replaced since are dropped when met
     bool crowded_ = false;       ///< the present hour is in the heap, not in its list
     std::int32_t hours_;         ///< of a lap
+    double hours_in_lap_;        ///< the same
     int day_bits_;               ///< the logarithm of those of a day to base 2
     std::int32_t elsewhere_;     ///< the number of the list after those of a day's hours
     std::int32_t hour_ = 0;      ///< the present one

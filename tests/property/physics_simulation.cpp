@@ -23,6 +23,8 @@ using test::small_scene;
 
 namespace {
 
+double ulp(double x) { return std::nextafter(x, std::numeric_limits<double>::max()) - x; }
+
 // The deepest overlap of any pair or wall, length.
 double deepest_overlap(const Box& box, const Particles& particles, const Sample& sample) {
     double deepest = 0.0;
@@ -202,7 +204,10 @@ TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself"
             const double sigma = particles.radius[c.first] + particles.radius[c.second];
             const double distance =
                 std::sqrt((c.second_position - c.first_position).square().sum());
-            REQUIRE(std::abs(distance - sigma) < 1e-12);
+            // Places in a box of 60, and times up to 20 at which dust that is crushed against a
+            // wall may fly a thousand times as fast as the giant: an ulp of each.
+            const double speeds = std::sqrt((c.second_before - c.first_before).square().sum());
+            REQUIRE(std::abs(distance - sigma) < ulp(60.0) * 8.0 + ulp(20.0) * speeds);
         }
     }
 }
@@ -326,8 +331,8 @@ TEST_CASE("the same bits with every compiler, processor and level of optimisatio
     disks.advance(60.0, nullptr);
     Sample end;
     disks.sample(60.0, end);
-    CHECK(disks.counts().particle == 256'292);
-    CHECK(hash_of(end) == 13340782540387630433ULL);
+    CHECK(disks.counts().particle == 256'867);
+    CHECK(hash_of(end) == 2642314572127545087ULL);
 }
 
 TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {

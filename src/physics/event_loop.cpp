@@ -12,8 +12,8 @@
 namespace carom {
 namespace {
 
-// A lap is some ten events of each disk; it takes a few for neighbours to part.
-constexpr int laps_between_sorts = 5;
+// A lap is some eight events of each disk; it takes a few for neighbours to part.
+constexpr int laps_between_sorts = 2;
 
 // Fewer lie near the processor anyhow.
 constexpr std::size_t least_fetched_ahead = 16384;
@@ -98,10 +98,11 @@ Scalar EventLoop<Dimension, Scalar>::with_bits(double value) const {
         return Scalar(value, bits_);
 }
 
+// Tells where each body was before.
 template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::put_in_order() {
+std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
     laps_since_sorted_ = 0;
-    const std::vector<std::int32_t> order = space_.order(bodies_);
+    std::vector<std::int32_t> order = space_.order(bodies_);
     typename Space::Bodies bodies(bodies_.size());
     std::vector<std::int32_t> number(number_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -110,6 +111,28 @@ void EventLoop<Dimension, Scalar>::put_in_order() {
     }
     bodies_.swap(bodies);
     number_.swap(number);
+    return order;
+}
+
+// The same at any time, with the events already foreseen.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::sort_again() {
+    if constexpr (Dimension == 2 && of_doubles) {
+        const std::vector<std::int32_t> before = put_in_order();
+        std::vector<std::int32_t> now(before.size());
+        for (std::size_t k = 0; k < before.size(); ++k)
+            now[static_cast<std::size_t>(before[k])] = static_cast<std::int32_t>(k);
+        const auto renumber = [&now](std::int32_t i) { return now[static_cast<std::size_t>(i)]; };
+        std::vector<Event> events(before.size());
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            events[k] = queue_.event(before[k]);
+            events[k].partner = renumber(events[k].partner);
+        }
+        for (std::int32_t& i : last_pair_)
+            if (i >= 0) i = renumber(i);
+        space_.renumber(bodies_);
+        queue_.reset(events);
+    }
 }
 
 // All bodies are at the present.
@@ -307,10 +330,7 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
             for (Body& b : bodies_) b.time -= shift;
             if (!Space::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
                 continue;
-            move_epoch_to(now_);  // the time of the last event
-            put_in_order();
-            space_.enter(bodies_);
-            foresee_all();
+            sort_again();
         }
     }
 }

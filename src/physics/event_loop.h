@@ -114,7 +114,8 @@ class EventLoop {
 
     Scalar with_bits(double value) const;
     std::optional<std::int32_t> overlapped(std::size_t moved) const;
-    void put_in_order();
+    std::vector<std::int32_t> put_in_order();
+    void sort_again();
     void foresee_all();
     void move_epoch_to(const Scalar& local_time);
     std::int32_t next_particle();

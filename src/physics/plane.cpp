@@ -75,12 +75,14 @@ std::vector<std::int32_t> Plane::order(const Bodies& bodies) const {
 }
 
 void Plane::enter(Bodies& bodies) {
+    for (Body& body : bodies) body.cell = grid_.cell_at(body.x[0], body.x[1]);
+    renumber(bodies);
+}
+
+void Plane::renumber(const Bodies& bodies) {
     grid_.clear();
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        Body& body = bodies[k];
-        body.cell = grid_.cell_at(body.x[0], body.x[1]);
-        grid_.add(static_cast<std::int32_t>(k), body.radius, body.cell);
-    }
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        grid_.add(static_cast<std::int32_t>(k), bodies[k].radius, bodies[k].cell);
 }
 
 bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const {

@@ -34,6 +34,9 @@ class Plane {
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);
 
+    /// The same bodies in another order, at any times of their own.
+    void renumber(const Bodies& bodies);
+
     /// What happens next to a body.
     Event foresee(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int laps_between_sorts = 2;
 
 // Fewer lie near the processor anyhow.
-constexpr std::size_t least_fetched_ahead = 16384;
+constexpr std::size_t least_fetched_ahead = 32768;
 
 // How many hours ahead, each of half an event, particles are asked for; and how many particles
 // later their cells, and the particles in these: each farther apart than memory takes to answer.

@@ -21,6 +21,7 @@ struct alignas(64) FlyingDisk {
     Cell cell;
 };
 static_assert(sizeof(FlyingDisk) == 64);
+
 /// As for any body. What is read as a pair is written as a pair: a processor can hand on at once
 /// only what it stored in one piece.
 inline void fly(FlyingDisk& d, double now) {

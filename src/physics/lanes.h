@@ -28,6 +28,8 @@ inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
     std::memcpy(&to, from, sizeof to);
     return to;
 }
+
+/// Two numbers in one piece; stored so they can be loaded so again at once.
 [[gnu::always_inline]] inline TwoLanes load_two(const double* from) {
     TwoLanes to;
     std::memcpy(&to, from, sizeof to);
@@ -38,7 +40,7 @@ inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
 }
 [[gnu::always_inline]] inline void store_two(TwoLanes from, double* to) {
 #ifdef __x86_64__
-    asm("" : "+x"(from));
+    asm("" : "+x"(from));  // lest the compiler stores them one by one
 #endif
     std::memcpy(to, &from, sizeof from);
 }

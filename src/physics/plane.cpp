@@ -39,7 +39,7 @@ Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
       nearest_(Pairing::nearest(box)),
       only_(Pairing::shifted(0.0, 0.0)) {
     const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
-    cell_size_ = {grid_.cell_width(), grid_.cell_height()};
+    cell_size_ = TwoLanes{grid_.cell_width(), grid_.cell_height()};
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
     if (radii.size() > 0 && (radii == radii[0]).all()) nearest_.sigma = only_.sigma = 2.0 * largest;
     for (std::size_t a = 0; a < 2; ++a) {
@@ -48,9 +48,8 @@ Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
         narrow_[a] = periodic && 4.0 * largest > 0.99 * size;
         first_inner_[a] = periodic ? 1 : 0;
         inner_cells_[a] = static_cast<unsigned>(std::max(0, last_cell_[a] + (periodic ? -1 : 1)));
-        cell_sizes_[a] = cell_size_[a];
         last_cells_[a] = last_cell_[a];
-        box_sizes_[a] = size;
+        box_size_[a] = size;
         solid_[a] = periodic ? 0 : -1;
         has_walls_ |= !periodic;
         surely_nearest_[a] = narrow_[a] ? -1.0 : periodic ? 0.5 * size : Event::never;
@@ -167,10 +166,10 @@ inline Event Plane::next_event(const Body& d, double now, const FirstContact& co
     const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
     const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
     const TwoMasks up = v > 0.0;
-    TwoLanes border = cell_sizes_ * (cell + select(up, both(1.0), zero));
+    TwoLanes border = cell_size_ * (cell + select(up, both(1.0), zero));
     TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
     if (has_walls_) {
-        const TwoLanes wall = select(up, box_sizes_ - d.radius, both(d.radius));
+        const TwoLanes wall = select(up, box_size_ - d.radius, both(d.radius));
         const TwoLanes last = select(up, last_cells_, zero);
         // both the other way round for those that go down, so that one comparison is enough
         const TwoLanes before = select(up, wall, border), behind = select(up, border, wall);

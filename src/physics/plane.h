@@ -69,24 +69,23 @@ class Plane {
                 const EventQueue& queue, FirstContact& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue,
                       FirstContact& first);
+    const Pairing& pairing_near(Cell cell) const;
     Cell next_cell(Cell cell, int side) const;
     Event next_event(const Body& d, double now, const FirstContact& contact) const;
     bool separation_at_contact(const Body& a, const Body& b, double& x, double& y) const;
 
     Box box_;
     CellGrid grid_;
-    const Pairing& pairing_near(Cell cell) const;
-
     Pairing nearest_, only_;  ///< with several images, and with the only one
     std::vector<std::int32_t> near_ =
         std::vector<std::int32_t>(2 * CellGrid::spare);  ///< scratch: the disks to be looked at
     std::size_t near_count_ = 0;
 
-    std::array<double, 2> cell_size_{};
     std::array<int, 2> last_cell_{};
     std::array<unsigned, 2> first_inner_{}, inner_cells_{};  ///< with no other image around
-    TwoLanes cell_sizes_{}, last_cells_{}, box_sizes_{};
-    TwoMasks solid_{};
+    TwoLanes cell_size_{}, box_size_{};
+    TwoLanes last_cells_{};  ///< last_cell_, as numbers to compare with
+    TwoMasks solid_{};       ///< of the walls
     bool has_walls_ = false;
     std::array<bool, 2> narrow_{};            ///< periodic and so narrow that two images may touch
     std::array<double, 2> surely_nearest_{};  ///< a disk less far away is the image in contact

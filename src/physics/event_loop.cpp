@@ -118,20 +118,9 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::sort_again() {
     if constexpr (Dimension == 2 && of_doubles) {
-        const std::vector<std::int32_t> before = put_in_order();
-        std::vector<std::int32_t> now(before.size());
-        for (std::size_t k = 0; k < before.size(); ++k)
-            now[static_cast<std::size_t>(before[k])] = static_cast<std::int32_t>(k);
-        const auto renumber = [&now](std::int32_t i) { return now[static_cast<std::size_t>(i)]; };
-        std::vector<Event> events(before.size());
-        for (std::size_t k = 0; k < before.size(); ++k) {
-            events[k] = queue_.event(before[k]);
-            events[k].partner = renumber(events[k].partner);
-        }
-        for (std::int32_t& i : last_pair_)
-            if (i >= 0) i = renumber(i);
+        queue_.renumber(put_in_order());
         space_.renumber(bodies_);
-        queue_.reset(events);
+        last_pair_[0] = last_pair_[1] = -1;  // it collided in the lap before
     }
 }
 
@@ -152,7 +141,7 @@ void EventLoop<Dimension, Scalar>::foresee_all() {
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
     now_ = local_time;
-    for (Body& b : bodies_) fly_to_now(b);
+    for (Body& b : bodies_) fly(b, now_);
     now_ = clock_.move_epoch_to(now_);
     for (Body& b : bodies_) {
         b.time = now_;
@@ -384,17 +373,12 @@ void EventLoop<Dimension, Scalar>::refuse_to_stall() {
 }
 
 template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::fly_to_now(Body& b) const {
-    fly(b, now_);
-}
-
-template <int Dimension, typename Scalar>
 bool EventLoop<Dimension, Scalar>::collide(std::int32_t first, std::int32_t second,
                                            Collision* collision) {
     Body& a = body(first);
     Body& b = body(second);
-    fly_to_now(a);
-    fly_to_now(b);
+    fly(a, now_);
+    fly(b, now_);
     Contact<Dimension> contact;
     const auto first_before = in_doubles(a.v), second_before = in_doubles(b.v);
     if (!space_.collide(bodies_, first, second, contact)) return false;
@@ -433,7 +417,7 @@ void EventLoop<Dimension, Scalar>::count_tie(std::int32_t first, std::int32_t se
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* collision) {
     Body& b = body(i);
-    fly_to_now(b);
+    fly(b, now_);
     Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
     transfers_.wall[static_cast<std::size_t>(side)] +=
         2.0 * std::abs(static_cast<double>(v)) / b.inverse_mass;

@@ -124,7 +124,6 @@ class EventLoop {
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
     Scalar place(const Body& b, std::size_t axis, const Scalar& local_time) const;
-    void fly_to_now(Body& b) const;
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
 

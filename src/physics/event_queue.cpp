@@ -90,6 +90,18 @@ void EventQueue::reset(const std::vector<Event>& events) {
     }
 }
 
+void EventQueue::renumber(const std::vector<std::int32_t>& before) {
+    std::vector<std::int32_t> now(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+        now[index(before[k])] = static_cast<std::int32_t>(k);
+    std::vector<Event> events(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        events[k] = event(before[k]);
+        events[k].partner = now[index(events[k].partner)];
+    }
+    reset(events);
+}
+
 // In the lap, or hours_ for a time beyond.
 std::int32_t EventQueue::hour_of(double time) const {
     double due = time * per_width_;

@@ -43,6 +43,10 @@ class EventQueue {
     /// Replaces all events at once, in laps suited to their times; the present is time 0.
     void reset(const std::vector<Event>& events);
 
+    /// Gives the particles and their partners new numbers: k is who was before[k]. The present is
+    /// time 0.
+    void renumber(const std::vector<std::int32_t>& before);
+
     /// Replaces the event of `particle`; its time must not lie before that of the last earliest().
     void schedule(std::int32_t particle, const Event& event);
 

@@ -130,7 +130,7 @@ class EventQueue {
     std::vector<Present> heap_;  ///< of a crowded hour; entries replaced since are dropped when met
     bool crowded_ = false;       ///< the present hour is in the heap, not in its list
     std::int32_t hours_;         ///< of a lap
-    double hours_in_lap_;        ///< the same
+    double hours_in_lap_;        ///< the same, as times are compared with it
     int day_bits_;               ///< the logarithm of those of a day to base 2
     std::int32_t elsewhere_;     ///< the number of the list after those of a day's hours
     std::int32_t hour_ = 0;      ///< the present one

@@ -217,11 +217,12 @@ inline const Pairing& Plane::pairing_near(Cell cell) const {
     return inner(0) & inner(1) ? only_ : nearest_;
 }
 
-// As it is called for every cell.
+// As it is called for every cell, of which most about a large disk are empty.
 inline auto Plane::search_slots(const Bodies& bodies, std::int32_t i, double now,
                                 const EventQueue& queue, FirstContact& first) {
     return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
         grid_.append(slots, near_, near_count_);
+        if (near_count_ == 0) return;
         search(bodies, i, now, Pairing::shifted(shift_x, shift_y), queue, first);
     };
 }

@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "physics/gas.h"
+#include "physics/pair_collision.h"
+#include "physics/particles.h"
 
 namespace carom {
 
@@ -26,12 +29,45 @@ struct Contact {
     double overlap = 0.0;                      ///< depth, in units of the contact distance
 };
 
+/// What will happen to a particle: the earlier of a contact with another and of reaching a border.
+struct Prospect {
+    double contact_time = never<double>;  ///< local; of the contact foreseen, which may come after
+                                          ///< the border
+    std::int32_t partner = 0;             ///< in that contact
+    std::uint32_t partner_collisions : 29 = 0;
+    std::uint32_t border : 3 = 0;
+};
+
+/// The same, and when. Of many bits: exact_queue.h.
+struct Event : Prospect {
+    double time = never<double>;  ///< local
+
+    bool is_contact() const { return contact_time <= time; }
+};
+
 /// Borders of an event: the sides of the box are 0 to 3 (left, right, bottom, top), those of a
 /// cell, or of a periodic box, 4 to 7.
 inline constexpr unsigned first_cell_side = 4;
 
 /// Collision counts are compared modulo 2^29: an event has that many bits for them.
 inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
+
+/// What a particle is, apart from where it is.
+struct Properties {
+    double radius;
+    double inverse_mass;  ///< 0 for an infinite mass
+};
+
+/// Bodies that know what they are.
+template <typename Bodies>
+Bodies with_properties(const Particles& particles) {
+    Bodies bodies(static_cast<std::size_t>(particles.count()));
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
+        bodies[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
+    }
+    return bodies;
+}
 
 /// Moves a body on to a time.
 template <typename Body, typename Scalar>

@@ -190,18 +190,4 @@ void CellGrid::fetch_around(Cell cell) const {
             __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);
 }
 
-// And the two between which the disk moves.
-void CellGrid::fetch_newly_around(Cell cell, int side) const {
-    const std::array around{&column_around_[cell[0]], &row_around_[cell[1]]};
-    const auto axis = static_cast<std::size_t>(side / 2);
-    const auto fetch = [&](std::size_t along, std::size_t across) {
-        __builtin_prefetch(
-            &fine_slots_[static_cast<std::size_t>(around[axis][along] + around[1 - axis][across])]);
-    };
-    const std::size_t ahead = side % 2 == 0 ? 0 : 2;
-    for (std::size_t k = 0; k < 3; ++k) fetch(ahead, k);
-    fetch(1, 1);
-    fetch(2 - ahead, 1);
-}
-
 }  // namespace carom

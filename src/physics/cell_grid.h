@@ -90,10 +90,8 @@ class CellGrid {
     void append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
                              std::size_t& size) const;
 
-    /// Asks the processor for the cells of append_around() or append_newly_around(), which will be
-    /// looked at soon.
+    /// Asks the processor for the cells of append_around(), which will be looked at soon.
     void fetch_around(Cell cell) const;
-    void fetch_newly_around(Cell cell, int side) const;
 
   private:
     /// Columns (or rows) of one grid and what lies beyond its ends.

@@ -19,20 +19,30 @@ namespace {
 
 // A disk as it is now.
 struct Viewer {
-    double x, y, vx, vy, radius, inverse_mass, now;
+    double x, y, vx, vy;
+    Properties properties;
 };
 
-[[gnu::always_inline]] inline Viewer viewer(const FlyingDisk& d, double now,
-                                            const Pairing& pairing) {
-    const double age = now - d.time;
-    return {(d.x[0] + d.v[0] * age) - pairing.shift[0],
-            (d.x[1] + d.v[1] * age) - pairing.shift[1],
-            d.v[0],
-            d.v[1],
-            d.radius,
-            d.inverse_mass,
-            now};
-}
+// What a search is about: all disks, the numbers of those looked at, and how they are met.
+struct Scope {
+    const FlyingDisk* disks;
+    const DiskProperties& properties;
+    const Pairing& pairing;
+    const std::int32_t* near;
+    double now;
+
+    [[gnu::always_inline]] const FlyingDisk& disk(std::size_t k) const { return disks[near[k]]; }
+    [[gnu::always_inline]] const Properties& properties_of(std::size_t k) const {
+        return properties[near[k]];
+    }
+
+    [[gnu::always_inline]] Viewer viewer(std::int32_t i) const {
+        const FlyingDisk& d = disks[i];
+        const double age = now - d.time;
+        return {(d.x[0] + d.v[0] * age) - pairing.shift[0],
+                (d.x[1] + d.v[1] * age) - pairing.shift[1], d.v[0], d.v[1], properties[i]};
+    }
+};
 
 [[gnu::always_inline]] inline FourLanes nearest(const FourLanes& x, const Pairing& pairing,
                                                 std::size_t axis) {
@@ -50,12 +60,11 @@ struct Pairs {
 };
 
 // Which of four others might be touched: bits 0 to 3 of the lanes together.
-template <bool several_images, bool same_sigma>
-[[gnu::always_inline]] inline FourMasks might_touch(const Viewer& a, const FlyingDisk* disks,
-                                                    const std::int32_t* near, std::size_t k,
-                                                    const Pairing& pairing, Pairs& pairs) {
-    const FlyingDisk &b0 = disks[near[k]], &b1 = disks[near[k + 1]], &b2 = disks[near[k + 2]],
-                     &b3 = disks[near[k + 3]];
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
+                                                    std::size_t k, Pairs& pairs) {
+    const FlyingDisk &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
+                     &b3 = scope.disk(k + 3);
     // Each disk's x and y lie side by side, and vx and vy: turned over, two pairs at a time.
     const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
     const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
@@ -63,17 +72,19 @@ template <bool several_images, bool same_sigma>
     const FourLanes v13 = load_two_and_two(b1.v.data(), b3.v.data());
     const FourLanes others_vx = __builtin_shufflevector(v02, v13, 0, 4, 2, 6);
     const FourLanes others_vy = __builtin_shufflevector(v02, v13, 1, 5, 3, 7);
-    const FourLanes age = a.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
+    const FourLanes age = scope.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
     FourLanes x = (__builtin_shufflevector(x02, x13, 0, 4, 2, 6) + others_vx * age) - a.x;
     FourLanes y = (__builtin_shufflevector(x02, x13, 1, 5, 3, 7) + others_vy * age) - a.y;
     if (several_images) {
-        x = nearest(x, pairing, 0);
-        y = nearest(y, pairing, 1);
+        x = nearest(x, scope.pairing, 0);
+        y = nearest(y, scope.pairing, 1);
     }
     const FourLanes vx = others_vx - a.vx, vy = others_vy - a.vy;
-    FourLanes sigma = FourLanes{} + pairing.sigma;
-    if (!same_sigma) {
-        sigma = FourLanes{b0.radius, b1.radius, b2.radius, b3.radius} + a.radius;
+    FourLanes sigma = FourLanes{} + scope.pairing.sigma;
+    if (!alike) {
+        sigma = FourLanes{scope.properties_of(k).radius, scope.properties_of(k + 1).radius,
+                          scope.properties_of(k + 2).radius, scope.properties_of(k + 3).radius} +
+                a.properties.radius;
         store_lanes(sigma, &pairs.sigma[k]);
     }
     store_lanes(x, &pairs.x[k]);
@@ -103,31 +114,31 @@ template <bool several_images, bool same_sigma>
 
 // The exact times of two contacts, of a with the disk numbered k in `near` and of b with l; the
 // same twice does no harm.
-template <bool same_sigma>
-[[gnu::always_inline]] inline void solve(const Viewer& a, const Viewer& b, const FlyingDisk* disks,
-                                         const std::int32_t* near, const Pairs& p, std::size_t k,
-                                         std::size_t l, const Pairing& pairing,
-                                         const EventQueue& queue, FirstContact& first_of_a,
-                                         FirstContact& first_of_b) {
-    const FlyingDisk &c = disks[near[k]], &d = disks[near[l]];
+template <bool alike>
+[[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
+                                         const Pairs& p, std::size_t k, std::size_t l,
+                                         FirstContact& first_of_a, FirstContact& first_of_b) {
+    const FlyingDisk &c = scope.disk(k), &d = scope.disk(l);
     RelativeMotion<TwoLanes> motion{
         {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
-    TwoLanes sigma = both(pairing.sigma);
-    if (!same_sigma) sigma = TwoLanes{p.sigma[k], p.sigma[l]};
+    TwoLanes sigma = both(scope.pairing.sigma);
+    if (!alike) sigma = TwoLanes{p.sigma[k], p.sigma[l]};
     for (TwoLanes* pair : {&motion.x, &motion.y, &motion.vx, &motion.vy, &sigma})
         keep_together(*pair);
     const TwoLanes round_off =
         approach_round_off(motion, TwoLanes{a.vx, b.vx}, TwoLanes{a.vy, b.vy},
                            TwoLanes{c.v[0], d.v[0]}, TwoLanes{c.v[1], d.v[1]});
-    const TwoLanes met = a.now + contact_times(motion, sigma, round_off);
-    const TwoLanes weight =
-        TwoLanes{a.inverse_mass, b.inverse_mass} + TwoLanes{c.inverse_mass, d.inverse_mass};
-    const TwoLanes contact_before{queue.event(near[k]).contact_time,
-                                  queue.event(near[l]).contact_time};
-    const auto possible = (met <= contact_before) & (weight > 0.0) & (sigma > 0.0);
+    const TwoLanes met = scope.now + contact_times(motion, sigma, round_off);
+    TwoMasks possible = met <= TwoLanes{c.prospect.contact_time, d.prospect.contact_time};
+    if (!alike) {
+        const TwoLanes weight =
+            TwoLanes{a.properties.inverse_mass, b.properties.inverse_mass} +
+            TwoLanes{scope.properties_of(k).inverse_mass, scope.properties_of(l).inverse_mass};
+        possible &= (weight > 0.0) & (sigma > 0.0);
+    }
     const TwoLanes time = select(possible, met, both(never<double>));
-    consider(time[0], near[k], c.collisions, first_of_a);
-    consider(time[1], near[l], d.collisions, first_of_b);
+    consider(time[0], scope.near[k], c.collisions, first_of_a);
+    consider(time[1], scope.near[l], d.collisions, first_of_b);
 }
 
 // Takes the lowest bit away, and tells which it was.
@@ -144,71 +155,67 @@ template <bool same_sigma>
     return (k & ~none) | (other & none);
 }
 
-template <bool several_images, bool same_sigma>
-[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Viewer& a,
-                                                             const FlyingDisk* disks,
-                                                             const std::int32_t* near,
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope& scope, const Viewer& a,
                                                              std::size_t begin, std::size_t end,
-                                                             const Pairing& pairing, Pairs& pairs) {
+                                                             Pairs& pairs) {
     FourMasks found{};
     FourMasks bits = FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(begin);
     for (std::size_t k = begin; k < end; k += lanes) {
-        found |= might_touch<several_images, same_sigma>(a, disks, near, k, pairing, pairs) & bits;
+        found |= might_touch<several_images, alike>(scope, a, k, pairs) & bits;
         bits <<= lanes;
     }
     return found;
 }
 
 // Of one viewer.
-template <bool several_images, bool same_sigma>
-[[gnu::always_inline]] inline void search(const Viewer& a, const FlyingDisk* disks,
-                                          const std::int32_t* near, std::size_t count,
-                                          const Pairing& pairing, const EventQueue& queue,
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
                                           FirstContact& first) {
+    const Viewer a = scope.viewer(i);
     Pairs pairs;
-    std::uint64_t bits = bits_of(
-        all_that_might_touch<several_images, same_sigma>(a, disks, near, 0, count, pairing, pairs));
+    std::uint64_t bits =
+        bits_of(all_that_might_touch<several_images, alike>(scope, a, 0, count, pairs));
     if (bits == 0) return;
     FirstContact best = first;
     do {
         const std::size_t k = next_of(bits), l = next_of_or(k, bits);
-        solve<same_sigma>(a, a, disks, near, pairs, k, l, pairing, queue, best, best);
+        solve<alike>(scope, a, a, pairs, k, l, best, best);
     } while (bits != 0);
     first = best;
 }
 
 // Of two.
-template <bool several_images, bool same_sigma>
-[[gnu::always_inline]] inline void search(const std::array<Viewer, 2>& viewers,
-                                          const FlyingDisk* disks, const std::int32_t* near,
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline void search(const Scope& scope,
+                                          const std::array<std::int32_t, 2>& both,
                                           std::size_t split, std::size_t count,
-                                          const Pairing& pairing, const EventQueue& queue,
                                           std::array<FirstContact, 2>& firsts) {
+    const std::array viewers{scope.viewer(both[0]), scope.viewer(both[1])};
     Pairs pairs;
-    std::uint64_t bits = bits_of(all_that_might_touch<several_images, same_sigma>(
-                                     viewers[0], disks, near, 0, split, pairing, pairs) |
-                                 all_that_might_touch<several_images, same_sigma>(
-                                     viewers[1], disks, near, split, count, pairing, pairs));
+    std::uint64_t bits = bits_of(
+        all_that_might_touch<several_images, alike>(scope, viewers[0], 0, split, pairs) |
+        all_that_might_touch<several_images, alike>(scope, viewers[1], split, count, pairs));
     while (bits != 0) {
         const std::size_t k = next_of(bits), l = next_of_or(k, bits);
         const std::size_t whose_k = k >= split ? 1 : 0, whose_l = l >= split ? 1 : 0;
-        solve<same_sigma>(viewers[whose_k], viewers[whose_l], disks, near, pairs, k, l, pairing,
-                          queue, firsts[whose_k], firsts[whose_l]);
+        solve<alike>(scope, viewers[whose_k], viewers[whose_l], pairs, k, l, firsts[whose_k],
+                     firsts[whose_l]);
     }
 }
 
 // A loop of its own for each kind of pairs.
 template <typename... Arguments>
-[[gnu::always_inline]] inline void search_by_kind(const Pairing& pairing,
-                                                  Arguments&&... arguments) {
-    if (pairing.sigma > 0.0 && pairing.several_images)
-        search<true, true>(arguments...);
-    else if (pairing.sigma > 0.0)
-        search<false, true>(arguments...);
-    else if (pairing.several_images)
-        search<true, false>(arguments...);
+[[gnu::always_inline]] inline void search_by_kind(const Scope& scope, Arguments&&... arguments) {
+    const bool alike = scope.pairing.sigma > 0.0;
+    if (alike && scope.pairing.several_images)
+        search<true, true>(scope, arguments...);
+    else if (alike)
+        search<false, true>(scope, arguments...);
+    else if (scope.pairing.several_images)
+        search<true, false>(scope, arguments...);
     else
-        search<false, false>(arguments...);
+        search<false, false>(scope, arguments...);
 }
 
 }  // namespace
@@ -218,7 +225,7 @@ Pairing Pairing::nearest(const Box& box) {
     for (std::size_t a = 0; a < 2; ++a) {
         const bool periodic = box.walls[a] == Wall::periodic;
         const double size = box.size[static_cast<Eigen::Index>(a)];
-        pairing.half[a] = periodic ? 0.5 * size : Event::never;
+        pairing.half[a] = periodic ? 0.5 * size : never<double>;
         pairing.size[a] = periodic ? size : 0.0;
     }
     return pairing;
@@ -226,27 +233,24 @@ Pairing Pairing::nearest(const Box& box) {
 
 Pairing Pairing::shifted(double x, double y) {
     return {.shift = {x, y},
-            .half = {Event::never, Event::never},
+            .half = {never<double>, never<double>},
             .size = {0.0, 0.0},
             .several_images = false};
 }
 
 CAROM_FOR_EACH_PROCESSOR
-void search_contact(const FlyingDisks& disks, std::int32_t i, double now, const std::int32_t* near,
-                    std::size_t count, const Pairing& pairing, const EventQueue& queue,
+void search_contact(const FlyingDisks& disks, const DiskProperties& properties, std::int32_t i,
+                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
-    search_by_kind(pairing, viewer(disks[static_cast<std::size_t>(i)], now, pairing), disks.data(),
-                   near, count, pairing, queue, first);
+    search_by_kind(Scope{disks.data(), properties, pairing, near, now}, i, count, first);
 }
 
 CAROM_FOR_EACH_PROCESSOR
-void search_two_contacts(const FlyingDisks& disks, std::array<std::int32_t, 2> both, double now,
-                         const std::int32_t* near, std::size_t split, std::size_t count,
-                         const Pairing& pairing, const EventQueue& queue,
+void search_two_contacts(const FlyingDisks& disks, const DiskProperties& properties,
+                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
+                         std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {
-    const std::array viewers{viewer(disks[static_cast<std::size_t>(both[0])], now, pairing),
-                             viewer(disks[static_cast<std::size_t>(both[1])], now, pairing)};
-    search_by_kind(pairing, viewers, disks.data(), near, split, count, pairing, queue, firsts);
+    search_by_kind(Scope{disks.data(), properties, pairing, near, now}, both, split, count, firsts);
 }
 
 }  // namespace carom

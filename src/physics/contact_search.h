@@ -9,10 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physics/event_queue.h"
 #include "physics/flying_disk.h"
 #include "physics/gas.h"
 #include "physics/lanes.h"
+#include "physics/pair_collision.h"
 
 namespace carom {
 
@@ -24,7 +24,7 @@ struct Pairing {
     std::array<double, 2> half{};
     std::array<double, 2> size{};
     bool several_images = true;
-    double sigma = 0.0;  ///< the sum of radii, if it is the same for all; else 0
+    double sigma = 0.0;  ///< the sum of radii, if the disks are all alike; else 0
 
     /// The nearest images, in a box wide enough that they alone come into question.
     static Pairing nearest(const Box& box);
@@ -34,7 +34,7 @@ struct Pairing {
 
 /// A contact that is foreseen, in the form in which a search exchanges it for another.
 struct FirstContact {
-    double time = Event::never;
+    double time = never<double>;
     std::uint64_t who = 0;  ///< the partner and, in the upper half, its count of collisions
 
     FirstContact() = default;
@@ -52,17 +52,17 @@ inline constexpr std::size_t most_searched = 64;
 /// (a whole number of lanes; i itself may be among them and is never met), becomes `first` if it
 /// comes before that; of equal times the lowest number counts. A contact with a disk
 /// that has one before is left out: that disk will look again before.
-void search_contact(const FlyingDisks& disks, std::int32_t i, double now, const std::int32_t* near,
-                    std::size_t count, const Pairing& pairing, const EventQueue& queue,
+void search_contact(const FlyingDisks& disks, const DiskProperties& properties, std::int32_t i,
+                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
 
 /// The same for two disks that do not come into question for each other, at one time: of the
 /// numbers of `near` the first `split` are those of the first disk, the others those of the second,
 /// whole numbers of lanes. The processor works on both at once, where two searches would wait for
 /// one another.
-void search_two_contacts(const FlyingDisks& disks, std::array<std::int32_t, 2> both, double now,
-                         const std::int32_t* near, std::size_t split, std::size_t count,
-                         const Pairing& pairing, const EventQueue& queue,
+void search_two_contacts(const FlyingDisks& disks, const DiskProperties& properties,
+                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
+                         std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts);
 
 }  // namespace carom

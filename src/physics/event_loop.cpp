@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
+#include "physics/disk_overlap.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -14,15 +16,6 @@ namespace {
 
 // A lap is some eight events of each disk; it takes a few for neighbours to part.
 constexpr int laps_between_sorts = 2;
-
-// Fewer lie near the processor anyhow.
-constexpr std::size_t least_fetched_ahead = 32768;
-
-// How many hours ahead, each of half an event, particles are asked for; and how many particles
-// later their cells, and the particles in these: each farther apart than memory takes to answer.
-constexpr std::int32_t hours_ahead = 32;
-constexpr std::uint32_t cells_after = 3;
-constexpr std::uint32_t neighbours_after = 6;
 
 template <typename Scalar, std::size_t Dimension>
 Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
@@ -45,18 +38,14 @@ template <int Dimension, typename Scalar>
 EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particles,
                                         const Arithmetic& arithmetic)
     : box_(box),
-      bodies_(static_cast<std::size_t>(particles.count())),
-      space_(box, particles.radius, arithmetic),
+      bodies_(Space::bodies_of(particles)),
+      space_(box, particles, arithmetic),
       queue_(static_cast<std::int32_t>(particles.count())),
       bits_(arithmetic.bits) {
     if constexpr (!of_doubles) clock_ = WholeClock(arithmetic.bits);
-    many_ = bodies_.size() >= least_fetched_ahead;
     number_.reserve(bodies_.size());
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
         number_.push_back(static_cast<std::int32_t>(i));
-        bodies_[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
-        bodies_[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
-    }
 }
 
 template <int Dimension, typename Scalar>
@@ -89,13 +78,22 @@ void EventLoop<Dimension, Scalar>::start(const Sample& state) {
     foresee_all();
 }
 
-// A double in the numbers of the loop.
+// With doubles a body knows what will happen to it and the queue when; else the queue knows both.
 template <int Dimension, typename Scalar>
-Scalar EventLoop<Dimension, Scalar>::with_bits(double value) const {
+auto EventLoop<Dimension, Scalar>::event_of(std::int32_t i) const
+    -> std::conditional_t<of_doubles, Event, const Event&> {
     if constexpr (of_doubles)
-        return value;
+        return {bodies_[static_cast<std::size_t>(i)].prospect, queue_.time(i)};
     else
-        return Scalar(value, bits_);
+        return queue_.event(i);
+}
+
+template <int Dimension, typename Scalar>
+auto EventLoop<Dimension, Scalar>::foresee(std::int32_t i) {
+    if constexpr (std::is_same_v<Space, FinePlane>)
+        return space_.foresee(bodies_, i, now_, queue_);
+    else
+        return space_.foresee(bodies_, i, now_);
 }
 
 // Tells where each body was before.
@@ -118,8 +116,9 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::sort_again() {
     if constexpr (Dimension == 2 && of_doubles) {
-        queue_.renumber(put_in_order());
-        space_.renumber(bodies_);
+        const std::vector<std::int32_t> before = put_in_order();
+        queue_.renumber(before);
+        space_.renumber(bodies_, before);
         last_pair_[0] = last_pair_[1] = -1;  // it collided in the lap before
     }
 }
@@ -130,11 +129,24 @@ void EventLoop<Dimension, Scalar>::foresee_all() {
     last_collision_ = -1.0;
     at_one_instant_ = 0;
     for (Body& b : bodies_) b.collisions = 0;
-    queue_.reset(std::vector<Event>(bodies_.size()));
-    std::vector<Event> events(bodies_.size());
-    for (std::size_t i = 0; i < events.size(); ++i)
-        events[i] = space_.foresee(bodies_, static_cast<std::int32_t>(i), now_, queue_);
-    queue_.reset(events);
+    const auto count = static_cast<std::int32_t>(bodies_.size());
+    if constexpr (of_doubles) {
+        for (Body& b : bodies_) b.prospect = {};
+        std::vector<Prospect> prospects;
+        std::vector<double> times;
+        for (std::int32_t i = 0; i < count; ++i) {
+            times.push_back(foresee(i));
+            prospects.push_back(std::exchange(body(i).prospect, {}));
+        }
+        for (std::int32_t i = 0; i < count; ++i)
+            body(i).prospect = prospects[static_cast<std::size_t>(i)];
+        queue_.reset(times);
+    } else {
+        std::vector<Event> events(bodies_.size());
+        queue_.reset(events);
+        for (std::int32_t i = 0; i < count; ++i) events[static_cast<std::size_t>(i)] = foresee(i);
+        queue_.reset(events);
+    }
 }
 
 // All bodies fly to a local time, which becomes the epoch.
@@ -193,31 +205,20 @@ template <int Dimension, typename Scalar>
 std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
+    const double radius = space_.properties(bodies_, moved).radius;
     for (std::size_t a = 0; a < Dimension; ++a) {
         if (box_.walls[a] == Wall::periodic) continue;
         const double size = box_.size[static_cast<Eigen::Index>(a)];
         const auto low = static_cast<std::int32_t>(2 * a);
-        if (b.x[a] < b.radius - slack * size) return -1 - low;
-        if (b.x[a] > size - b.radius + slack * size) return -2 - low;
+        if (b.x[a] < radius - slack * size) return -1 - low;
+        if (b.x[a] > size - radius + slack * size) return -2 - low;
     }
     if constexpr (Dimension == 1) {
         const auto k = space_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
         return k ? std::optional(number_of(*k)) : std::nullopt;
     } else {
-        for (std::size_t k = 0; k < bodies_.size(); ++k) {
-            if (k == moved) continue;
-            const double sigma = b.radius + bodies_[k].radius;
-            Scalar square = 0.0;
-            for (std::size_t a = 0; a < Dimension; ++a) {
-                Scalar apart = bodies_[k].x[a] - b.x[a];
-                const double size = box_.size[static_cast<Eigen::Index>(a)];
-                if (box_.walls[a] == Wall::periodic)
-                    apart -= with_bits(size) * std::round(static_cast<double>(apart) / size);
-                square += apart * apart;
-            }
-            if (square < with_bits(sigma) * sigma * (1.0 - 2.0 * slack)) return number_[k];
-        }
-        return std::nullopt;
+        const auto k = disk_overlapped(space_, bodies_, moved, box_, slack);
+        return k ? std::optional(number_[*k]) : std::nullopt;
     }
 }
 
@@ -228,8 +229,8 @@ void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* 
     Collision collision;
     while (true) {
         const std::int32_t i = next_particle();
-        if (i < 0 || !(queue_.event(i).time <= clock_.local(time))) break;
-        if (many_) fetch_ahead();
+        if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
+        if constexpr (Dimension == 2 && of_doubles) fetch_ahead_.step(bodies_, space_, queue_);
         if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
         if (--until_look == 0) {
             throw_if_interrupted();
@@ -242,7 +243,7 @@ template <int Dimension, typename Scalar>
 bool EventLoop<Dimension, Scalar>::advance_one(double time, Collision& collision) {
     while (true) {
         const std::int32_t i = next_particle();
-        if (i < 0 || !(queue_.event(i).time <= clock_.local(time))) return false;
+        if (i < 0 || !(queue_.time(i) <= clock_.local(time))) return false;
         if (process(i, &collision)) return true;
     }
 }
@@ -282,25 +283,6 @@ Scalar EventLoop<Dimension, Scalar>::place(const Body& b, std::size_t axis,
     return b.x[axis] + b.v[axis] * (local_time - b.time);
 }
 
-// Of many particles most lie far from the processor. The calendar tells whose events are near, so
-// what these will need is asked for in time: the body, its cells, those in them, each when the one
-// before has come.
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::fetch_ahead() {
-    if constexpr (Dimension == 2 && of_doubles) {
-        queue_.look_ahead(hours_ahead, [this](std::int32_t particle) {
-            const auto before = [this](std::uint32_t steps) -> std::int32_t& {
-                return coming_[(coming_count_ - steps) % coming_.size()];
-            };
-            before(0) = particle;
-            space_.fetch_disks_ahead(bodies_, particle, queue_);
-            space_.fetch_cells_ahead(bodies_, before(cells_after), queue_);
-            space_.fetch_neighbours_ahead(bodies_, before(neighbours_after), queue_);
-            ++coming_count_;
-        });
-    }
-}
-
 // The particle with the earliest event, -1 when nothing will ever happen. Between laps all times
 // are counted from a new epoch, so that they stay small (a whole number of laps: exact).
 template <int Dimension, typename Scalar>
@@ -316,7 +298,10 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
             clock_.advance(shift);
             now_ -= shift;
             last_collision_ -= shift;
-            for (Body& b : bodies_) b.time -= shift;
+            for (Body& b : bodies_) {
+                b.time -= shift;
+                b.prospect.contact_time -= shift;
+            }
             if (!Space::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
                 continue;
             sort_again();
@@ -327,7 +312,7 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
 // True if it was a collision, which is then told unless `collision` is null.
 template <int Dimension, typename Scalar>
 bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
-    const std::conditional_t<of_doubles, Event, const Event&> event = queue_.event(i);
+    const auto& event = event_of(i);
     if (static_cast<double>(event.time) > static_cast<double>(now_))
         at_one_instant_ = 0;
     else
@@ -338,25 +323,28 @@ bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision)
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);
         if constexpr (Dimension == 2 && of_doubles) {
-            std::array<Event, 2> next;
-            if (met && space_.foresee_both(bodies_, i, j, now_, queue_, next)) {
-                queue_.schedule(i, next[0]);
-                queue_.schedule(j, next[1]);
+            std::array<double, 2> when;
+            if (met && space_.foresee_both(bodies_, i, j, now_, when)) {
+                queue_.schedule(i, when[0]);
+                queue_.schedule(j, when[1]);
                 return true;
             }
         }
-        queue_.schedule(i, space_.foresee(bodies_, i, now_, queue_));
-        if (met) queue_.schedule(j, space_.foresee(bodies_, j, now_, queue_));
+        queue_.schedule(i, foresee(i));
+        if (met) queue_.schedule(j, foresee(j));
         return met;
     }
     if (event.border < first_cell_side) {
         bounce(i, static_cast<int>(event.border), collision);
-        queue_.schedule(i, space_.foresee(bodies_, i, now_, queue_));
+        queue_.schedule(i, foresee(i));
         return true;
     }
     const int side = static_cast<int>(event.border - first_cell_side);
     space_.cross(bodies_, i, side, now_);
-    queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, event, now_, queue_));
+    if constexpr (std::is_same_v<Space, FinePlane>)
+        queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, event, now_, queue_));
+    else
+        queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, now_));
     return false;
 }
 
@@ -420,7 +408,8 @@ void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* c
     fly(b, now_);
     Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
     transfers_.wall[static_cast<std::size_t>(side)] +=
-        2.0 * std::abs(static_cast<double>(v)) / b.inverse_mass;
+        2.0 * std::abs(static_cast<double>(v)) /
+        space_.properties(bodies_, static_cast<std::size_t>(i)).inverse_mass;
     const auto before = in_doubles(b.v);
     v = -v;
     body_has_changed(b);

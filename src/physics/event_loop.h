@@ -20,6 +20,7 @@
 
 #include "physics/event_queue.h"
 #include "physics/exact_queue.h"
+#include "physics/fetch_ahead.h"
 #include "physics/fine_plane.h"
 #include "physics/gas.h"
 #include "physics/local_clock.h"
@@ -112,14 +113,22 @@ class EventLoop {
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
 
-    Scalar with_bits(double value) const;
+    /// A double in the numbers of the loop.
+    Scalar with_bits(double value) const {
+        if constexpr (of_doubles)
+            return value;
+        else
+            return Scalar(value, bits_);
+    }
+
     std::optional<std::int32_t> overlapped(std::size_t moved) const;
+    std::conditional_t<of_doubles, Event, const Event&> event_of(std::int32_t i) const;
+    auto foresee(std::int32_t i);
     std::vector<std::int32_t> put_in_order();
     void sort_again();
     void foresee_all();
     void move_epoch_to(const Scalar& local_time);
     std::int32_t next_particle();
-    void fetch_ahead();
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
@@ -136,9 +145,7 @@ class EventLoop {
     Scalar now_ = 0.0;  ///< local
     int bits_;
     int laps_since_sorted_ = 0;
-    bool many_ = false;                     ///< worth fetching ahead
-    std::array<std::int32_t, 8> coming_{};  ///< the last particles fetch_ahead() was told of
-    std::uint32_t coming_count_ = 0;
+    FetchAhead fetch_ahead_;
     CollisionCounts counts_;
     Transfers transfers_;
     Scalar last_collision_ = -1.0;

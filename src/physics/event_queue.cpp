@@ -30,10 +30,8 @@ double power_of_two_near(double value) {
 }
 
 // Half of the events lie before the median of their times.
-double width_for(const std::vector<Event>& events) {
-    std::vector<double> times;
-    for (const Event& event : events)
-        if (event.time > 0.0 && std::isfinite(event.time)) times.push_back(event.time);
+double width_for(std::vector<double> times) {
+    std::erase_if(times, [](double time) { return !(time > 0.0 && std::isfinite(time)); });
     if (times.empty()) return 1.0;
     const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), median, times.end());
@@ -70,7 +68,7 @@ void EventQueue::clear() {
     heap_.clear();
     crowded_ = false;
     hour_ = midnight_ = 0;
-    ahead_ = -1;
+    ahead_ = asked_ = -1;
     events_in_lap_ = 0;
 }
 
@@ -80,26 +78,20 @@ void EventQueue::set_width(double width) {
     lap_ = width_ * hours_;
 }
 
-void EventQueue::reset(const std::vector<Event>& events) {
-    assert(events.size() == index(count_));
-    set_width(width_for(events));
+void EventQueue::reset(const std::vector<double>& times) {
+    assert(times.size() == index(count_));
+    set_width(width_for(times));
     clear();
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        nodes_[i] = Node{.event = events[i]};
-        insert(static_cast<std::int32_t>(i), events[i].time);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        nodes_[i] = Node{.time = times[i]};
+        insert(static_cast<std::int32_t>(i), times[i]);
     }
 }
 
 void EventQueue::renumber(const std::vector<std::int32_t>& before) {
-    std::vector<std::int32_t> now(before.size());
-    for (std::size_t k = 0; k < before.size(); ++k)
-        now[index(before[k])] = static_cast<std::int32_t>(k);
-    std::vector<Event> events(before.size());
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        events[k] = event(before[k]);
-        events[k].partner = now[index(events[k].partner)];
-    }
-    reset(events);
+    std::vector<double> times(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k) times[k] = time(before[k]);
+    reset(times);
 }
 
 // In the lap, or hours_ for a time beyond.
@@ -150,7 +142,7 @@ inline void EventQueue::insert(std::int32_t particle, double time) {
 
 void EventQueue::insert_into_heap(std::int32_t particle) {
     set_elsewhere(nodes_[index(particle)]);
-    heap_.push_back({nodes_[index(particle)].event.time, particle});
+    heap_.push_back({nodes_[index(particle)].time, particle});
     std::push_heap(heap_.begin(), heap_.end(), is_later);
     if (heap_.size() > 2 * nodes_.size() + 64) forget_replaced();
 }
@@ -182,7 +174,7 @@ void EventQueue::note_all_anew() {
     forget_notes();
     for (std::int32_t i = 0; i < count_; ++i) {
         const Node& node = nodes_[index(i)];
-        const std::int32_t hour = hour_of(node.event.time);
+        const std::int32_t hour = hour_of(node.time);
         if (is_elsewhere(node) && hour - midnight_ >= elsewhere_) note(hour, hour < hours_, i);
     }
 }
@@ -209,7 +201,7 @@ std::int32_t EventQueue::new_leaf(std::int32_t before) {
 
 // Some are noted twice, some are due at another time now.
 void EventQueue::begin_day() {
-    ahead_ = -1;
+    ahead_ = asked_ = -1;
     const std::int32_t day = midnight_ >> day_bits_;
     Day& its = days_[index(day)];
     while (true) {
@@ -220,9 +212,12 @@ void EventQueue::begin_day() {
         for (std::int32_t k = 0; k < its.used; ++k) {
             const std::int32_t particle = leaf.particle[index(k)];
             const Node& node = nodes_[index(particle)];
-            const std::int32_t hour = hour_of(node.event.time);
-            const bool due = (hour >> day_bits_ == day) & is_elsewhere(node);
-            link(due ? particle : nobody(), due ? hour - midnight_ : elsewhere_);
+            const std::int32_t hour = hour_of(node.time);
+            // without a branch, which the processor could not foretell
+            const std::int32_t due =
+                -static_cast<std::int32_t>((hour >> day_bits_ == day) & is_elsewhere(node));
+            link((particle & due) | (nobody() & ~due),
+                 ((hour - midnight_) & due) | (elsewhere_ & ~due));
             heads_[index(elsewhere_)] = nobody();
         }
         const std::int32_t before = leaf.before;
@@ -234,10 +229,10 @@ void EventQueue::begin_day() {
     its.used = 0;
 }
 
-void EventQueue::schedule(std::int32_t particle, const Event& event) {
+void EventQueue::schedule(std::int32_t particle, double time) {
     unlink(particle);
-    nodes_[index(particle)].event = event;
-    insert(particle, event.time);
+    nodes_[index(particle)].time = time;
+    insert(particle, time);
     ++events_in_lap_;
 }
 
@@ -251,9 +246,29 @@ std::int32_t EventQueue::next_occupied(std::int32_t hour_of_day) const {
     return static_cast<std::int32_t>(64 * word) + std::countr_zero(occupied_[word]);
 }
 
+// On to the next hour with events, if it is not more than `hours` ahead. Without branches: how far
+// it is the processor cannot foretell.
+inline bool EventQueue::step_ahead(std::int32_t& from, std::int32_t hours) const {
+    const std::int32_t present = hour_ - midnight_;
+    from = std::max(from, present);
+    const std::int32_t next = next_occupied(std::min(from + 1, elsewhere_));
+    const bool near = next <= std::min(present + hours, elsewhere_ - 1);
+    from ^= (from ^ next) & -static_cast<std::int32_t>(near);
+    return near;
+}
+
+std::uint32_t EventQueue::look_ahead(std::int32_t hours, std::array<std::int32_t, 2>& who) {
+    step_ahead(asked_, hours + hours / 2);
+    fetch(heads_[index(asked_)]);
+    const std::uint32_t any = step_ahead(ahead_, hours) ? 1 : 0;
+    who[0] = heads_[index(ahead_)];
+    who[1] = nodes_[index(who[0])].next;
+    return any + (any & (who[1] != nobody() ? 1U : 0U));
+}
+
 bool EventQueue::is_current(const Present& entry) const {
     const Node& node = nodes_[index(entry.particle)];
-    return is_elsewhere(node) && node.event.time == entry.time;
+    return is_elsewhere(node) && node.time == entry.time;
 }
 
 void EventQueue::forget_replaced() {
@@ -270,7 +285,7 @@ void EventQueue::order_present_hour() {
     const std::int32_t list = (hour_ - midnight_);
     while (heads_[index(list)] != nobody()) {
         const std::int32_t particle = heads_[index(list)];
-        heap_.push_back({nodes_[index(particle)].event.time, particle});
+        heap_.push_back({nodes_[index(particle)].time, particle});
         unlink(particle);
         set_elsewhere(nodes_[index(particle)]);
     }
@@ -308,10 +323,10 @@ std::int32_t EventQueue::earliest() {
         // there is mostly one, sometimes a second, who is nobody otherwise
         std::int32_t best = heads_[index(list)];
         std::int32_t i = nodes_[index(best)].next;
-        double time = nodes_[index(best)].event.time;
+        double time = nodes_[index(best)].time;
         int count = 0;
         do {
-            const double its = nodes_[index(i)].event.time;
+            const double its = nodes_[index(i)].time;
             const bool earlier = (its < time) | ((its == time) & (i < best));
             const std::int32_t mask = -static_cast<std::int32_t>(earlier);
             time = std::min(its, time);
@@ -326,8 +341,8 @@ std::int32_t EventQueue::earliest() {
 
 // When the lap is over all events lie beyond it.
 double EventQueue::next_lap() const {
-    double first = Event::never;
-    for (std::size_t i = 0; i < index(count_); ++i) first = std::min(first, nodes_[i].event.time);
+    double first = never<double>;
+    for (std::size_t i = 0; i < index(count_); ++i) first = std::min(first, nodes_[i].time);
     const double laps = std::floor(first / lap_);
     return std::isfinite(laps * lap_) ? std::min(first, laps * lap_) : first;
 }
@@ -338,13 +353,12 @@ void EventQueue::begin_lap(double shift) {
     // Twice too wide or too narrow does no harm, and a width that changes often costs exactness.
     if (width > 2.0 * width_ || width < 0.5 * width_) set_width(width);
     hour_ = midnight_ = 0;
-    ahead_ = -1;
+    ahead_ = asked_ = -1;
     events_in_lap_ = 0;
     for (std::int32_t i = 0; i < count_; ++i) {
         Node& node = nodes_[index(i)];
-        node.event.time -= shift;
-        node.event.contact_time -= shift;
-        insert(i, node.event.time);
+        node.time -= shift;
+        insert(i, node.time);
     }
 }
 

@@ -1,8 +1,8 @@
-// The next event of each particle, and which particle's comes first. One event per particle: a new
-// one replaces the old. Times are local (local_clock.h) and lie in laps.
+// When the next event of each particle comes, and which particle's comes first. One event per
+// particle: a new one replaces the old. Times are local (local_clock.h) and lie in laps.
 //
 // A calendar: a lap is cut into days, a day into hours of half an event each. Each hour of the
-// present day has an unsorted doubly linked list through the events themselves, and the earliest of
+// present day has an unsorted doubly linked list through their times themselves, and the earliest of
 // the present hour is looked for among the few in it. Whoever has an event on a later day is noted
 // down at the end of that day's notes, where it stays whatever becomes of the event; when the day
 // begins, those noted that are still due then go to its hours. So only the events of one day, which
@@ -16,51 +16,41 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "physics/pair_collision.h"
 #include "util/large_pages.h"
 
 namespace carom {
-
-/// What happens next to a particle: at `time`, the earlier of a contact with another and of
-/// reaching a border. The queue orders the times; the rest is for the owner's use.
-struct Event {
-    static constexpr double never = std::numeric_limits<double>::infinity();
-    double time = never;          ///< local
-    double contact_time = never;  ///< of the contact foreseen, which may come after the border
-    std::int32_t partner = 0;     ///< in that contact
-    std::uint32_t partner_collisions : 29 = 0;
-    std::uint32_t border : 3 = 0;
-
-    bool is_contact() const { return contact_time <= time; }
-};
 
 class EventQueue {
   public:
     explicit EventQueue(std::int32_t count);
 
-    /// Replaces all events at once, in laps suited to their times; the present is time 0.
-    void reset(const std::vector<Event>& events);
+    /// Replaces all events at once, in laps suited to their times (infinite where nothing will ever
+    /// happen); the present is time 0.
+    void reset(const std::vector<double>& times);
 
-    /// Gives the particles and their partners new numbers: k is who was before[k]. The present is
-    /// time 0.
+    /// Gives the particles new numbers: k is who was before[k]. The present is time 0.
     void renumber(const std::vector<std::int32_t>& before);
 
-    /// Replaces the event of `particle`; its time must not lie before that of the last earliest().
-    void schedule(std::int32_t particle, const Event& event);
+    /// Replaces the event of `particle`; `time` must not lie before that of the last earliest().
+    void schedule(std::int32_t particle, double time);
 
-    const Event& event(std::int32_t particle) const { return nodes_[index(particle)].event; }
+    double time(std::int32_t particle) const { return nodes_[index(particle)].time; }
 
     /// The particle whose event is the earliest in this lap (at equal times the lowest number), or
     /// -1 when the lap is over.
     std::int32_t earliest();
 
-    /// Calls f(particle) for the events of the next `hours` for which it has not been called yet,
-    /// as far as the day goes; later ones may still come between. For those who fetch ahead what
-    /// these events will need.
-    template <typename Function>
-    void look_ahead(std::int32_t hours, Function&& f);
+    /// Writes down to `who` whose events come next in the hours not told of yet, at most two, and
+    /// returns how many: none when these are more than `hours` away or on another day. Not all are
+    /// told of, and others may still come between. For those who fetch ahead what these events will
+    /// need, and who call this for each event that they process.
+    std::uint32_t look_ahead(std::int32_t hours, std::array<std::int32_t, 2>& who);
+
+    /// Asks the processor for the time of a particle.
+    void fetch(std::int32_t particle) const { __builtin_prefetch(&nodes_[index(particle)]); }
 
     /// When the lap is over, how far the next begins after it: a whole number of laps, so that an
     /// event lies in it; infinity when there is no event at all.
@@ -72,7 +62,7 @@ class EventQueue {
 
   private:
     struct Node {
-        Event event;
+        double time = never<double>;
         std::int32_t previous = 0;  ///< in the list, or ~list at its head
         std::int32_t next = 0;      ///< or nobody()
     };
@@ -110,6 +100,7 @@ class EventQueue {
     void note_all_anew();
     void forget_notes();
     void begin_day();
+    bool step_ahead(std::int32_t& from, std::int32_t hours) const;
     std::int32_t next_occupied(std::int32_t hour_of_day) const;
     std::int32_t earliest_in_heap();
     void order_present_hour();
@@ -135,23 +126,12 @@ class EventQueue {
     std::int32_t elsewhere_;     ///< the number of the list after those of a day's hours
     std::int32_t hour_ = 0;      ///< the present one
     std::int32_t midnight_ = 0;  ///< the first of the present day
-    std::int32_t ahead_ = -1;    ///< hour of the day up to which look_ahead() has come
+    std::int32_t ahead_ = -1;    ///< hour of the day up to which look_ahead() has told, and
+    std::int32_t asked_ = -1;    ///< up to which it has asked the processor for the first in line
     double width_ = 1.0;         ///< of an hour: a power of two, so that laps add up exactly
     double per_width_ = 1.0;
     double lap_ = 1.0;
     std::int64_t events_in_lap_ = 0;
 };
-
-template <typename Function>
-void EventQueue::look_ahead(std::int32_t hours, Function&& f) {
-    const std::int32_t present = hour_ - midnight_;
-    ahead_ = std::max(ahead_, present);
-    const std::int32_t end = std::min(present + hours, elsewhere_ - 1);
-    while (ahead_ < end) {
-        ahead_ = next_occupied(ahead_ + 1);
-        if (ahead_ == elsewhere_) return;
-        for (std::int32_t i = heads_[index(ahead_)]; i != nobody(); i = nodes_[index(i)].next) f(i);
-    }
-}
 
 }  // namespace carom

@@ -40,6 +40,8 @@ class ExactQueue {
 
     const ExactEvent& event(std::int32_t particle) const { return events_[index(particle)]; }
 
+    const Real& time(std::int32_t particle) const { return event(particle).time; }
+
     /// The particle whose event is the earliest (at equal times the lowest number), or -1 when
     /// there is none.
     std::int32_t earliest() const;

@@ -14,17 +14,18 @@ constexpr double ulp = std::numeric_limits<double>::epsilon() / 2;
 // More than the errors of a few operations in working out a bound itself.
 constexpr double more = 1.0 + 1e-12, less = 1.0 - 1e-12;
 
-constexpr double never = ExactEvent::never;
-
 const FineDisk& at(const FinePlane::Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
 }  // namespace
 
-FinePlane::FinePlane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic& arithmetic)
-    : box_(box), grid_(box, radii), screened_(arithmetic.screened), bits_(arithmetic.bits) {
-    const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
+FinePlane::FinePlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic)
+    : box_(box),
+      grid_(box, particles.radius),
+      screened_(arithmetic.screened),
+      bits_(arithmetic.bits) {
+    const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
     cell_size_ = {grid_.cell_width(), grid_.cell_height()};
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
     for (std::size_t a = 0; a < 2; ++a)
@@ -33,6 +34,10 @@ FinePlane::FinePlane(const Box& box, const Eigen::ArrayXd& radii, const Arithmet
     for (Real* number : {&here_[0], &here_[1], &r_[0], &r_[1], &v_[0], &v_[1], &approach_, &time_,
                          &a_, &b_, &c_, &sigma_square_})
         *number = Real(0.0, bits_);
+}
+
+FinePlane::Bodies FinePlane::bodies_of(const Particles& particles) {
+    return with_properties<Bodies>(particles);
 }
 
 std::vector<std::int32_t> FinePlane::order(const Bodies& bodies) {
@@ -84,17 +89,17 @@ double FinePlane::soonest_contact(const Viewer& a, const FineDisk& other,
     const double product_error =
         more * (r1 * v_error + v1 * x_error + 2.0 * x_error * v_error + 4.0 * ulp * r1 * v1);
     const double approach = x * vx + y * vy;
-    if (approach >= product_error) return never;
+    if (approach >= product_error) return never<double>;
     const double miss = std::max(0.0, std::abs(x * vy - y * vx) - product_error);
     const double fast_x = std::abs(vx) + v_error, fast_y = std::abs(vy) + v_error;
     const double reach_square = more * (sigma * sigma * (fast_x * fast_x + fast_y * fast_y));
     const double miss_square = less * (miss * miss);
-    if (miss_square > reach_square) return never;
+    if (miss_square > reach_square) return never<double>;
     const double square = x * x + y * y;
     const double gap_error = more * (2.0 * r1 * x_error + 2.0 * x_error * x_error +
                                      8.0 * ulp * (square + sigma * sigma));
     const double gap = (square - sigma * sigma) - gap_error;
-    if (!(gap > 0.0)) return -never;
+    if (!(gap > 0.0)) return -never<double>;
     const double root = std::sqrt(reach_square - miss_square);
     const double time = less * (gap / (root + std::abs(approach) + product_error));
     return (a.now + time) - 4.0 * ulp * (std::abs(a.now) + time);
@@ -217,10 +222,11 @@ ExactEvent FinePlane::foresee(const Bodies& bodies, std::int32_t i, const Real& 
                     its_next.partner_collisions == (disk.collisions & most_collisions))
                     continue;
                 const std::array<double, 2> shift{shift_x, shift_y};
-                const double soonest = screened_ ? soonest_contact(a, other, shift) : -never;
+                const double soonest =
+                    screened_ ? soonest_contact(a, other, shift) : -never<double>;
                 if (soonest > first.late || (its_next.is_contact() && soonest > its_next.late))
                     continue;
-                if (soonest < never) candidates_.push_back({soonest, j, shift});
+                if (soonest < never<double>) candidates_.push_back({soonest, j, shift});
             }
         });
     while (!candidates_.empty()) {
@@ -267,7 +273,7 @@ FinePlane::Border FinePlane::border_ahead(const Viewer& a, std::size_t axis) con
     const int in = d.cell[axis];
     const int up = v > 0.0 ? 1 : 0;
     const unsigned side = 2U * static_cast<unsigned>(axis) + static_cast<unsigned>(up);
-    Border border{cell_size_[axis] * (in + up), first_cell_side + side, never};
+    Border border{cell_size_[axis] * (in + up), first_cell_side + side, never<double>};
     if (box_.walls[axis] == Wall::solid) {
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
         const double wall = up ? size - d.radius : d.radius;
@@ -299,13 +305,13 @@ void FinePlane::solve_wall(const FineDisk& a, std::size_t axis, double place, co
 // solved in full unless the cell surely ends before.
 void FinePlane::foresee_border(const Viewer& a, const Real& now, ExactEvent& first) {
     const std::array<Border, 2> borders{border_ahead(a, 0), border_ahead(a, 1)};
-    double cell = never;
+    double cell = never<double>;
     for (const Border& border : borders) {
         if (border.kind < first_cell_side || border.soonest >= cell) continue;
         cell = border.soonest;
         first.border = border.kind & 7U;
     }
-    if (cell < never) first.time.set_sum(now, cell);
+    if (cell < never<double>) first.time.set_sum(now, cell);
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const Border& border = borders[axis];
         if (border.kind >= first_cell_side || std::isinf(border.soonest)) continue;
@@ -345,7 +351,7 @@ bool FinePlane::find_image(const FineDisk& a, const FineDisk& b) {
     std::array<double, 2> best{shifts[0][0], shifts[1][0]};
     if (along_x + along_y > 2) {
         const double sigma = a.radius + b.radius;
-        Real least = never;
+        Real least = never<double>;
         for (std::size_t i = 0; i < along_x; ++i) {
             for (std::size_t j = 0; j < along_y; ++j) {
                 separate(a, b, shifts[0][i], shifts[1][j]);

@@ -6,7 +6,6 @@
 // a little wider than it need be.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +23,13 @@ class FinePlane {
     using Body = FineDisk;
     using Bodies = std::vector<FineDisk>;
 
-    FinePlane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic& arithmetic);
+    FinePlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic);
 
     // As those of Plane.
+    static Bodies bodies_of(const Particles& particles);
+    static Properties properties(const Bodies& bodies, std::size_t i) {
+        return {bodies[i].radius, bodies[i].inverse_mass};
+    }
     static std::vector<std::int32_t> order(const Bodies& bodies);
     static bool sorts_again(std::size_t) { return false; }
     void enter(Bodies& bodies);

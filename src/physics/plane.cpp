@@ -22,26 +22,28 @@ constexpr std::uint64_t spread_bits(std::uint64_t bits) {
     return (bits | bits << 1) & 0x55555555U;
 }
 
-const Plane::Body& at(const Plane::Bodies& bodies, std::int32_t i) {
+template <typename Bodies>
+auto& at(Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
-bool crosses_cells(const Event& event) {
-    return !event.is_contact() && event.border >= first_cell_side;
+bool crosses_cells(const Prospect& prospect, double time) {
+    return (prospect.contact_time > time) & (prospect.border >= first_cell_side);
 }
-int cell_side(const Event& event) { return static_cast<int>(event.border - first_cell_side); }
+int cell_side(const Prospect& prospect) { return static_cast<int>(prospect.border & 3U); }
 
 }  // namespace
 
-Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
+Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
     : box_(box),
-      grid_(box, radii),
+      grid_(box, particles.radius),
+      properties_(particles),
       nearest_(Pairing::nearest(box)),
       only_(Pairing::shifted(0.0, 0.0)) {
-    const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
+    const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
     cell_size_ = TwoLanes{grid_.cell_width(), grid_.cell_height()};
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
-    if (radii.size() > 0 && (radii == radii[0]).all()) nearest_.sigma = only_.sigma = 2.0 * largest;
+    if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * largest;
     for (std::size_t a = 0; a < 2; ++a) {
         const double size = box.size[static_cast<Eigen::Index>(a)];
         const bool periodic = box.walls[a] == Wall::periodic;
@@ -52,13 +54,17 @@ Plane::Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
         box_size_[a] = size;
         solid_[a] = periodic ? 0 : -1;
         has_walls_ |= !periodic;
-        surely_nearest_[a] = narrow_[a] ? -1.0 : periodic ? 0.5 * size : Event::never;
+        surely_nearest_[a] = narrow_[a] ? -1.0 : periodic ? 0.5 * size : never<double>;
     }
+}
+
+Plane::Bodies Plane::bodies_of(const Particles& particles) {
+    return Bodies(static_cast<std::size_t>(particles.count()));
 }
 
 bool Plane::sorts_again(std::size_t count) { return count >= least_sorted; }
 
-std::vector<std::int32_t> Plane::order(const Bodies& bodies) const {
+std::vector<std::int32_t> Plane::order(const Bodies& bodies) {
     std::vector<std::int32_t> numbers(bodies.size());
     std::iota(numbers.begin(), numbers.end(), 0);
     if (bodies.size() < least_sorted) return numbers;
@@ -70,51 +76,51 @@ std::vector<std::int32_t> Plane::order(const Bodies& bodies) const {
     std::sort(keys.begin(), keys.end());
     for (std::size_t k = 0; k < keys.size(); ++k)
         numbers[k] = static_cast<std::int32_t>(keys[k] & 0xFFFFFFFFU);
+    properties_.renumber(numbers);
     return numbers;
 }
 
 void Plane::enter(Bodies& bodies) {
     for (Body& body : bodies) body.cell = grid_.cell_at(body.x[0], body.x[1]);
-    renumber(bodies);
+    fill_grid(bodies);
 }
 
-void Plane::renumber(const Bodies& bodies) {
+void Plane::renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
+    std::vector<std::int32_t> now(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+        now[static_cast<std::size_t>(before[k])] = static_cast<std::int32_t>(k);
+    for (Body& body : bodies)
+        body.prospect.partner = now[static_cast<std::size_t>(body.prospect.partner)];
+    fill_grid(bodies);
+}
+
+void Plane::fill_grid(const Bodies& bodies) {
     grid_.clear();
     for (std::size_t k = 0; k < bodies.size(); ++k)
-        grid_.add(static_cast<std::int32_t>(k), bodies[k].radius, bodies[k].cell);
-}
-
-bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const {
-    Body& a = bodies[static_cast<std::size_t>(i)];
-    Body& b = bodies[static_cast<std::size_t>(j)];
-    RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
-    if (!separation_at_contact(a, b, m.x, m.y)) return false;
-    const double factor = impulse_factor(m, a.inverse_mass, b.inverse_mass);
-    const TwoLanes r{m.x, m.y};
-    store_two(load_two(a.v.data()) + a.inverse_mass * factor * r, a.v.data());
-    store_two(load_two(b.v.data()) - b.inverse_mass * factor * r, b.v.data());
-    const double square = m.x * m.x + m.y * m.y;
-    const double sigma = a.radius + b.radius;
-    contact = {{m.x, m.y}, -factor * square, 0.5 * (1.0 - square / (sigma * sigma))};
-    return true;
+        grid_.add(static_cast<std::int32_t>(k), properties_[k].radius, bodies[k].cell);
 }
 
 // Of the images of b the one in contact with a: the nearest, or in a narrow periodic box, where two
 // may touch, the one that a approaches. False if none approaches.
-bool Plane::separation_at_contact(const Body& a, const Body& b, double& x, double& y) const {
+inline bool Plane::separation_at_contact(const Body& a, const Body& b, double sigma, double& x,
+                                         double& y) const {
     x = b.x[0] - a.x[0];
     y = b.x[1] - a.x[1];
-    if (std::abs(x) <= surely_nearest_[0] && std::abs(y) <= surely_nearest_[1])
+    if (std::abs(x) <= surely_nearest_[0] && std::abs(y) <= surely_nearest_[1]) [[likely]]
         return x * (b.v[0] - a.v[0]) + y * (b.v[1] - a.v[1]) < 0.0;
+    return separation_of_images(a, b, sigma, x, y);
+}
+
+bool Plane::separation_of_images(const Body& a, const Body& b, double sigma, double& x,
+                                 double& y) const {
     std::array<std::array<double, 2>, 2> along{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double plain = b.x[axis] - a.x[axis];
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
-        const double half = box_.walls[axis] == Wall::periodic ? 0.5 * size : Event::never;
+        const double half = box_.walls[axis] == Wall::periodic ? 0.5 * size : never<double>;
         const double nearest = plain > half ? plain - size : plain < -half ? plain + size : plain;
         along[axis] = {nearest, nearest > 0.0 ? nearest - size : nearest + size};
     }
-    const double sigma = a.radius + b.radius;
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < (narrow_[0] ? 2 : 1); ++i) {
         for (std::size_t j = 0; j < (narrow_[1] ? 2 : 1); ++j) {
@@ -129,6 +135,22 @@ bool Plane::separation_at_contact(const Body& a, const Body& b, double& x, doubl
         }
     }
     return std::isfinite(best);
+}
+
+bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const {
+    Body& a = bodies[static_cast<std::size_t>(i)];
+    Body& b = bodies[static_cast<std::size_t>(j)];
+    const Properties &first = properties_[i], &second = properties_[j];
+    const double sigma = first.radius + second.radius;
+    RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
+    if (!separation_at_contact(a, b, sigma, m.x, m.y)) return false;
+    const double factor = impulse_factor(m, first.inverse_mass, second.inverse_mass);
+    const TwoLanes r{m.x, m.y};
+    store_two(load_two(a.v.data()) + first.inverse_mass * factor * r, a.v.data());
+    store_two(load_two(b.v.data()) - second.inverse_mass * factor * r, b.v.data());
+    const double square = m.x * m.x + m.y * m.y;
+    contact = {{m.x, m.y}, -factor * square, 0.5 * (1.0 - square / (sigma * sigma))};
+    return true;
 }
 
 // In a periodic box the first follows the last.
@@ -156,20 +178,21 @@ void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
         body.x[axis] += up == 1 ? -size : size;
     }
-    grid_.move(i, body.radius, from, body.cell);
+    grid_.move(i, properties_[i].radius, from, body.cell);
 }
 
 // The contact, or the first of the borders ahead on each axis, of the cell or of the box. A large
 // disk touches the wall from several cells away.
-inline Event Plane::next_event(const Body& d, double now, const FirstContact& contact) const {
-    const TwoLanes none = both(Event::never), zero{};
+inline double Plane::next_event(Body& d, double radius, double now,
+                                const FirstContact& contact) const {
+    const TwoLanes none = both(never<double>), zero{};
     const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
     const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
     const TwoMasks up = v > 0.0;
     TwoLanes border = cell_size_ * (cell + select(up, both(1.0), zero));
     TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
     if (has_walls_) {
-        const TwoLanes wall = select(up, box_size_ - d.radius, both(d.radius));
+        const TwoLanes wall = select(up, box_size_ - radius, both(radius));
         const TwoLanes last = select(up, last_cells_, zero);
         // both the other way round for those that go down, so that one comparison is enough
         const TwoLanes before = select(up, wall, border), behind = select(up, border, wall);
@@ -184,11 +207,11 @@ inline Event Plane::next_event(const Body& d, double now, const FirstContact& co
     const TwoMasks first_kind = other_first ? swapped(kind) : kind;
     const TwoLanes border_time = select(other_first, swapped(time), time);
     const TwoLanes contact_time = both(contact.time);
-    return {.time = select(contact_time < border_time, contact_time, border_time)[0],
-            .contact_time = contact.time,
-            .partner = contact.partner(),
-            .partner_collisions = contact.collisions() & most_collisions,
-            .border = static_cast<std::uint32_t>(first_kind[0]) & 7U};
+    d.prospect = {.contact_time = contact.time,
+                  .partner = contact.partner(),
+                  .partner_collisions = contact.collisions() & most_collisions,
+                  .border = static_cast<std::uint32_t>(first_kind[0]) & 7U};
+    return select(contact_time < border_time, contact_time, border_time)[0];
 }
 
 // With the disk itself, which it never meets; never none.
@@ -199,14 +222,14 @@ inline void Plane::fill_up_lanes(std::int32_t i) {
 
 // The first contact with one of those listed.
 inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
-                          const EventQueue& queue, FirstContact& first) {
+                          FirstContact& first) {
     fill_up_lanes(i);
     const std::size_t count = near_count_;
     near_count_ = 0;
     std::size_t k = 0;
     do {
-        search_contact(bodies, i, now, &near_[k], std::min(count - k, most_searched), pairing,
-                       queue, first);
+        search_contact(bodies, properties_, i, now, &near_[k], std::min(count - k, most_searched),
+                       pairing, first);
         k += most_searched;
     } while (k < count);
 }
@@ -219,31 +242,33 @@ inline const Pairing& Plane::pairing_near(Cell cell) const {
 
 // As it is called for every cell, of which most about a large disk are empty.
 inline auto Plane::search_slots(const Bodies& bodies, std::int32_t i, double now,
-                                const EventQueue& queue, FirstContact& first) {
+                                FirstContact& first) {
     return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
         grid_.append(slots, near_, near_count_);
         if (near_count_ == 0) return;
-        search(bodies, i, now, Pairing::shifted(shift_x, shift_y), queue, first);
+        search(bodies, i, now, Pairing::shifted(shift_x, shift_y), first);
     };
 }
 
-Event Plane::foresee(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue) {
-    const Body& a = at(bodies, i);
+double Plane::foresee(Bodies& bodies, std::int32_t i, double now) {
+    Body& a = at(bodies, i);
+    const double radius = properties_[i].radius;
     FirstContact first;
-    if (grid_.plain(a.radius)) {
+    if (grid_.plain(radius)) {
         grid_.append_around(a.cell, near_, near_count_);
-        search(bodies, i, now, pairing_near(a.cell), queue, first);
+        search(bodies, i, now, pairing_near(a.cell), first);
     } else {
-        grid_.for_each_near(a.radius, a.cell, search_slots(bodies, i, now, queue, first));
+        grid_.for_each_near(radius, a.cell, search_slots(bodies, i, now, first));
     }
-    return next_event(a, now, first);
+    return next_event(a, radius, now, first);
 }
 
 // The nearest image of the other recedes, and no other image comes into question.
-bool Plane::foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
-                         const EventQueue& queue, std::array<Event, 2>& next) {
-    const Body &a = at(bodies, i), &b = at(bodies, j);
-    if (!grid_.plain(a.radius) || !grid_.plain(b.radius)) return false;
+bool Plane::foresee_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                         std::array<double, 2>& when) {
+    Body &a = at(bodies, i), &b = at(bodies, j);
+    const std::array radius{properties_[i].radius, properties_[j].radius};
+    if (!grid_.plain(radius[0]) || !grid_.plain(radius[1])) return false;
     grid_.append_around(a.cell, near_, near_count_);
     fill_up_lanes(i);
     const std::size_t split = near_count_;
@@ -254,63 +279,70 @@ bool Plane::foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, d
     if (count > most_searched) return false;
     const bool at_edge = pairing_near(a.cell).several_images || pairing_near(b.cell).several_images;
     std::array<FirstContact, 2> contacts;
-    search_two_contacts(bodies, {i, j}, now, near_.data(), split, count, at_edge ? nearest_ : only_,
-                        queue, contacts);
-    next = {next_event(a, now, contacts[0]), next_event(b, now, contacts[1])};
+    search_two_contacts(bodies, properties_, {i, j}, now, near_.data(), split, count,
+                        at_edge ? nearest_ : only_, contacts);
+    when = {next_event(a, radius[0], now, contacts[0]), next_event(b, radius[1], now, contacts[1])};
     return true;
 }
 
-Event Plane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
-                                    const Event& before, double now, const EventQueue& queue) {
-    const Body& a = at(bodies, i);
+double Plane::foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, double now) {
+    Body& a = at(bodies, i);
+    const double radius = properties_[i].radius;
+    const Prospect& before = a.prospect;
     FirstContact first(before.contact_time, before.partner, before.partner_collisions);
-    if (grid_.plain(a.radius)) {
+    if (grid_.plain(radius)) {
         grid_.append_newly_around(a.cell, side, near_, near_count_);
-        search(bodies, i, now, pairing_near(a.cell), queue, first);
+        search(bodies, i, now, pairing_near(a.cell), first);
     } else {
-        grid_.for_each_newly_near(a.radius, a.cell, side,
-                                  search_slots(bodies, i, now, queue, first));
+        grid_.for_each_newly_near(radius, a.cell, side, search_slots(bodies, i, now, first));
     }
-    return next_event(a, now, first);
+    return next_event(a, radius, now, first);
 }
 
-void Plane::fetch_disks_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const {
+std::int32_t Plane::partner_ahead(const Bodies& bodies, std::int32_t i, double time) {
+    const Prospect& prospect = at(bodies, i).prospect;
+    const std::int32_t meets = prospect.contact_time <= time ? -1 : 0;
+    return i ^ ((i ^ prospect.partner) & meets);
+}
+
+// How many are listed the processor cannot foretell, so a few more are asked for, which have been
+// listed before; more than `usual` are rare.
+template <std::size_t usual>
+inline void Plane::fetch_listed(const Bodies& bodies) {
+#pragma GCC unroll 32
+    for (std::size_t k = 0; k < usual; ++k) __builtin_prefetch(&at(bodies, near_[k]));
+    for (std::size_t k = usual; k < near_count_; ++k) __builtin_prefetch(&at(bodies, near_[k]));
+    near_count_ = 0;
+}
+
+void Plane::fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
     __builtin_prefetch(&at(bodies, i));
-    const Event& event = queue.event(i);
-    if (!event.is_contact()) return;
-    __builtin_prefetch(&at(bodies, event.partner));
-    __builtin_prefetch(&queue.event(event.partner));
 }
 
-void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const {
-    const Event& event = queue.event(i);
+// Without a branch: which event comes the processor cannot foretell.
+void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const {
     const Body& a = at(bodies, i);
-    if (crosses_cells(event)) {
-        const int side = cell_side(event);
-        grid_.fetch_newly_around(next_cell(a.cell, side), side);
-        return;
-    }
-    grid_.fetch_around(a.cell);
-    if (event.is_contact()) grid_.fetch_around(at(bodies, event.partner).cell);
+    const Cell next = next_cell(a.cell, cell_side(a.prospect));
+    const unsigned crosses = crosses_cells(a.prospect, time) ? ~0U : 0U;
+    Cell about;
+    for (std::size_t k = 0; k < 2; ++k)
+        about[k] = static_cast<std::uint16_t>(a.cell[k] ^ ((a.cell[k] ^ next[k]) & crosses));
+    grid_.fetch_around(about);
+    grid_.fetch_around(at(bodies, partner_ahead(bodies, i, time)).cell);
 }
 
-void Plane::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) {
-    const Event& event = queue.event(i);
+void Plane::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time) {
+    if (!grid_.plain(properties_[i].radius)) return;
     const Body& a = at(bodies, i);
-    if (!grid_.plain(a.radius)) return;
-    if (crosses_cells(event)) {
-        const int side = cell_side(event);
+    if (crosses_cells(a.prospect, time)) {
+        const int side = cell_side(a.prospect);
         grid_.append_newly_around(next_cell(a.cell, side), side, near_, near_count_);
+        fetch_listed<4>(bodies);
     } else {
         grid_.append_around(a.cell, near_, near_count_);
-        if (event.is_contact())
-            grid_.append_around(at(bodies, event.partner).cell, near_, near_count_);
+        grid_.append_around(at(bodies, partner_ahead(bodies, i, time)).cell, near_, near_count_);
+        fetch_listed<20>(bodies);
     }
-    for (std::size_t k = 0; k < near_count_; ++k) {
-        __builtin_prefetch(&at(bodies, near_[k]));
-        __builtin_prefetch(&queue.event(near_[k]));
-    }
-    near_count_ = 0;
 }
 
 }  // namespace carom

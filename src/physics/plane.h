@@ -1,9 +1,8 @@
 // The plane: disks in two dimensions, who may touch whom and when. Finds neighbours in a grid of
-// cells (cell_grid.h), and the first of them to be touched by contact_search.h. Knows no queue
-// order and no clock.
+// cells (cell_grid.h), and the first of them to be touched by contact_search.h. Knows no queue and
+// no clock.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,7 +10,6 @@
 #include "physics/arena.h"
 #include "physics/cell_grid.h"
 #include "physics/contact_search.h"
-#include "physics/event_queue.h"
 #include "physics/flying_disk.h"
 #include "physics/lanes.h"
 
@@ -22,11 +20,16 @@ class Plane {
     using Body = FlyingDisk;
     using Bodies = FlyingDisks;
 
-    Plane(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic& = {});
+    Plane(const Box& box, const Particles& particles, const Arithmetic& = {});
+
+    /// The bodies of these particles, and what the one or the other is.
+    static Bodies bodies_of(const Particles& particles);
+    const Properties& properties(const Bodies&, std::size_t i) const { return properties_[i]; }
 
     /// The order in which bodies shall lie in memory: disks near each other in the box near each
     /// other, along a Z-curve through the cells. Few stay as they are: they fit into the cache.
-    std::vector<std::int32_t> order(const Bodies& bodies) const;
+    /// What the plane itself knows of each is put in that order at once.
+    std::vector<std::int32_t> order(const Bodies& bodies);
 
     /// Whether so many bodies are put in order again now and then.
     static bool sorts_again(std::size_t count);
@@ -34,21 +37,20 @@ class Plane {
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);
 
-    /// The same bodies in another order, at any times of their own.
-    void renumber(const Bodies& bodies);
+    /// The same bodies in another order, at any times of their own: k is who was before[k].
+    void renumber(Bodies& bodies, const std::vector<std::int32_t>& before);
 
-    /// What happens next to a body.
-    Event foresee(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue);
+    /// Finds out what happens next to a body, which keeps it, and returns when (local time).
+    double foresee(Bodies& bodies, std::int32_t i, double now);
 
-    /// What happens next to two bodies that have just collided; false, and nothing is found, where
-    /// one might meet the other again before it meets a third.
-    bool foresee_both(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
-                      const EventQueue& queue, std::array<Event, 2>& next);
+    /// The same for two bodies that have just collided; false, and nothing is found, where one
+    /// might meet the other again before it meets a third.
+    bool foresee_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                      std::array<double, 2>& when);
 
-    /// The same when it has just crossed the side of a cell; `before` is what was foreseen until
-    /// then, whose contact still holds.
-    Event foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
-                                 const Event& before, double now, const EventQueue& queue);
+    /// The same for a body that has just crossed the side of a cell: the contact that was foreseen
+    /// before still holds.
+    double foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, double now);
 
     /// The body goes over to the next cell.
     void cross(Bodies& bodies, std::int32_t i, int side, double now);
@@ -57,25 +59,35 @@ class Plane {
     /// approach (a graze, by round-off).
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
-    /// Asks the processor for what the event of a disk will need: the disks that it changes; when
-    /// these are there, the cells about them; and when these are, the disks in them.
-    void fetch_disks_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const;
-    void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue) const;
-    void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, const EventQueue& queue);
+    /// Ask the processor for what the event of disk i at `time` will need, one after the other,
+    /// each when what the one before has asked for is there: first the disk itself; then, by the
+    /// same call, its partner; the cells about both; and the disks in these.
+    void fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const;
+    void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const;
+    void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time);
+
+    /// The other disk of the event of disk i at `time`, or i where there is none.
+    static std::int32_t partner_ahead(const Bodies& bodies, std::int32_t i, double time);
 
   private:
+    void fill_grid(const Bodies& bodies);
     void fill_up_lanes(std::int32_t i);
     void search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
-                const EventQueue& queue, FirstContact& first);
-    auto search_slots(const Bodies& bodies, std::int32_t i, double now, const EventQueue& queue,
-                      FirstContact& first);
+                FirstContact& first);
+    auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first);
     const Pairing& pairing_near(Cell cell) const;
     Cell next_cell(Cell cell, int side) const;
-    Event next_event(const Body& d, double now, const FirstContact& contact) const;
-    bool separation_at_contact(const Body& a, const Body& b, double& x, double& y) const;
+    double next_event(Body& d, double radius, double now, const FirstContact& contact) const;
+    bool separation_at_contact(const Body& a, const Body& b, double sigma, double& x,
+                               double& y) const;
+    bool separation_of_images(const Body& a, const Body& b, double sigma, double& x,
+                              double& y) const;
+    template <std::size_t usual>
+    void fetch_listed(const Bodies& bodies);
 
     Box box_;
     CellGrid grid_;
+    DiskProperties properties_;
     Pairing nearest_, only_;  ///< with several images, and with the only one
     std::vector<std::int32_t> near_ =
         std::vector<std::int32_t>(2 * CellGrid::spare);  ///< scratch: the disks to be looked at

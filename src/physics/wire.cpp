@@ -9,10 +9,15 @@
 namespace carom {
 
 template <typename Scalar>
-Wire<Scalar>::Wire(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic&)
+Wire<Scalar>::Wire(const Box& box, const Particles& particles, const Arithmetic&)
     : length_(box.size[0]),
       periodic_(box.walls[0] == Wall::periodic),
-      count_(static_cast<std::int32_t>(radii.size())) {}
+      count_(static_cast<std::int32_t>(particles.count())) {}
+
+template <typename Scalar>
+auto Wire<Scalar>::bodies_of(const Particles& particles) -> Bodies {
+    return with_properties<Bodies>(particles);
+}
 
 template <typename Scalar>
 std::vector<std::int32_t> Wire<Scalar>::order(const Bodies& bodies) {
@@ -75,19 +80,23 @@ void Wire<Scalar>::foresee_end(const Bodies& bodies, std::int32_t i, const Scala
 }
 
 template <typename Scalar>
-auto Wire<Scalar>::foresee(const Bodies& bodies, std::int32_t i, const Scalar& now, const Queue&)
-    -> Event {
+auto Wire<Scalar>::foresee(Bodies& bodies, std::int32_t i, const Scalar& now) const -> When {
     Event first;
     foresee_pair(bodies, i, true, now, first);
     foresee_pair(bodies, i, false, now, first);
     foresee_end(bodies, i, now, first);
-    return first;
+    if constexpr (std::is_same_v<Scalar, double>) {
+        bodies[static_cast<std::size_t>(i)].prospect = first;
+        return first.time;
+    } else {
+        return first;
+    }
 }
 
 template <typename Scalar>
-auto Wire<Scalar>::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int, const Event&,
-                                          const Scalar& now, const Queue& queue) -> Event {
-    return foresee(bodies, i, now, queue);
+auto Wire<Scalar>::foresee_after_crossing(Bodies& bodies, std::int32_t i, int,
+                                          const Scalar& now) const -> When {
+    return foresee(bodies, i, now);
 }
 
 template <typename Scalar>

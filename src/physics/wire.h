@@ -4,7 +4,6 @@
 // worked out in full. Knows no queue and no clock.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,8 +11,8 @@
 #include <vector>
 
 #include "physics/arena.h"
-#include "physics/event_queue.h"
 #include "physics/exact_queue.h"
+#include "physics/particles.h"
 #include "util/large_pages.h"
 
 namespace carom {
@@ -29,12 +28,17 @@ class Wire {
         double inverse_mass;
         std::uint32_t collisions;
         std::int32_t turns;  ///< how often it has gone round a periodic wire
+        Prospect prospect;   ///< of doubles; one of many bits is in the queue
     };
     using Bodies = LargeVector<Body>;
-    using Queue = std::conditional_t<std::is_same_v<Scalar, double>, EventQueue, ExactQueue>;
-    using Event = std::conditional_t<std::is_same_v<Scalar, double>, carom::Event, ExactEvent>;
 
-    Wire(const Box& box, const Eigen::ArrayXd& radii, const Arithmetic& = {});
+    Wire(const Box& box, const Particles& particles, const Arithmetic& = {});
+
+    /// The bodies of these particles, and what the one or the other is.
+    static Bodies bodies_of(const Particles& particles);
+    static Properties properties(const Bodies& bodies, std::size_t i) {
+        return {bodies[i].radius, bodies[i].inverse_mass};
+    }
 
     /// The order in which bodies shall lie in memory: along the wire.
     static std::vector<std::int32_t> order(const Bodies& bodies);
@@ -45,9 +49,10 @@ class Wire {
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);
 
-    Event foresee(const Bodies& bodies, std::int32_t i, const Scalar& now, const Queue& queue);
-    Event foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
-                                 const Event& before, const Scalar& now, const Queue& queue);
+    /// As those of Plane; of many bits the whole event is returned.
+    using When = std::conditional_t<std::is_same_v<Scalar, double>, double, ExactEvent>;
+    When foresee(Bodies& bodies, std::int32_t i, const Scalar& now) const;
+    When foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now) const;
 
     /// The body leaves a periodic wire at one end and enters at the other.
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
@@ -63,6 +68,8 @@ class Wire {
                                            double slack) const;
 
   private:
+    using Event = std::conditional_t<std::is_same_v<Scalar, double>, carom::Event, ExactEvent>;
+
     std::int32_t last() const { return count_ - 1; }
     Scalar gap(const Body& left, const Body& right, const Scalar& now, bool around) const;
     void foresee_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,

@@ -15,24 +15,51 @@ namespace {
 
 constexpr double size = 20.0;
 
-// Disks at times of their own; some without mass's inverse, some points, some alike in place and
-// motion, so that times are equal; all with one radius if `alike`.
-FlyingDisks draw_disks(Random& random, std::size_t count, bool alike) {
-    FlyingDisks disks(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        FlyingDisk& d = disks[k];
-        if (k > 1 && random.uniform() < 0.2) {
-            d = disks[k - 1];
-            continue;
-        }
-        d.x = {random.uniform(0.0, size), random.uniform(0.0, size)};
-        d.v = {random.normal(), random.normal()};
-        d.time = random.uniform();
-        d.radius = random.uniform() < 0.1 ? 0.0 : random.uniform(0.1, 1.0);
-        if (alike) d.radius = 0.6;
-        d.inverse_mass = random.uniform() < 0.3 ? 0.0 : 1.0;
-        d.collisions = static_cast<std::uint32_t>(random.below(1000));
+struct Disks {
+    FlyingDisks flying;
+    DiskProperties properties;
+    Pairing pairing;  ///< as drawn below
+    double shift;
+    bool nearest;
+};
+
+// Some are without mass's inverse and some are points, or all are alike.
+DiskProperties draw_properties(Random& random, std::size_t count, bool alike) {
+    Particles particles;
+    particles.radius = Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(count), 0.6);
+    particles.inverse_mass = Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(count));
+    for (Eigen::Index k = 0; !alike && k < particles.count(); ++k) {
+        particles.radius[k] = random.uniform() < 0.1 ? 0.0 : random.uniform(0.1, 1.0);
+        if (random.uniform() < 0.3) particles.inverse_mass[k] = 0.0;
     }
+    return DiskProperties(particles);
+}
+
+// Disks at times of their own, some alike in place and motion, so that times are equal. Some have a
+// contact before, and are left to look again themselves.
+Disks draw_disks(Random& random, std::size_t count) {
+    const bool alike = random.uniform() < 0.5;
+    Disks disks{FlyingDisks(count), draw_properties(random, count, alike), {}, 0.0, false};
+    for (std::size_t k = 0; k < count; ++k) {
+        FlyingDisk& d = disks.flying[k];
+        if (k > 1 && random.uniform() < 0.2) {
+            d = disks.flying[k - 1];
+        } else {
+            d.x = {random.uniform(0.0, size), random.uniform(0.0, size)};
+            d.v = {random.normal(), random.normal()};
+            d.time = random.uniform();
+            d.collisions = static_cast<std::uint32_t>(random.below(1000));
+        }
+        d.prospect = {};
+        if (random.uniform() < 0.5) d.prospect.contact_time = random.uniform(0.0, 9.0);
+    }
+    disks.nearest = random.uniform() < 0.5;
+    disks.shift = disks.nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
+    Box box;
+    box.size = {size, size};
+    box.walls = {Wall::periodic, Wall::periodic};
+    disks.pairing = disks.nearest ? Pairing::nearest(box) : Pairing::shifted(disks.shift, 0.0);
+    if (disks.properties.alike()) disks.pairing.sigma = 1.2;
     return disks;
 }
 
@@ -41,41 +68,29 @@ double nearest_image(double x) {
 }
 
 // One after the other, as the header has it.
-FirstContact slow_search(const FlyingDisks& disks, std::int32_t i, double now,
-                         const std::vector<std::int32_t>& near, double shift, bool nearest,
-                         const EventQueue& queue, FirstContact first) {
-    const FlyingDisk& a = disks[std::size_t(i)];
+FirstContact slow_search(const Disks& disks, std::int32_t i, double now,
+                         const std::vector<std::int32_t>& near, FirstContact first) {
+    const FlyingDisk& a = disks.flying[std::size_t(i)];
     for (const std::int32_t other : near) {
-        const FlyingDisk& b = disks[std::size_t(other)];
+        const FlyingDisk& b = disks.flying[std::size_t(other)];
         const auto apart = [&](std::size_t axis) {
             const double here = a.x[axis] + a.v[axis] * (now - a.time);
             const double there = b.x[axis] + b.v[axis] * (now - b.time);
-            return nearest ? nearest_image(there - here)
-                           : there - (here - (axis == 0 ? shift : 0.0));
+            return disks.nearest ? nearest_image(there - here)
+                                 : there - (here - (axis == 0 ? disks.shift : 0.0));
         };
         const RelativeMotion<double> m{apart(0), apart(1), b.v[0] - a.v[0], b.v[1] - a.v[1]};
+        const Properties &one = disks.properties[i], &two = disks.properties[other];
         const double time =
-            now + contact_time(m, a.radius + b.radius,
+            now + contact_time(m, one.radius + two.radius,
                                approach_round_off(m, a.v[0], a.v[1], b.v[0], b.v[1]));
-        if (other == i || !std::isfinite(time) || a.inverse_mass + b.inverse_mass == 0.0 ||
-            a.radius + b.radius == 0.0 || time > queue.event(other).contact_time)
+        if (other == i || !std::isfinite(time) || one.inverse_mass + two.inverse_mass == 0.0 ||
+            one.radius + two.radius == 0.0 || time > b.prospect.contact_time)
             continue;
         if (time < first.time || (time == first.time && other < first.partner()))
             first = FirstContact(time, other, b.collisions);
     }
     return first;
-}
-
-}  // namespace
-
-// Some have a contact before, and are left to look again themselves.
-EventQueue draw_contacts(Random& random, std::size_t count) {
-    std::vector<Event> events(count);
-    for (Event& event : events)
-        if (random.uniform() < 0.5) event = {.time = 0.5, .contact_time = random.uniform(0, 9)};
-    EventQueue queue(static_cast<std::int32_t>(count));
-    queue.reset(events);
-    return queue;
 }
 
 // All numbers below count but one, in no order, filled up with i to whole lanes.
@@ -89,41 +104,29 @@ std::vector<std::int32_t> all_but(std::int32_t one, Random& random, std::size_t 
     return near;
 }
 
-Pairing draw_pairing(Random& random, bool& nearest, double& shift) {
-    nearest = random.uniform() < 0.5;
-    Box box;
-    box.size = {size, size};
-    box.walls = {Wall::periodic, Wall::periodic};
-    shift = nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
-    return nearest ? Pairing::nearest(box) : Pairing::shifted(shift, 0.0);
-}
+}  // namespace
 
 TEST_CASE("the search among many finds what looking at one after the other finds") {
     Random random(5, "search");
     int found = 0, equal = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(1 + random.below(most_searched));
-        const bool alike = random.uniform() < 0.5;
-        const FlyingDisks disks = draw_disks(random, count, alike);
-        const EventQueue queue = draw_contacts(random, count);
+        const Disks disks = draw_disks(random, count);
         FirstContact known;
         if (random.uniform() < 0.3) known = FirstContact(random.uniform(1.0, 9.0), 3, 5);
         const auto i = static_cast<std::int32_t>(random.below(count));
         const std::vector<std::int32_t> near = all_but(-1, random, count, i);
-        bool nearest;
-        double shift;
-        Pairing pairing = draw_pairing(random, nearest, shift);
-        if (alike) pairing.sigma = 1.2;
 
-        const FirstContact slow = slow_search(disks, i, 1.0, near, shift, nearest, queue, known);
+        const FirstContact slow = slow_search(disks, i, 1.0, near, known);
         FirstContact fast = known;
-        search_contact(disks, i, 1.0, near.data(), near.size(), pairing, queue, fast);
+        search_contact(disks.flying, disks.properties, i, 1.0, near.data(), near.size(),
+                       disks.pairing, fast);
         REQUIRE(fast.time == slow.time);
         REQUIRE(fast.who == slow.who);
         if (!std::isfinite(slow.time) || slow.time == known.time) continue;
         ++found;
         const auto partner = std::size_t(slow.partner());
-        if (partner + 1 < count && disks[partner + 1].x == disks[partner].x) ++equal;
+        if (partner + 1 < count && disks.flying[partner + 1].x == disks.flying[partner].x) ++equal;
     }
     // Otherwise the comparison would say little.
     CHECK(found > 5'000);
@@ -135,25 +138,19 @@ TEST_CASE("the search for two at once finds what two searches find") {
     int found = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(2 + random.below(most_searched / 2 - 1));
-        const bool alike = random.uniform() < 0.5;
-        const FlyingDisks disks = draw_disks(random, count, alike);
-        const EventQueue queue = draw_contacts(random, count);
+        const Disks disks = draw_disks(random, count);
         const auto i = static_cast<std::int32_t>(random.below(count));
         const auto j = static_cast<std::int32_t>((i + 1 + random.below(count - 1)) % count);
         const std::vector<std::int32_t> near_i = all_but(j, random, count, i);
         const std::vector<std::int32_t> near_j = all_but(i, random, count, j);
         std::vector<std::int32_t> near = near_i;
         near.insert(near.end(), near_j.begin(), near_j.end());
-        bool nearest;
-        double shift;
-        Pairing pairing = draw_pairing(random, nearest, shift);
-        if (alike) pairing.sigma = 1.2;
 
-        const std::array slow{slow_search(disks, i, 1.0, near_i, shift, nearest, queue, {}),
-                              slow_search(disks, j, 1.0, near_j, shift, nearest, queue, {})};
+        const std::array slow{slow_search(disks, i, 1.0, near_i, {}),
+                              slow_search(disks, j, 1.0, near_j, {})};
         std::array<FirstContact, 2> fast;
-        search_two_contacts(disks, {i, j}, 1.0, near.data(), near_i.size(), near.size(), pairing,
-                            queue, fast);
+        search_two_contacts(disks.flying, disks.properties, {i, j}, 1.0, near.data(), near_i.size(),
+                            near.size(), disks.pairing, fast);
         for (std::size_t k = 0; k < 2; ++k) {
             REQUIRE(fast[k].time == slow[k].time);
             REQUIRE(fast[k].who == slow[k].who);
@@ -161,4 +158,24 @@ TEST_CASE("the search for two at once finds what two searches find") {
         }
     }
     CHECK(found > 10'000);
+}
+
+TEST_CASE("properties of disks are known once where all are alike, and follow a new order") {
+    Particles particles;
+    particles.radius = Eigen::ArrayXd::Constant(3, 0.5);
+    particles.inverse_mass = Eigen::ArrayXd::Constant(3, 2.0);
+    DiskProperties same(particles);
+    CHECK(same.alike());
+    same.renumber({2, 0, 1});
+    CHECK(same[2].inverse_mass == 2.0);
+    particles.inverse_mass.setZero();  // fixed: none of them ever meets another
+    CHECK(!DiskProperties(particles).alike());
+    CHECK(DiskProperties(particles)[1].inverse_mass == 0.0);
+    particles.inverse_mass << 1.0, 2.0, 3.0;
+    DiskProperties mixed(particles);
+    CHECK(!mixed.alike());
+    mixed.renumber({2, 0, 1});
+    CHECK(mixed[0].inverse_mass == 3.0);
+    CHECK(mixed[1].inverse_mass == 1.0);
+    CHECK(mixed[2].inverse_mass == 2.0);
 }

@@ -2,6 +2,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -11,6 +12,7 @@
 
 #include "physics/event_queue.h"
 #include "physics/local_clock.h"
+#include "physics/pair_collision.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -29,14 +31,14 @@ void compare_with_all(std::int32_t count, int events_processed, double spread) {
         if (u < 0.5) return now + 4096.0 * std::floor(1000.0 * random.uniform());
         return now + std::exp(random.uniform(-20.0, spread));
     };
-    std::vector<Event> events(static_cast<std::size_t>(count));
+    std::vector<double> times(static_cast<std::size_t>(count));
     std::set<std::pair<double, std::int32_t>> order;
     for (std::int32_t i = 0; i < count; ++i) {
-        events[std::size_t(i)].time = draw(0.0);
-        order.insert({events[std::size_t(i)].time, i});
+        times[std::size_t(i)] = draw(0.0);
+        order.insert({times[std::size_t(i)], i});
     }
     EventQueue queue(count);
-    queue.reset(events);
+    queue.reset(times);
     int processed = 0;
     for (; processed < events_processed; ++processed) {
         const std::int32_t found = queue.earliest();
@@ -46,21 +48,21 @@ void compare_with_all(std::int32_t count, int events_processed, double spread) {
             queue.begin_lap(shift);
             order.clear();
             for (std::int32_t i = 0; i < count; ++i) {
-                events[std::size_t(i)].time -= shift;
-                order.insert({events[std::size_t(i)].time, i});
+                times[std::size_t(i)] -= shift;
+                order.insert({times[std::size_t(i)], i});
             }
             continue;
         }
         const auto [now, first] = *order.begin();
         REQUIRE(found == first);
-        REQUIRE(queue.event(found).time == now);
+        REQUIRE(queue.time(found) == now);
         REQUIRE(queue.earliest() == found);
         // as in the simulation: the one at hand, and another one with it
         for (const auto i : {first, static_cast<std::int32_t>(random.below(count))}) {
-            order.erase({events[std::size_t(i)].time, i});
-            events[std::size_t(i)].time = draw(now);
-            order.insert({events[std::size_t(i)].time, i});
-            queue.schedule(i, events[std::size_t(i)]);
+            order.erase({times[std::size_t(i)], i});
+            times[std::size_t(i)] = draw(now);
+            order.insert({times[std::size_t(i)], i});
+            queue.schedule(i, times[std::size_t(i)]);
         }
     }
     CHECK(processed == events_processed);
@@ -80,69 +82,70 @@ TEST_CASE("events of laps of many days come in order") {
 TEST_CASE("an event replaced again and again takes no more room") {
     constexpr std::int32_t count = 10'000;
     Random random(6, "queue");
-    std::vector<Event> events(count);
-    for (Event& event : events) event.time = random.uniform();
+    std::vector<double> times(count);
+    for (double& time : times) time = random.uniform();
     EventQueue queue(count);
-    queue.reset(events);
+    queue.reset(times);
     const auto bytes = [] { return mallinfo2().uordblks + mallinfo2().hblkhd; };
     const std::size_t before = bytes();
     for (int k = 0; k < 1'000'000; ++k) {
         const auto i = static_cast<std::int32_t>(random.below(count));
-        events[std::size_t(i)].time = random.uniform();
-        queue.schedule(i, events[std::size_t(i)]);
+        times[std::size_t(i)] = random.uniform();
+        queue.schedule(i, times[std::size_t(i)]);
     }
     // Four notes for each, and as much again that a vector holds ready; all kept would be 400
     // bytes.
     CHECK(bytes() < before + 40 * std::size_t{count});
     std::vector<std::int32_t> order(count);
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&events](std::int32_t a, std::int32_t b) {
-        return events[std::size_t(a)].time < events[std::size_t(b)].time;
+    std::sort(order.begin(), order.end(), [&times](std::int32_t a, std::int32_t b) {
+        return times[std::size_t(a)] < times[std::size_t(b)];
     });
     for (const std::int32_t next : order) {
         while (queue.earliest() < 0) queue.begin_lap(queue.next_lap());
         REQUIRE(queue.earliest() == next);
-        queue.schedule(next, Event{});
+        queue.schedule(next, never<double>);
     }
     CHECK(queue.earliest() == -1);
 }
 
-TEST_CASE("looking ahead tells of each event of the next hours once") {
+TEST_CASE("looking ahead tells of nearly each event of the next hours, and never twice") {
     constexpr std::int32_t count = 8192;
     Random random(4, "queue");
-    std::vector<Event> events(count);
-    for (Event& event : events) event.time = random.uniform();
+    std::vector<double> times(count);
+    for (double& time : times) time = random.uniform();
     EventQueue queue(count);
-    queue.reset(events);
+    queue.reset(times);
     std::vector<int> told(count, 0);
     int in_time = 0;
     for (int k = 0; k < count; ++k) {
         const std::int32_t i = queue.earliest();
         REQUIRE(i >= 0);
         in_time += told[std::size_t(i)];
-        queue.look_ahead(32, [&](std::int32_t coming) {
-            ++told[std::size_t(coming)];
-            CHECK(queue.event(coming).time >= queue.event(i).time);
-        });
-        queue.schedule(i, Event{});
+        std::array<std::int32_t, 2> who;
+        const std::uint32_t more = queue.look_ahead(32, who);
+        REQUIRE(more <= 2);
+        for (std::uint32_t n = 0; n < more; ++n) {
+            ++told[std::size_t(who[n])];
+            CHECK(queue.time(who[n]) >= queue.time(i));
+        }
+        queue.schedule(i, never<double>);
     }
     CHECK(queue.earliest() == -1);
-    for (const int times : told) REQUIRE(times <= 1);
-    // all but those that came first on their day
-    CHECK(in_time > 0.97 * count);
+    for (const int times_told : told) REQUIRE(times_told <= 1);
+    // all but those that came first on their day, and a third in one hour
+    CHECK(in_time > 0.95 * count);
     CHECK(in_time < count);
 }
 
 TEST_CASE("an empty queue is a valid state") {
     EventQueue queue(3);
-    queue.reset(std::vector<Event>(3));
+    queue.reset(std::vector<double>(3, never<double>));
     CHECK(queue.earliest() == -1);
     CHECK(std::isinf(queue.next_lap()));
-    queue.schedule(1, {.time = 2.5, .contact_time = 3.0, .partner = 7});
+    queue.schedule(1, 2.5);
     while (queue.earliest() < 0) queue.begin_lap(queue.next_lap());
     CHECK(queue.earliest() == 1);
-    CHECK(queue.event(1).partner == 7);
-    CHECK(queue.event(1).contact_time - queue.event(1).time == 0.5);
 }
 
 TEST_CASE("a clock keeps short times exact at late epochs") {

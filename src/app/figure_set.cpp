@@ -73,6 +73,14 @@ std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
     throw std::logic_error("no such format of figures: " + format);
 }
 
+RunsTold shown_runs(const Scene& scene, Progress& progress) {
+    return {
+        .trial = shown_trials(scene, progress),
+        .begin = [&](double time) { progress.begin("simulating", time, "time units"); },
+        .advance = [&](double time) { progress.advance(time); },
+    };
+}
+
 // A film and what stands beside it.
 std::map<std::string, std::string> film_files(const SetPart& part) {
     std::map<std::string, std::string> files{{"film", part.stem + ".mp4"},
@@ -191,18 +199,25 @@ class Maker {
     // One run of the physics for all figures of a scene, as many as are to be drawn: their axes
     // must not depend on what is drawn.
     void draw(const SetPart& part) {
-        const auto of_part = [&](const PlannedFigure& figure) { return figure.part == &part; };
-        for (const PlannedFigure& figure : figures_)
-            if (of_part(figure) && figure.chosen)
-                ++(is_due(figure) ? report_.made : report_.up_to_date);
-        if (!std::ranges::any_of(figures_, [&](const PlannedFigure& figure) {
-                return of_part(figure) && is_due(figure);
-            }))
-            return;
-        const FigureRun run(part.scene, simulate, options_.threads);
+        std::vector<const PlannedFigure*> due;
+        for (const PlannedFigure& figure : figures_) {
+            if (figure.part != &part) continue;
+            if (is_due(figure))
+                due.push_back(&figure);
+            else if (figure.chosen)
+                ++report_.up_to_date;
+        }
+        if (due.empty()) return;
+        report_.made += static_cast<int>(due.size());
+        Progress progress(Progress::fitting_form(options_.quiet), part.stem);
+        const FigureRun run(part.scene, simulate, options_.threads,
+                            shown_runs(part.scene, progress));
+        progress.begin("drawing", static_cast<double>(due.size()), "figures");
         std::vector<NewFile> files;
-        for (const PlannedFigure& figure : figures_)
-            if (of_part(figure) && is_due(figure)) draw(run, figure, files);
+        for (const PlannedFigure* figure : due) {
+            draw(run, *figure, files);
+            progress.advance();
+        }
         folder_.write(files);
     }
 
@@ -258,8 +273,8 @@ class Maker {
             part.scene,
             {.output = hidden.path / files.at("film"), .threads = options_.threads, .words = true},
             progress);
-        render_still(part.scene, poster_at * part.scene.run.until,
-                     hidden.path / files.at("poster"));
+        render_still(part.scene, poster_at * part.scene.run.until, hidden.path / files.at("poster"),
+                     progress);
         for (const auto& [what, file] : files)
             folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));
         ++report_.films;

@@ -150,30 +150,33 @@ RenderReport render(const Scene& asked, const RenderOptions& options, Progress& 
     return report;
 }
 
-Canvas draw_still(const Scene& asked, double at, std::string_view format) {
-    const Scene scene = with_precision(asked);
+Canvas draw_still(const Scene& asked, double at, std::string_view format, Progress& progress) {
+    const Scene scene = with_precision(asked, progress);
     const std::vector<Tick> ticks = timeline(scene);
     const auto nearest = static_cast<std::size_t>(frame_nearest_to(ticks, at));
 
-    Progress silent(Progress::Form::silent, "");
     Simulation simulation = simulate(scene);
     Observers observers(scene, simulation.particles(), simulation.sample());
-    survey(ticks, simulate(scene), {&observers}, silent);
+    survey(ticks, simulate(scene), {&observers}, progress);
+    progress.begin("going to the frame", static_cast<double>(nearest + 1));
     simulation.record_collisions(observers.wants_collisions());
     FrameData frame;
     for (std::size_t i = 0; i <= nearest; ++i) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(ticks[i].time);
         frame = observers.frame_data(ticks[i], simulation.sample(), passage);
+        progress.advance();
     }
+    progress.finish();
     FramePainter painter(scene, observers);
     Canvas canvas = picture(scene, frame.tick.time, format);
     painter.paint_on(canvas, frame);
     return canvas;
 }
 
-void render_still(const Scene& scene, double at, const std::filesystem::path& output) {
-    Canvas picture = draw_still(scene, at, output.extension().string().substr(1));
+void render_still(const Scene& scene, double at, const std::filesystem::path& output,
+                  Progress& progress) {
+    Canvas picture = draw_still(scene, at, output.extension().string().substr(1), progress);
     write_image(picture, output);
 }
 

@@ -41,9 +41,10 @@ RenderReport render(const Scene& scene, const RenderOptions& options, Progress& 
 
 /// Draws the frame nearest to the simulated time `at` as pixels, or for `svg` and `pdf` as vectors.
 /// Throws as render() does.
-Canvas draw_still(const Scene& scene, double at, std::string_view format);
+Canvas draw_still(const Scene& scene, double at, std::string_view format, Progress& progress);
 
 /// Writes the same as a PNG, an SVG or a PDF, by the extension of `output`.
-void render_still(const Scene& scene, double at, const std::filesystem::path& output);
+void render_still(const Scene& scene, double at, const std::filesystem::path& output,
+                  Progress& progress);
 
 }  // namespace carom

@@ -39,10 +39,10 @@ void Progress::begin(std::string stage, double total, std::string unit) {
     begun_ = shown_ = Clock::now();
 }
 
-void Progress::advance() {
+void Progress::advance(double more) {
     if (form_ == Form::silent) return;
     const std::scoped_lock lock(mutex_);
-    ++done_;
+    done_ += more;
     show_now_and_then();
 }
 

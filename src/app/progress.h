@@ -22,9 +22,9 @@ class Progress {
 
     /// A stage of `total` frames, or whatever `unit` calls what is counted or measured.
     void begin(std::string stage, double total, std::string unit = "frames");
-    void advance();           ///< one more is done; called from any thread
-    void reach(double done);  ///< so much of the total is done, above 0
-    void finish();            ///< clears the bar
+    void advance(double more = 1.0);  ///< so much more is done; called from any thread
+    void reach(double done);          ///< so much of the total is done, above 0
+    void finish();                    ///< clears the bar
 
   private:
     using Clock = std::chrono::steady_clock;

@@ -10,15 +10,18 @@
 
 namespace carom {
 
-Scene with_precision(const Scene& asked, Progress& progress) {
-    int trying = 0;
-    return with_precision(asked, [&](int bits, double time) {
+TrialTold shown_trials(const Scene& scene, Progress& progress) {
+    return [&progress, until = scene.run.until, trying = 0](int bits, double time) mutable {
         if (bits != std::exchange(trying, bits))
             progress.begin(bits == bits_of_double ? "counting collisions"
                                                   : fmt::format("trying {} bits", bits),
-                           asked.run.until, "time units");
+                           until, "time units");
         progress.reach(time);
-    });
+    };
+}
+
+Scene with_precision(const Scene& asked, Progress& progress) {
+    return with_precision(asked, shown_trials(asked, progress));
 }
 
 Simulation simulate(const Scene& scene) {

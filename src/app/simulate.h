@@ -3,11 +3,15 @@
 
 #include "app/progress.h"
 #include "physics/simulation.h"
+#include "physics/way_back.h"
 #include "scene/scene.h"
 
 namespace carom {
 
-/// with_precision(), whose trials may take long and are shown.
+/// Shows the trials of the precision of `scene`, which may take long.
+TrialTold shown_trials(const Scene& scene, Progress& progress);
+
+/// with_precision(), whose trials are shown.
 Scene with_precision(const Scene& asked, Progress& progress);
 
 /// Places the gas and runs `run.equilibrate`; of a scene with_precision(). Throws SceneError, with

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <thread>
+#include <utility>
 
 #include "panels/precision.h"
 #include "panels/registry.h"
@@ -71,8 +72,8 @@ void on_threads(int threads, std::size_t count, const std::function<void(std::si
 class FigureRun::OfSeed {
   public:
     // Of the figures that show more than `later` seeds.
-    OfSeed(const Scene& scene, int later, const Fresh& fresh)
-        : scene_(with_precision(alone(scene, later))),
+    OfSeed(const Scene& scene, int later, const Fresh& fresh, const TrialTold& trial)
+        : scene_(with_precision(alone(scene, later), trial)),
           fresh_(fresh),
           ticks_(ticks_of(scene_)),
           start_(fresh(scene_)) {
@@ -87,8 +88,9 @@ class FigureRun::OfSeed {
     OfSeed(const OfSeed&) = delete;
     OfSeed& operator=(const OfSeed&) = delete;
 
-    void survey();
-    void look();
+    void survey(const RunsTold& told);
+    void look(const RunsTold& told);
+    double time_to_simulate() const { return figures.empty() ? 0.0 : 2.0 * scene_.run.until; }
     const Figure& figure_of(const std::string& name) const;
     const Scene& scene() const { return scene_; }
     const Particles& particles() const { return particles_; }
@@ -119,24 +121,27 @@ Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
     return {tick, sample, speed_, energy_, passage};
 }
 
-void FigureRun::OfSeed::survey() {
+void FigureRun::OfSeed::survey(const RunsTold& told) {
     if (figures.empty()) return;
     Simulation simulation = fresh_(scene_);
     simulation.record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
+    double now = 0.0;
     for (const Tick& tick : ticks_) {
         throw_if_interrupted();
         const Passage passage = simulation.advance_to(tick.time);
         const Observation observation = observe(tick, simulation.sample(), passage);
         for (const Figure& figure : figures) figure.panel->survey(observation);
+        if (told.advance) told.advance(tick.time - std::exchange(now, tick.time));
     }
 }
 
 // Of frames that show one time the last: at a reversal the one after it.
-void FigureRun::OfSeed::look() {
+void FigureRun::OfSeed::look(const RunsTold& told) {
     if (figures.empty()) return start_.reset();
     start_->record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->wants_collisions(); }));
+    double now = 0.0;
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
         throw_if_interrupted();
         const Passage passage = start_->advance_to(ticks_[i].time);
@@ -147,11 +152,12 @@ void FigureRun::OfSeed::look() {
             if (last && shows(figure, ticks_[i].time))
                 figure.moments.push_back({ticks_[i].time, passage.counts, std::move(state)});
         }
+        if (told.advance) told.advance(ticks_[i].time - std::exchange(now, ticks_[i].time));
     }
     start_.reset();
 }
 
-FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads)
+FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads, const RunsTold& told)
     : scene_(alone(scene, 0)) {
     int seeds = 1;
     struct Job {
@@ -172,11 +178,15 @@ FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads)
             jobs.push_back({&compared_[spec.name][k], spec.compare[k].scene.get(), 0});
     on_threads(threads, jobs.size(), [&](std::size_t i) {
         const Job& job = jobs[i];
-        *job.run = std::make_unique<OfSeed>(*job.scene, job.later, fresh);
-        (*job.run)->survey();
+        *job.run = std::make_unique<OfSeed>(*job.scene, job.later, fresh,
+                                            jobs.size() == 1 ? told.trial : TrialTold{});
     });
+    double all = 0.0;
+    for (const Job& job : jobs) all += (*job.run)->time_to_simulate();
+    if (told.begin) told.begin(all);
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->survey(told); });
     settle();
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(); });
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(told); });
     take_means();
     collect();
 }

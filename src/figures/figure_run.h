@@ -12,6 +12,7 @@
 
 #include "panels/panel.h"
 #include "physics/simulation.h"
+#include "physics/way_back.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -43,12 +44,19 @@ struct Figure {
 /// Gives a simulation of a scene at time 0; from any thread.
 using Fresh = std::function<Simulation(const Scene&)>;
 
+/// Told how far the runs have come.
+struct RunsTold {
+    TrialTold trial;                           ///< where there is but one run: of its precision
+    std::function<void(double time)> begin;    ///< how much all will simulate together
+    std::function<void(double time)> advance;  ///< how much more is simulated; from any thread
+};
+
 class FigureRun {
   public:
     /// Runs the physics of `scene` twice, and twice for each further seed, on `threads` threads at
-    /// most. The axes are those of the scene's film. Throws as the simulation does, and
-    /// Interrupted.
-    FigureRun(const Scene& scene, const Fresh& fresh, int threads = 1);
+    /// most. The axes are those of the scene's film. `told` has all its functions or none. Throws
+    /// as the simulation does, and Interrupted.
+    FigureRun(const Scene& scene, const Fresh& fresh, int threads = 1, const RunsTold& told = {});
     ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles
     FigureRun& operator=(const FigureRun&) = delete;

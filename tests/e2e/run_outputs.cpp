@@ -197,3 +197,29 @@ TEST_CASE("on a terminal a bar tells how far a long run has come") {
     CHECK(outcome.out.find(" left\r\x1b[K") != std::string::npos);
     CHECK(outcome.out.ends_with("carom: interrupted; nothing was written\r\n"));
 }
+
+TEST_CASE("on a terminal a bar tells how far figures and stills have come, not with --quiet") {
+    if (!is_installed("script")) {
+        MESSAGE("no `script` here to play the terminal: the bar is not tested");
+        return;
+    }
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", "title: T\n" + small_gas +
+                                   "film: {seconds: 60}\nfigures: [{name: a, kind: gas}]\n");
+    const auto on_terminal = [&](const std::string& arguments) {
+        return shell("script -qec \"timeout -s INT 0.7 '" + program + "' " + arguments +
+                         " --set run.until=1e6\" /dev/null",
+                     folder.path())
+            .out;
+    };
+    for (const auto& [command, amount] :
+         {std::pair{"figures", "/2e+06 time units, "}, {"still", "/1800 frames, "}}) {
+        CAPTURE(std::string(command));
+        const std::string loud = on_terminal(std::string(command) + " scene.yaml");
+        CHECK(loud.find("░ scene: simulating ") != std::string::npos);
+        CHECK(loud.find(amount) != std::string::npos);
+        CHECK(loud.find(" left\r\x1b[K") != std::string::npos);
+        const std::string quiet = on_terminal(std::string(command) + " scene.yaml --quiet");
+        CHECK(quiet.starts_with("carom: interrupted; "));
+    }
+}

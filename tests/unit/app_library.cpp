@@ -45,7 +45,8 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
         CHECK(loaded.subtitle.size() > 20);
         CHECK_NOTHROW(require_letters(loaded));
         const fs::path picture = folder.path() / (file.stem().string() + ".png");
-        render_still(loaded, 0.3 * loaded.run.until, picture);
+        Progress silent(Progress::Form::silent, "");
+        render_still(loaded, 0.3 * loaded.run.until, picture, silent);
         CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
     }
 }
@@ -91,7 +92,8 @@ TEST_CASE("every template makes a picture of a plane and of a wire, in every the
                                                    {"film.fps", "2"},
                                                    {"film.size", "[256, 256]"}}});
                 const fs::path picture = folder.path() / "picture.png";
-                render_still(loaded, 1.0, picture);
+                Progress silent(Progress::Form::silent, "");
+                render_still(loaded, 1.0, picture, silent);
                 CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
             }
 }

@@ -147,6 +147,27 @@ TEST_CASE("runs of several seeds take no more threads than they are given") {
     }
 }
 
+TEST_CASE("all runs together tell how far they have come, each of its two passes") {
+    const std::string two = ", compare: [{label: a, set: seed=7}, {label: b, set: run.until=8}]}\n";
+    for (const auto& [figures, expected] :
+         {std::pair{bars + "}\n", 12.0}, {bars + ", seeds: 4}\n", 48.0}, {bars + two, 28.0}}) {
+        CAPTURE(figures);
+        std::mutex mutex;
+        double all = 0.0, done = 0.0;
+        const Scene scene = scene_of(figures);
+        const FigureRun run(scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, 2,
+                            {.trial = {},
+                             .begin = [&](double time) { all = time; },
+                             .advance =
+                                 [&](double time) {
+                                     const std::lock_guard lock(mutex);
+                                     done += time;
+                                 }});
+        CHECK(all == expected);
+        CHECK(done == doctest::Approx(expected));
+    }
+}
+
 TEST_CASE("a test of several runs counts all their particles") {
     const FigureRun few = run_of(scene_of(bars + ", seeds: 8, test: true}\n", "20"));
     const ChiSquared test = histogram_of(few).test(state_of(few), 0).value();

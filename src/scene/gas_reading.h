@@ -2,6 +2,9 @@
 // lengths of lists, names, places, room.
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/fields.h"
@@ -23,6 +26,15 @@ struct SpeciesDraft {
 
 /// The species in the order of the list, for a box of one or two dimensions.
 std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Errors& errors);
+
+/// Where a key of the species is written; the species if it is not.
+const Node& at_key(const SpeciesDraft& draft, std::string_view key);
+
+/// What a message calls a particle of the species; `particle` counts over all species.
+std::string called(const SpeciesDraft& draft, std::size_t particle);
+
+/// Of particle `i` of a species, counted from 0; 0 where a law draws it.
+double number_of(const Quantity& quantity, std::size_t i);
 
 /// Reports what cannot be placed in a box of two dimensions: disks too large for it, too many for
 /// its area, places outside, places that overlap.

@@ -36,11 +36,6 @@ RadiusMoments moments(const Quantity& radius) {
     return {*std::max_element(list.begin(), list.end()), sum / static_cast<double>(list.size())};
 }
 
-const Node& at_key(const SpeciesDraft& draft, std::string_view key) {
-    const Node* node = find(*draft.node, key);
-    return node != nullptr ? *node : *draft.node;
-}
-
 double area_of_disks(const SpeciesDraft& draft) {
     return std::numbers::pi * moments(draft.species.radius).mean_square *
            static_cast<double>(draft.species.count);
@@ -100,14 +95,8 @@ struct Disk {
     double radius;
     std::size_t particle;  ///< counted over all species
     const Node* node;
-    const std::string* species;
+    const SpeciesDraft* draft;
 };
-
-double radius_of(const Quantity& radius, std::size_t i) {
-    if (const auto* one = std::get_if<double>(&radius)) return *one;
-    const auto* list = std::get_if<std::vector<double>>(&radius);
-    return list != nullptr && i < list->size() ? (*list)[i] : 0.0;
-}
 
 std::vector<Disk> listed_disks(const std::vector<SpeciesDraft>& drafts) {
     std::vector<Disk> disks;
@@ -119,18 +108,15 @@ std::vector<Disk> listed_disks(const std::vector<SpeciesDraft>& drafts) {
             const bool one = !list.items.front().is_list();
             for (std::size_t i = 0; i < places->values.size(); ++i)
                 disks.push_back({places->values[i],
-                                 draft.radius_known ? radius_of(draft.species.radius, i) : 0.0,
-                                 first + i, one ? &list : &list.items[i], &draft.species.name});
+                                 draft.radius_known ? number_of(draft.species.radius, i) : 0.0,
+                                 first + i, one ? &list : &list.items[i], &draft});
         }
         first += static_cast<std::size_t>(draft.species.count);
     }
     return disks;
 }
 
-std::string called(const Disk& disk) {
-    return disk.species->empty() ? fmt::format("particle {}", disk.particle)
-                                 : fmt::format("particle {} ({})", disk.particle, *disk.species);
-}
+std::string called(const Disk& disk) { return called(*disk.draft, disk.particle); }
 
 std::string room_for_center(const Box& box, double radius) {
     Eigen::Array2d low{0.0, 0.0}, high = box.size;

@@ -28,11 +28,6 @@ RadiusMoments moments(const Quantity& radius) {
             std::accumulate(list.begin(), list.end(), 0.0) / static_cast<double>(list.size())};
 }
 
-const Node& at_key(const SpeciesDraft& draft, std::string_view key) {
-    const Node* node = find(*draft.node, key);
-    return node != nullptr ? *node : *draft.node;
-}
-
 double length_of_beads(const SpeciesDraft& draft) {
     return 2.0 * moments(draft.species.radius).mean * static_cast<double>(draft.species.count);
 }
@@ -96,12 +91,6 @@ struct Bead {
     const SpeciesDraft* draft;
 };
 
-double number_of(const Quantity& quantity, std::size_t i) {
-    if (const auto* one = std::get_if<double>(&quantity)) return *one;
-    const auto* list = std::get_if<std::vector<double>>(&quantity);
-    return list != nullptr && i < list->size() ? (*list)[i] : 0.0;
-}
-
 double velocity_of(const VelocityRule& rule, std::size_t i) {
     const auto* velocity = std::get_if<Velocity>(&rule);
     if (velocity == nullptr) return 0.0;
@@ -124,9 +113,7 @@ void list_beads(const SpeciesDraft& draft, Eigen::Index first, std::vector<Bead>
 }
 
 std::string called(const Bead& bead) {
-    const std::string& name = bead.draft->species.name;
-    return name.empty() ? fmt::format("particle {}", bead.particle)
-                        : fmt::format("particle {} ({})", bead.particle, name);
+    return called(*bead.draft, static_cast<std::size_t>(bead.particle));
 }
 
 bool is_inside(const Box& box, const Bead& bead, Errors& errors) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "physics/event_loop.h"
+#include "physics/jam.h"
 #include "physics/multiprecision.h"
 #include "physics/placed_disks.h"
 #include "physics/placement.h"
@@ -58,6 +59,14 @@ void refuse_squeeze(const Box& box, const Particles& particles, const Sample& st
     throw PlacementError(
         static_cast<std::size_t>(particles.species[std::max(squeeze->left, squeeze->right)]),
         to_text(*squeeze) + "; give a finite mass, another velocity, or an earlier end of the run");
+}
+
+void refuse_jam(const Box& box, const Particles& particles, const Sample& start) {
+    const auto jam = first_jam(box, particles, start);
+    if (!jam) return;
+    throw PlacementError(static_cast<std::size_t>(particles.species[jam->particle]),
+                         to_text(*jam, fmt::format("particle {}", jam->particle), box.dimension) +
+                             "; " + way_out_of_jam(box.dimension));
 }
 
 }  // namespace
@@ -144,6 +153,7 @@ struct Simulation::Implementation {
 Simulation::Simulation(const Gas& gas, const Run& run) {
     auto [particles, start] = place(gas);
     if (gas.box.dimension == 1) refuse_squeeze(gas.box, particles, start, run);
+    refuse_jam(gas.box, particles, start);
     implementation_ = std::make_unique<Implementation>(gas.box, std::move(particles), start, run);
 }
 

@@ -45,4 +45,9 @@ void check_room(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors&
 void check_wire(const Box& box, const std::vector<SpeciesDraft>& drafts, const Run& run,
                 Errors& errors);
 
+/// Reports particles that would move where they have no room, as far as it is known before they are
+/// placed: those listed, those of a wire that is full, disks as wide as the box. Of a gas without
+/// other errors.
+void check_jam(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors);
+
 }  // namespace carom

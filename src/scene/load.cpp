@@ -129,6 +129,7 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
         scene.gas.box = *box;
         if (box->dimension == 1) check_wire(*box, drafts, scene.run, errors);
         if (box->dimension == 2) check_room(*box, drafts, errors);
+        if (errors.empty()) check_jam(*box, drafts, errors);
     }
     for (const SpeciesDraft& draft : drafts) {
         scene.gas.species.push_back(draft.species);

@@ -58,6 +58,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
+    {"jam_around", several_places},
+    {"jam_row", several_places},
+    {"jam_wide", several_places},
     {"list_lengths", several_places},     // against the count
     {"nudge_in_double", several_places},  // `by` against `precision`
     {"outside", several_places},
@@ -82,6 +85,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"theory_piston", several_places},
     {"total_too_large", several_places},
     {"wire_filling", several_places},
+    {"wire_full", several_places},
+    {"wire_full_between", several_places},
     {"wire_outside", several_places},
     {"wire_overlap", several_places},
     {"wire_piston_presses", several_places},

@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
 // simulation.
-const std::set<std::string> plain_physics{"physics/gas.h", "physics/run.h",
+const std::set<std::string> plain_physics{"physics/gas.h", "physics/jam.h", "physics/run.h",
                                           "physics/wire_squeeze.h"};
 
 struct Door {

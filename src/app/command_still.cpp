@@ -43,10 +43,11 @@ void make_still(const StillArguments& arguments) {
     const std::filesystem::path output = still_path(arguments);
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     if (Output::is_standard_output(arguments.output)) {
+        Output stream("-");
         Canvas picture =
             draw_still(scene, arguments.at, output.extension().string().substr(1), progress);
         const std::vector<std::uint8_t> bytes = picture.file();
-        return Output("-").write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return stream.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
     render_still(scene, arguments.at, output, progress);
     if (!arguments.quiet) fmt::print("{}\n", output.string());

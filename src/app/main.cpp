@@ -6,16 +6,19 @@
 
 namespace {
 
-// A standard stream that the caller has closed must not become the number of a film's file.
-void open_closed_streams() {
-    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor)
-        if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDWR) != descriptor) _exit(1);
+// A standard stream that the caller has closed must not become the number of a film's file. What
+// takes its place cannot be read, or written, either.
+void hold_closed_streams() {
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+        const int mode = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+        if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", mode) != descriptor) _exit(1);
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    open_closed_streams();
+    hold_closed_streams();
     carom::install_signal_handlers();
     return carom::run_command_line(argc, argv);
 }

@@ -41,6 +41,10 @@ bool is_stream(const fs::path& path) {
 Output::Output(std::string path) : path_(std::move(path)) {
     if (is_standard_output(path_)) {
         descriptor_ = STDOUT_FILENO;
+        if ((fcntl(descriptor_, F_GETFL) & O_ACCMODE) == O_RDONLY) {
+            errno = EBADF;
+            fail(path_);
+        }
     } else if (is_stream(path_)) {
         descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0) fail(path_);

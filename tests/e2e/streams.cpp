@@ -91,6 +91,30 @@ TEST_CASE("`render -o -` writes the very film to standard output, its report els
     CHECK(call("render '" + scene + "' '" + other + "' -o -", folder.path()).exit_code == 2);
 }
 
+TEST_CASE("a standard stream that is closed cannot be written, nor read, which is told at once") {
+    const TemporaryFolder folder;
+    const std::string closed = "carom: cannot write standard output: Bad file descriptor\n";
+    for (const std::string& command :
+         {"render '" + scene + "' --size 320x180 --seconds 3600 -o -",
+          "still '" + scene + "'" + small + "-o -", "run '" + scene + "' --json -",
+          "run '" + scene + "' --csv -", "run '" + scene + "'", "check '" + scene + "'",
+          std::string("schema")}) {
+        CAPTURE(command);
+        const Outcome outcome = call(command + " >&-", folder.path());
+        CHECK(outcome.exit_code == 1);
+        CHECK(outcome.err == closed);
+    }
+    const Outcome none = call("run - <&-", folder.path());
+    CHECK(none.exit_code == 2);
+    CHECK(none.err == "<stdin>: error: cannot be read: Bad file descriptor\n");
+    // Its file is no standard stream.
+    CHECK(
+        call("render '" + scene + "'" + short_film + "-o a.mp4 >&- <&-", folder.path()).exit_code ==
+        0);
+    CHECK(call("render '" + scene + "'" + short_film + "-o b.mp4", folder.path()).exit_code == 0);
+    CHECK(contents(folder.path() / "a.mp4") == contents(folder.path() / "b.mp4"));
+}
+
 TEST_CASE("--format chooses the kind of all films, and the ending where none is given") {
     const TemporaryFolder folder;
     const std::string both = "render '" + scene + "' '" + other + "'" + short_film;

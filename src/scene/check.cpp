@@ -179,7 +179,8 @@ void check_list(Node& node, const std::vector<Form>& forms, Context context) {
                              [&](const Form& candidate) { return fits_items(node, candidate); });
     if (form == forms.end()) form = forms.begin();
     while (form != forms.end() && form->shape != Shape::list) ++form;
-    if (form == forms.end()) return mismatch(node, forms, "", context);
+    if (form == forms.end())
+        return mismatch(node, forms, forms.empty() ? "" : forms.front().instead_of_list, context);
     check_length(node, *form, forms, context);
     if (!node.valid) return;
     const bool independent = form_of(form->items, Shape::mapping) != nullptr;

@@ -43,6 +43,7 @@ struct Form {
     std::size_t shortest = 1;                     ///< list, text: least length
     std::size_t longest = 0;                      ///< list, text: greatest length
     std::string_view ceiling = {};                ///< list: what `longest` counts
+    std::string instead_of_list = {};             ///< no list: what to do where one is given
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape
 };

@@ -280,8 +280,11 @@ Section figure() {
                  "Several runs in one panel with shared axes and a key: of several seeds, or of "
                  "the scene with other values, each with its label.",
                  compared_runs()})));
+    Form one_time = time;
+    one_time.instead_of_list =
+        "a figure has one time; `strip` shows several side by side, in a figure of kind `gas`";
     keys.push_back(
-        left_to("the end of the run", {"at", "The simulated time that it shows.", {time}}));
+        left_to("the end of the run", {"at", "The simulated time that it shows.", {one_time}}));
     keys.push_back(only_with({"gas"}, {"strip",
                                        "Instead of `at`: several times, shown side by side.",
                                        {list_of({time}, 2, most_strip, "a list of times")}}));

@@ -12,6 +12,7 @@
 #include "scene/panel_reading.h"
 #include "scene/scalar.h"
 #include "scene/timeline.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -75,7 +76,13 @@ bool is_laid_over(const Fields& fields, const Node& panels) {
            panels.source->origin == Origin::scene;
 }
 
-void check_slots(const Fields& fields, Film& film, Errors& errors) {
+std::string templates_hint(const std::vector<std::string>& names) {
+    if (names.empty()) return "no template of carom has so many; one of your own may";
+    return fmt::format("the {} {} enough", names.size() == 1 ? "template" : "templates",
+                       listed(names, "and", "`") + (names.size() == 1 ? " has" : " have"));
+}
+
+void check_slots(const Fields& fields, Film& film, const TemplatesFor& templates, Errors& errors) {
     const Node* list = fields.given("panels");
     const std::size_t slots = film.layout.panels.size();
     if (list == nullptr || list->items.size() <= slots) return;
@@ -85,7 +92,8 @@ void check_slots(const Fields& fields, Film& film, Errors& errors) {
     }
     errors.add(list->items[slots],
                fmt::format("the template `{}` has {} places for panels, found {} panels",
-                           film.template_name, slots, list->items.size()));
+                           film.template_name, slots, list->items.size()),
+               templates_hint(templates(list->items.size())));
 }
 
 void read_cards(const Fields& fields, Film& film) {
@@ -253,7 +261,8 @@ std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& error
 }
 
 Film read_film(const Fields& fields, const Fields& scene, const Run& run, const Gas& gas,
-               const std::optional<LayoutSpec>& layout, Errors& errors) {
+               const std::optional<LayoutSpec>& layout, const TemplatesFor& templates,
+               Errors& errors) {
     Film film;
     film.template_name = fields.text("template").value_or("");
     film.layout = layout.value_or(LayoutSpec{});
@@ -277,7 +286,7 @@ Film read_film(const Fields& fields, const Fields& scene, const Run& run, const 
         if (errors.empty()) check_easing(film, run, slow, errors);
     }
     film.panels = read_panels(fields, {gas, run}, errors);
-    if (layout) check_slots(fields, film, errors);
+    if (layout) check_slots(fields, film, templates, errors);
     return film;
 }
 

@@ -110,7 +110,7 @@ double usual_sample_every(const Scene& scene, bool has_film) {
     return scene.run.until / steps;
 }
 
-Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
+Scene read_scene(const Tree& tree, const fs::path& templates, Wanted wanted, Errors& errors) {
     const Fields fields{tree.root, scene_section(tree.dimension)};
     Scene scene;
     scene.title = fields.text("title").value_or("");
@@ -140,8 +140,9 @@ Scene read_scene(const Tree& tree, Wanted wanted, Errors& errors) {
     const bool has_film = fields.mentions("film");
     if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film)) {
         const auto layout = read_layout({tree.template_file, template_section()}, errors);
-        scene.film = read_film({tree.film, section_of(scene_section(), "film")}, fields, scene.run,
-                               scene.gas, layout, errors);
+        scene.film = read_film(
+            {tree.film, section_of(scene_section(), "film")}, fields, scene.run, scene.gas, layout,
+            [&](std::size_t panels) { return templates_with_places(templates, panels); }, errors);
         scene.film.template_name = tree.template_name;
         if (errors.empty()) check_captions(scene, run.captions, fields, errors);
         if (!scene.captions.empty()) scene.film.layout = with_caption_line(scene.film.layout);
@@ -224,7 +225,7 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     const Node* film = find(tree.root, "film");
     tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
     read_template(tree, path, templates, sources, errors);
-    Scene scene = read_scene(tree, wanted, errors);
+    Scene scene = read_scene(tree, templates, wanted, errors);
     const Source* used = tree.template_file.source;
     scene.source = {source.name, source.text, used != nullptr ? used->text : "", {}};
     for (const auto& [key, value] : overrides.values)

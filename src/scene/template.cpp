@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "scene/file_text.h"
+#include "scene/yaml.h"
 #include "util/text.h"
 
 namespace carom {
@@ -57,6 +60,19 @@ void report_unknown(const Node& asked, const fs::path& films, Errors& errors) {
     errors.add(asked, fmt::format("no template is called {}", in_quotes(asked.text)), hint);
 }
 
+// None where it cannot be read: it is not the template that was asked for.
+std::size_t panel_places(const fs::path& file) {
+    Source source{file.string(), {}, Origin::template_file};
+    Errors errors;
+    auto text = file_text(file, source, errors);
+    if (!text) return 0;
+    source.text = std::move(*text);
+    const auto root = read_yaml(source, errors);
+    const Node* layout = root && root->is_mapping() ? find(*root, "layout") : nullptr;
+    const Node* panels = layout && layout->is_mapping() ? find(*layout, "panels") : nullptr;
+    return panels && panels->is_list() ? panels->items.size() : 0;
+}
+
 bool excludes(const Section& section, const Node& film, const std::string& key) {
     return std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
         const auto& names = choice.names;
@@ -100,6 +116,18 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
     if (is_there(own)) return TemplateFile{name, own};
     report_unknown(place, templates / "films", errors);
     return std::nullopt;
+}
+
+std::vector<std::string> templates_with_places(const fs::path& templates, std::size_t panels) {
+    std::vector<std::pair<std::size_t, std::string>> found;
+    for (const std::string& name : names_in(templates / "films"))
+        if (const std::size_t places = panel_places(templates / "films" / (name + ".yaml"));
+            places >= panels)
+            found.emplace_back(places, name);
+    std::ranges::sort(found);
+    std::vector<std::string> names;
+    for (const auto& [places, name] : found) names.push_back(name);
+    return names;
 }
 
 Node lay_over(const Node& film, const Node& template_file) {

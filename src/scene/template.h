@@ -1,9 +1,11 @@
 // Templates of films: where they are found, and how they lie under a scene's `film`.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/fields.h"
 #include "scene/node.h"
@@ -22,6 +24,11 @@ struct TemplateFile {
 std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
                                           const std::filesystem::path& templates, Errors& errors,
                                           const Source& fallback);
+
+/// The names of the templates in `templates`/films with places for at least `panels` panels, those
+/// with the fewest first.
+std::vector<std::string> templates_with_places(const std::filesystem::path& templates,
+                                               std::size_t panels);
 
 /// `film` with what only the template says added to it, but its layout.
 Node lay_over(const Node& film, const Node& template_file);

@@ -93,7 +93,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"wire_pistons_meet", several_places},
     {"wire_too_long", several_places},
     {"within", several_places},
-    {"panels_too_many", other_file},  // the template's places
+    {"panels_beyond", other_file},  // the template's places
+    {"panels_in_square", other_file},
+    {"panels_too_many", other_file},
     {"template_broken", other_file},
     {"template_not_yaml", other_file},
     {"template_nowhere", other_file},

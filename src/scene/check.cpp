@@ -28,13 +28,24 @@ Node::Kind kind_of(const Form& form) {
     return form.shape == Shape::mapping ? Node::Kind::mapping : Node::Kind::scalar;
 }
 
+// Of words each by itself, so that all can stand in one list.
+std::vector<std::string> phrases(const Form& form) {
+    std::vector<std::string> words = form.words;
+    if (form.shape == Shape::flag) words = {"true", "false"};
+    if (!form.phrase.empty() || (form.shape != Shape::flag && form.shape != Shape::word))
+        return {phrase(form)};
+    for (std::string& word : words) word = "`" + word + "`";
+    return words;
+}
+
 // The forms that the value seems to be meant for: those of its kind; all where there are none.
 std::string expected(const Node& node, const std::vector<Form>& forms) {
     std::vector<std::string> near, all;
-    for (const Form& form : forms) {
-        all.push_back(phrase(form));
-        if (kind_of(form) == node.kind) near.push_back(all.back());
-    }
+    for (const Form& form : forms)
+        for (const std::string& one : phrases(form)) {
+            all.push_back(one);
+            if (kind_of(form) == node.kind) near.push_back(one);
+        }
     return listed(near.empty() ? all : near, "or");
 }
 

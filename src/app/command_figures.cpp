@@ -74,10 +74,6 @@ void refuse_same_folders(const FiguresArguments& arguments) {
                             folder.string()));
 }
 
-std::string counted(int count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 void tell(const FigureSet& set, const SetReport& report) {
     if (report.films > 0)
         fmt::print("{}: {} rendered\n", set.folder.string(), counted(report.films, "film"));

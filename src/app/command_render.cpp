@@ -15,6 +15,7 @@
 #include "media/gif_film.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -119,10 +120,11 @@ void tell(const RenderArguments& arguments, const Scene& scene, const RenderRepo
     if (arguments.quiet && !arguments.timings) return;
     const bool streamed = Output::is_standard_output(arguments.output);
     std::string text = fmt::format(
-        "{}: {} frames, {}, {:.1f} MB, {} collisions between particles, made in {:.1f} s\n",
-        streamed ? "standard output" : report.path.string(), report.frames,
+        "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
+        streamed ? "standard output" : report.path.string(), counted(report.frames, "frame"),
         clock_text(static_cast<double>(report.frames) / scene.film.fps),
-        1e-6 * static_cast<double>(report.bytes), report.collisions.particle, report.wall_seconds);
+        1e-6 * static_cast<double>(report.bytes), counted(report.collisions.particle, "collision"),
+        report.wall_seconds);
     if (arguments.timings) text += timings(report);
     if (streamed) return say(text);
     fmt::print("{}", text);

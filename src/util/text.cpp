@@ -157,6 +157,10 @@ std::string plain_number(double value) {
     return (value < 0.0 ? "\u2212" : "") + fmt::format("{:g}", std::abs(value));
 }
 
+std::string counted(long long count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string grouped(long long value) {
     std::string digits = std::to_string(value < 0 ? -value : value);
     for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)

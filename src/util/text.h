@@ -56,6 +56,9 @@ std::string three_digits_of_power(double exponent);
 /// A number as it would be given: 12, 0.25, with at most six digits.
 std::string plain_number(double value);
 
+/// "1 frame", "30 frames".
+std::string counted(long long count, std::string_view what);
+
 /// An integer with thin spaces (U+2009) between groups of three digits: 12 345.
 std::string grouped(long long value);
 

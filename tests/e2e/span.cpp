@@ -106,3 +106,12 @@ TEST_CASE("a part of a film tells what it is a part of") {
             folder.path());
     CHECK(words.out.find("--from 2\n--to 5.5\n") != std::string::npos);
 }
+
+TEST_CASE("a part may be one frame, which is told as one") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run({program, "render", scene, "--size", "320x180", "--from", "2",
+                                 "--to", "2.0001", "-o", "part.mp4"},
+                                folder.path());
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.starts_with("part.mp4: 1 frame, 0:00, "));
+}

@@ -50,6 +50,12 @@ TEST_CASE("UTF-8 is told from other bytes") {
     CHECK(code_points("気体") == 2);
 }
 
+TEST_CASE("what is counted is one, or several") {
+    CHECK(counted(0, "frame") == "0 frames");
+    CHECK(counted(1, "frame") == "1 frame");
+    CHECK(counted(30, "frame") == "30 frames");
+}
+
 TEST_CASE("the nearest spelling is offered only when it is near") {
     const std::vector<std::string> keys{"count", "radius", "mass", "speed", "velocity"};
     CHECK(nearest_spelling("raduis", keys) == "radius");

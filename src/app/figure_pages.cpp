@@ -62,7 +62,7 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"kind", figure.spec->panel.kind},
                     {"time", shown_times(*figure.spec)},
                     {"title", figure.part->title},
-                    {"scene", figure.part->stem},
+                    {"scene", as_utf8(figure.part->stem)},
                     {"seed", std::to_string(figure.part->scene.seed)},
                     {"width", centimetres(figure.size[0])},
                     {"height", centimetres(figure.size[1])}};
@@ -76,7 +76,7 @@ PageFields fields_of(const SetFilm& film) {
     PageFields fields;
     fields.words = {{"title", film.part->title},
                     {"description", film.part->scene.description},
-                    {"scene", film.part->stem}};
+                    {"scene", as_utf8(film.part->stem)}};
     for (const auto& [name, file] : film.files) fields.files[name] = file;
     return fields;
 }
@@ -122,7 +122,7 @@ std::string page_text(const FigureSet& set, const PageTemplate& page,
         section.words = {{"title", alone ? "" : part.title},
                          {"subtitle", part.scene.subtitle},
                          {"description", alone ? "" : part.description},
-                         {"scene", part.stem},
+                         {"scene", as_utf8(part.stem)},
                          {"seed", std::to_string(part.scene.seed)}};
         std::vector<PageFields>& shown = section.lists["figures"];
         for (const SetFigure& figure : figures) {

@@ -190,7 +190,7 @@ class Maker {
         const Scene& scene = planned.part->scene;
         std::string origin = fmt::format("carom {}; {} {}; seed {}", CAROM_VERSION,
                                          planned.part->compares ? "figure" : "scene",
-                                         planned.part->stem, scene.seed);
+                                         as_utf8(planned.part->stem), scene.seed);
         if (!scene.source.overrides.empty())
             origin += fmt::format("; set {}", fmt::join(scene.source.overrides, " "));
         return origin + "; made from " + planned.inputs;

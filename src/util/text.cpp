@@ -68,6 +68,16 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+std::string as_utf8(std::string_view text) {
+    std::string valid;
+    for (std::size_t i = 0; i < text.size();) {
+        const Decoded decoded = decode(text, i);
+        valid += decoded.valid ? text.substr(i, decoded.length) : "\uFFFD";
+        i += decoded.length;
+    }
+    return valid;
+}
+
 bool is_control(std::string_view code_point) {
     const auto lead = static_cast<unsigned char>(code_point[0]);
     if (code_point.size() == 1) return lead < 0x20 || lead == 0x7F;

@@ -20,6 +20,10 @@ int code_points(std::string_view text);
 /// U+10FFFF).
 bool is_utf8(std::string_view text);
 
+/// The text with U+FFFD for each byte that is not of well-formed UTF-8: a file may be called
+/// anything.
+std::string as_utf8(std::string_view text);
+
 /// Whether a code point (its UTF-8 bytes) is a control character: C0, delete or C1.
 bool is_control(std::string_view code_point);
 

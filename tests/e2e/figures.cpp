@@ -117,6 +117,17 @@ TEST_CASE("figures that were finished before Ctrl-C stay, and it says so") {
           "out/scene: up to date, 2 figures\n");
 }
 
+TEST_CASE("figures are made of a scene whose name is not UTF-8, and their texts are") {
+    const TemporaryFolder folder;
+    folder.write("caf\xE9.yaml", ten_disks);
+    const Outcome made = figures(folder, {"caf\xE9.yaml", "--page", "html", "-o", "out"});
+    CHECK(made.exit_code == 0);
+    CHECK(made.err.empty());
+    CHECK(has(contents(folder.path() / "out/start.svg"), "scene caf\uFFFD; seed"));
+    CHECK(json::parse(contents(folder.path() / "out/captions.json"))["figures"].size() == 2);
+    CHECK(run({"rsvg-convert", "-o", "a.png", "out/start.svg"}, folder.path()).exit_code == 0);
+}
+
 TEST_CASE("options with lists may stand before the scene") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

@@ -50,6 +50,12 @@ TEST_CASE("UTF-8 is told from other bytes") {
     CHECK(code_points("気体") == 2);
 }
 
+TEST_CASE("bytes that are not UTF-8 are replaced one by one") {
+    CHECK(as_utf8("気体 N₂") == "気体 N₂");
+    CHECK(as_utf8("caf\xE9, \xED\xA0\x80.") == "caf\uFFFD, \uFFFD\uFFFD\uFFFD.");
+    CHECK(as_utf8("\xE6\xB0") == "\uFFFD\uFFFD");
+}
+
 TEST_CASE("what is counted is one, or several") {
     CHECK(counted(0, "frame") == "0 frames");
     CHECK(counted(1, "frame") == "1 frame");

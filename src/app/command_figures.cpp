@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/figure_pages.h"
 #include "app/figure_set.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "app/set_loading.h"
 #include "scene/set_reading.h"
@@ -62,6 +63,12 @@ std::vector<FigureSet> sets_of(const FiguresArguments& arguments) {
                     [&](const std::string& name) { return set_of(arguments, name); });
 }
 
+void refuse_standard_output(const FiguresArguments& arguments) {
+    if (Output::is_standard_output(arguments.output))
+        throw UsageError(
+            fmt::format("-o {}: figures are several files; name a folder", arguments.output));
+}
+
 void refuse_same_folders(const FiguresArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
     std::set<fs::path> folders;
@@ -101,6 +108,7 @@ void warn(const FigureSet& set, const SetReport& report) {
 }
 
 void make_all(const FiguresArguments& arguments) {
+    refuse_standard_output(arguments);
     refuse_same_folders(arguments);
     SetOptions options = arguments.options;
     options.threads = threads_of(arguments);

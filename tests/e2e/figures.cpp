@@ -128,6 +128,15 @@ TEST_CASE("figures are made of a scene whose name is not UTF-8, and their texts 
     CHECK(run({"rsvg-convert", "-o", "a.png", "out/start.svg"}, folder.path()).exit_code == 0);
 }
 
+TEST_CASE("figures do not go to standard output") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    const Outcome refused = figures(folder, {"scene.yaml", "-o", "-"});
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err == "carom: -o -: figures are several files; name a folder\n");
+    CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
+}
+
 TEST_CASE("options with lists may stand before the scene") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

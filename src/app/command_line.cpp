@@ -31,6 +31,19 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
                                      : fmt::format("the commands are {}", fmt::join(names, ", "))));
 }
 
+// Of a flag that the command does not have: the one that is meant.
+std::string meant_flag(const CLI::App& app) {
+    for (const CLI::App* command : app.get_subcommands())
+        for (const std::string& word : command->remaining()) {
+            std::vector<std::string> flags;
+            for (const CLI::Option* option : command->get_options())
+                for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+            const auto meant = nearest_spelling(word.substr(0, word.find('=')), flags);
+            if (word.starts_with("-") && meant) return *meant;
+        }
+    return "";
+}
+
 // The command that is named does its work at the end of parsing.
 int parse_and_run(int argc, const char* const* argv) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
@@ -44,6 +57,8 @@ int parse_and_run(int argc, const char* const* argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
+        if (const std::string meant = meant_flag(app); code != 0 && !meant.empty())
+            say(fmt::format("Did you mean {}?\n", meant));
         if (!std::cout.flush())
             throw SystemError("cannot write standard output: " +
                               std::generic_category().message(errno));

@@ -197,6 +197,17 @@ TEST_CASE("a size is written with any cross, and a wrong one is told the form") 
     CHECK(wrong.err.find("  hint: or give [width, height]\n") != std::string::npos);
 }
 
+TEST_CASE("a flag that the command does not have is told with the nearest one") {
+    const Outcome outcome = run({program, "render", scene, "--qualty=draft"});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err ==
+          "The following argument was not expected: --qualty=draft\n"
+          "Run with --help for more information.\nDid you mean --quality?\n");
+    const Outcome other = run({program, "render", scene, "--xyzzy"});
+    CHECK(other.exit_code == 2);
+    CHECK(other.err.find("mean") == std::string::npos);
+}
+
 TEST_CASE("help that cannot be written is exit code 1") {
     CHECK(shell("'" + program + "' --help > /dev/full").exit_code == 1);
     CHECK(shell("'" + program + "' render --help > /dev/full").exit_code == 1);

@@ -246,6 +246,7 @@ Scene load_file(const fs::path& path, const fs::path& templates, const Overrides
     Sources sources(1);
     sources.front().name = name.string();
     Errors errors;
+    if (name.empty()) sources.front().name = "\"\"";
     auto text = streamed ? text_of(*stdin, sources.front(), errors)
                          : file_text(path, sources.front(), errors);
     errors.throw_if_any();

@@ -208,6 +208,12 @@ TEST_CASE("a flag that the command does not have is told with the nearest one") 
     CHECK(other.err.find("mean") == std::string::npos);
 }
 
+TEST_CASE("an empty name of a scene can be seen") {
+    const Outcome outcome = run({program, "render", ""});
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err == "\"\": error: cannot be read: No such file or directory\n");
+}
+
 TEST_CASE("help that cannot be written is exit code 1") {
     CHECK(shell("'" + program + "' --help > /dev/full").exit_code == 1);
     CHECK(shell("'" + program + "' render --help > /dev/full").exit_code == 1);

@@ -16,11 +16,17 @@ namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder() {
     std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "carom.XXXXXX").string();
-    if (error || mkdtemp(name.data()) == nullptr)
+    const fs::path folder = fs::temp_directory_path(error);
+    if (error) {
+        const char* asked = std::getenv("TMPDIR");
+        throw SystemError(fmt::format("cannot write to the folder for temporary files{}: {}",
+                                      asked ? fmt::format(" (TMPDIR is {})", asked) : "",
+                                      error.message()));
+    }
+    std::string name = (folder / "carom.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
         throw SystemError(
-            fmt::format("cannot write {}: {}", name,
-                        error ? error.message() : std::generic_category().message(errno)));
+            fmt::format("cannot write {}: {}", name, std::generic_category().message(errno)));
     path_ = name;
 }
 

@@ -115,6 +115,17 @@ TEST_CASE("a standard stream that is closed cannot be written, nor read, which i
     CHECK(contents(folder.path() / "a.mp4") == contents(folder.path() / "b.mp4"));
 }
 
+TEST_CASE("a film for standard output needs a folder for temporary files, which is named") {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        shell("TMPDIR=nowhere '" + program + "' render '" + scene + "'" + short_film + "-o -",
+              folder.path());
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err,
+              "carom: cannot write to the folder for temporary files (TMPDIR is nowhere): "));
+}
+
 TEST_CASE("--format chooses the kind of all films, and the ending where none is given") {
     const TemporaryFolder folder;
     const std::string both = "render '" + scene + "' '" + other + "'" + short_film;

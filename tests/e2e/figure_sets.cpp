@@ -21,7 +21,7 @@ TEST_CASE("the sets of the library make their pages, and the same bytes twice") 
         const Outcome made = figures(folder, {set});
         CAPTURE(made.err);
         REQUIRE(made.exit_code == 0);
-        CHECK(made.err.empty());
+        CHECK_FALSE(has(made.err, "carom: "));  // where they take long, how far they are
         const fs::path out = folder.path() / "out" / name;
         const json words = json::parse(contents(out / "captions.json"));
         CHECK(words.at("figures").size() >= 7);

@@ -48,12 +48,8 @@ std::string centimetres(double length) {
 }
 
 PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, PageKind kind) {
+    require_picture(set, figure, kind);
     const std::string picture = picture_of(figure, kind);
-    if (picture.empty())
-        throw UsageError(fmt::format(
-            "{}: this page shows figures as {}, and there is no such file of `{}`; ask for more "
-            "--formats",
-            set.of, kind == PageKind::latex ? "pdf or png" : "svg or png", figure.name));
     PageFields fields;
     fields.words = {{"name", figure.name},
                     {"number", std::to_string(number)},
@@ -94,6 +90,14 @@ Source template_file(const fs::path& path) {
 }
 
 }  // namespace
+
+void require_picture(const FigureSet& set, const SetFigure& figure, PageKind kind) {
+    if (picture_of(figure, kind).empty())
+        throw UsageError(fmt::format(
+            "{}: this page shows figures as {}, and there is no such file of `{}`; ask for more "
+            "--formats",
+            set.of, kind == PageKind::latex ? "pdf or png" : "svg or png", figure.name));
+}
 
 PageTemplate page_template(const std::string& asked) {
     fs::path path = asked;

@@ -18,6 +18,9 @@ inline const std::vector<std::string> page_templates = {"markdown", "html", "lat
 /// .html or .tex. Throws UsageError, SystemError.
 PageTemplate page_template(const std::string& asked);
 
+/// Throws UsageError if there is no picture of `figure` that a page of this kind can show.
+void require_picture(const FigureSet& set, const SetFigure& figure, PageKind kind);
+
 /// The page of a folder that holds `figures` and films.
 std::string page_text(const FigureSet& set, const PageTemplate& page,
                       std::span<const SetFigure> figures, std::span<const SetFilm> films);

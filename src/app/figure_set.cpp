@@ -128,7 +128,7 @@ class Maker {
     SetReport make() {
         refuse_foreign();
         for (const PageTemplate& page : set_.pages)  // its mistakes before the work
-            page_text(set_, page, {}, {});
+            refuse_page(page);
         try {
             for (const SetPart& part : set_.parts) draw(part);
             for (const SetPart& part : set_.parts) render_film(part);
@@ -183,6 +183,30 @@ class Maker {
             "away, or replace {} with --force",
             set_.folder.string(), listed(report_.replaced), one ? "it was" : "they were",
             one ? "it" : "them", one ? "it" : "them"));
+    }
+
+    // What is known before there are figures: mistakes in the template, and pictures that the page
+    // would find neither among those there are nor among those to be made.
+    void refuse_page(const PageTemplate& page) const {
+        page_text(set_, page, {}, {});
+        for (const PlannedFigure& planned : figures_) {
+            SetFigure figure;
+            figure.name = planned.spec->name;
+            figure.files = files_there(planned);
+            if (planned.chosen)
+                for (const PlannedFile& made : planned.files) figure.files.push_back(made.file);
+            if (planned.chosen || !figure.files.empty()) require_picture(set_, figure, page.kind);
+        }
+    }
+
+    // Of those that show a figure as it is now.
+    std::vector<std::string> files_there(const PlannedFigure& planned) const {
+        std::vector<std::string> files;
+        for (const std::string& format : figure_formats)
+            if (const std::string file = planned.spec->name + "." + format;
+                folder_.is_current(file, planned.inputs))
+                files.push_back(file);
+        return files;
     }
 
     // Where a picture comes from that has left its folder; `made from` is as in figures.json.
@@ -248,10 +272,7 @@ class Maker {
                              planned.part,
                              planned.spec,
                              figure_size(planned.part->scene, *planned.spec),
-                             {}};
-            for (const std::string& format : figure_formats)
-                if (folder_.is_current(name + "." + format, planned.inputs))
-                    figure.files.push_back(name + "." + format);
+                             files_there(planned)};
             all.push_back(std::move(figure));
         }
         return all;

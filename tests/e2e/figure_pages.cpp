@@ -102,6 +102,12 @@ TEST_CASE("pages show what there is of each figure, and say what is missing") {
     CHECK(has(
         figures(folder, {"scene.yaml", "-o", "c", "--page", "markdown", "--formats", "pdf"}).err,
         "shows figures as svg or png"));
+    // Before the work.
+    CHECK_FALSE(fs::exists(folder.path() / "b"));
+    CHECK_FALSE(fs::exists(folder.path() / "c"));
+    // What is there already is shown, too.
+    CHECK(figures(folder, {"scene.yaml", "--page", "latex", "--formats", "svg"}).exit_code == 0);
+    CHECK(has(contents(folder.path() / "out/scene/scene.tex"), "start.png"));
     // All of them, the best there is: vectors.
     CHECK(figures(folder, {"scene.yaml", "--page", "mine.tex"}).exit_code == 0);
     CHECK(has(contents(folder.path() / "out/scene/scene.tex"), "2 speeds speeds.pdf"));

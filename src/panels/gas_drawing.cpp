@@ -1,6 +1,7 @@
 // The drawing of the gas: ghosts, trails, disks, their labels, rings and names, flashes and arrows.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "panels/bead_words.h"
 #include "panels/chosen.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double ring_line = 0.13;    // units
 constexpr double rim_line = 0.09;     // of disks that would fade into the ground
+constexpr double trail_shades = 64;   // that are hardly told apart
 constexpr double least_radius = 1.2;  // pixels: smaller disks are no longer round
 
 // From scene units, y up, to pixels, y down.
@@ -45,6 +47,13 @@ void for_each_image(const Box& box, Point place, double radius, const Draw& draw
     if (across != 0.0) draw(Point{place.x + across, place.y});
     if (up != 0.0) draw(Point{place.x, place.y + up});
     if (across != 0.0 && up != 0.0) draw(Point{place.x + across, place.y + up});
+}
+
+// From where a step seems to end to where it would end if the box went on: it goes through a
+// periodic side rather than through more than half the box.
+double way_around(const Box& box, int axis, double back) {
+    if (box.walls[static_cast<std::size_t>(axis)] != Wall::periodic) return 0.0;
+    return box.size[axis] * std::round(back / box.size[axis]);
 }
 
 // What is left of a disk's radius inside a ring; disks too small for one are filled.
@@ -250,24 +259,39 @@ void GasPanel::draw_labels(Canvas& canvas, const Page& page, const PanelState& s
     }
 }
 
+// In pieces of one strength, whose round ends lie over one another: steps with square ends of their
+// own would show as ribs where they are short, and as notches where the path turns.
 void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
     const Box& box = cast_.scene.gas.box;
     const Mapping to_pixels = mapping(*this, page, box);
     for (std::size_t k = 0; k < gas.trails.size(); ++k) {
         const GasState::Trail& trail = gas.trails[k];
+        std::vector<Point> piece;
+        double strength = 0.0;
+        const auto draw_piece = [&] {
+            if (piece.size() > 1)
+                canvas.stroke_path(piece, (0.1 + 0.25 * strength) * page.unit,
+                                   mix(page.theme.ground, page.theme.ink, 0.75 * strength));
+            piece.clear();
+        };
         for (std::size_t i = 1; i < trail.places.size(); ++i) {
             const Point& from = trail.places[i - 1];
             const Point& to = trail.places[i];
-            const bool jumps = std::abs(from.x - to.x) > box.size[0] / 2 ||
-                               std::abs(from.y - to.y) > box.size[1] / 2;
-            if (jumps) continue;  // through a periodic side
             const double age = static_cast<double>(trail.ages[i]) / chosen_[k].trail_seconds;
-            const double strength = 1.0 - std::clamp(age, 0.0, 1.0);
-            const Color color = mix(page.theme.ground, page.theme.ink, 0.75 * strength);
-            canvas.stroke_line(to_pixels(from.x, from.y), to_pixels(to.x, to.y),
-                               (0.1 + 0.25 * strength) * page.unit, color);
+            const double now =
+                std::round((1.0 - std::clamp(age, 0.0, 1.0)) * trail_shades) / trail_shades;
+            if (now != strength) draw_piece();
+            strength = now;
+            if (piece.empty()) piece.push_back(to_pixels(from.x, from.y));
+            const double across = way_around(box, 0, from.x - to.x);
+            const double up = way_around(box, 1, from.y - to.y);
+            piece.push_back(to_pixels(to.x + across, to.y + up));
+            if (across == 0.0 && up == 0.0) continue;
+            draw_piece();  // and on from the opposite side
+            piece = {to_pixels(from.x - across, from.y - up), to_pixels(to.x, to.y)};
         }
+        draw_piece();
     }
 }
 

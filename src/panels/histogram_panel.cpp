@@ -120,14 +120,16 @@ void HistogramPanel::finish() {
 
 void HistogramPanel::choose_curves() {
     if (!spec_.theory || !subject_.density) return;
-    constexpr int points = 80;
+    constexpr int points = 240;  // so that no corners are seen where a curve turns
     const double first = bins_.low + (subject_.probability ? 0.5 * bins_.width() : 0.0);
     for (Series& one : series_) {
         if (!one.equilibrium) continue;
         double sharing = 0.0;  // infinite masses at rest have no part in the energy
         for (const MassGroup& group : one.equilibrium->groups) sharing += group.count;
         for (int i = 0; i <= points; ++i) {
-            const double value = first + (bins_.high - first) * i / points;
+            double part = static_cast<double>(i) / points;
+            if (subject_.probability) part *= part;  // steep at first
+            const double value = first + (bins_.high - first) * part;
             one.curve.push_back(
                 {value, one.unit * numbers_each_ * sharing * expected_share(one, value)});
         }

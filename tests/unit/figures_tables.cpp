@@ -275,3 +275,22 @@ TEST_CASE("beads and their world lines: the last bend of each is the bead") {
               doctest::Approx(number(bead, "x as drawn (length)")).epsilon(1e-6));
     }
 }
+
+TEST_CASE("a curve has enough points that no corner is seen where it turns") {
+    const Scene scene = test::scene_from(
+        "title: Beads\nbox: {length: 9}\n"
+        "gas: [{name: a, position: 3, mass: 10, velocity: 2.6}, "
+        "{name: b, position: [2, 4, 5, 6, 7, 8], mass: 1, velocity: -3}]\nrun: {until: 60}\n"
+        "film: {seconds: 20}\n"
+        "figures:\n  - {name: f, kind: velocity-histogram, of: [a, b], over: [0, 60]}\n");
+    const FigureRun run = run_of(scene);
+    std::map<std::string, std::vector<double>> heights;
+    for (const Row& row : part(table(run, 0), "curve"))
+        heights[row.at("of")].push_back(number(row, "value (count)"));
+    CHECK(heights.size() == 2);
+    for (const auto& [of, y] : heights) {
+        const double top = *std::ranges::max_element(y);
+        for (std::size_t i = 1; i + 1 < y.size(); ++i)  // how far the chord is from the curve
+            CHECK(std::abs(y[i - 1] - 2.0 * y[i] + y[i + 1]) / 8.0 < 0.002 * top);
+    }
+}

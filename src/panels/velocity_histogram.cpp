@@ -11,8 +11,11 @@ std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec
     const bool both = component == Component::both;
     std::string quantity = "velocity";
     if (!both) quantity += component == Component::x ? " along x" : " along y";
+    const bool plane = cast.scene.gas.box.dimension == 2;  // where each particle counts twice
     const Eigen::Index first = component == Component::y ? 1 : 0;
-    HistogramSubject subject{.title = both ? "Particles by velocity" : "V" + quantity.substr(1),
+    HistogramSubject subject{.title = !both   ? "V" + quantity.substr(1)
+                                      : plane ? "Velocity along x and y"
+                                              : "Particles by velocity",
                              .quantity = quantity,
                              .beyond = "",
                              .values = {},

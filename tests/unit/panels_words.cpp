@@ -112,3 +112,29 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
                  "{name: c, count: 5, radius: 0.03}]") ==
           "disks drawn larger than their radii of 0.0200 to 0.0300");
 }
+
+TEST_CASE("panels say what they count, compare with and put on their axes") {
+    const auto words = [](const std::string& rest, const std::string& panels) {
+        const test::Shot film(load_scene_text(
+            "title: T\n" + rest + "\nfilm: {seconds: 4, panels: [" + panels + "]}\n", "test",
+            root / "templates"));
+        const TextLog log;
+        FramePainter painter(film.scene, *film.observers);
+        painter.paint(film.frames.back());
+        std::string found;
+        for (const DrawnLine& line : log.lines) found += "|" + line.markup;
+        return found + "|";
+    };
+    const auto has = [](const std::string& all, const std::string& part) {
+        return all.find(part) != std::string::npos;
+    };
+    const std::string plane =
+        "box: {size: [40, 30]}\ngas: [{count: 90, radius: 0.5, speed: 2}]\nrun: {until: 5}";
+    // Both components of each particle are counted.
+    CHECK(has(words(plane, "velocity-histogram"), "|Velocity along x and y: "));
+    CHECK(has(words(plane, "{kind: velocity-histogram, component: y}"), "|Velocity along y: "));
+    const std::string wire =
+        "box: {length: 20}\ngas: [{name: a, position: 5, velocity: 2}, "
+        "{name: b, position: [10, 15], velocity: -1}]\nrun: {until: 5}";
+    CHECK(has(words(wire, "velocity-histogram"), "|Particles by velocity: "));
+}

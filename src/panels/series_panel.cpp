@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <variant>
 
 #include "panels/comparison.h"
@@ -44,6 +45,15 @@ void SeriesPanel::survey(const Observation& observation) {
     for (std::size_t k = 0; k < now.size(); ++k) history_.lines[k].push_back(now[k]);
 }
 
+// For longer than an instant.
+bool SeriesPanel::rests_at_zero() const {
+    constexpr double instant = 0.01;  // of the film
+    return std::ranges::any_of(history_.lines, [](const std::vector<double>& line) {
+        return static_cast<double>(std::ranges::count(line, 0.0)) >
+               instant * static_cast<double>(line.size());
+    });
+}
+
 void SeriesPanel::settle() {
     std::vector<double> all;
     for (const History* history : histories())
@@ -72,7 +82,11 @@ void SeriesPanel::settle() {
     const double least =
         quantile(all, 0.01);  // one particle's energy may touch zero for an instant
     constexpr double linear_up_to = 50.0;
-    logarithmic_ = subject_.spreads && most > linear_up_to * least;
+    const double mean =
+        std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+    // Powers of ten have no place for a line that lies at zero: without need they are not taken.
+    const bool told_by_linear = rests_at_zero() && most <= linear_up_to * mean;
+    logarithmic_ = subject_.spreads && most > linear_up_to * least && !told_by_linear;
     low_ = logarithmic_ ? std::floor(std::log10(least)) : 0.0;
     high_ = logarithmic_ ? std::ceil(std::log10(most)) : round_up_for_axis(most);
 }

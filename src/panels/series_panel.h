@@ -74,6 +74,7 @@ class SeriesPanel : public Panel {
     std::vector<const History*> histories() const;
     std::vector<std::string> notes() const;
     double reference_value() const;
+    bool rests_at_zero() const;
     Table table_of(const History& history, std::size_t shown,
                    const std::optional<ReferenceLevel>& reference) const;
     void tell_means(std::size_t runs);

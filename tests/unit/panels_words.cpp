@@ -137,4 +137,11 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
         "box: {length: 20}\ngas: [{name: a, position: 5, velocity: 2}, "
         "{name: b, position: [10, 15], velocity: -1}]\nrun: {until: 5}";
     CHECK(has(words(wire, "velocity-histogram"), "|Particles by velocity: "));
+    // A bead at rest has the energy 0, which powers of ten have not; the other one has 50.
+    const std::string resting = words(
+        "box: {length: 20}\ngas: [{name: a, position: 5}, "
+        "{name: b, position: 15, mass: 400, velocity: -0.5}]\nrun: {until: 40}",
+        "energy-by-species");
+    CHECK(has(resting, "|40|"));
+    CHECK(!has(resting, "|0.1|"));
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <memory>
 
 #include "panels/registry.h"
 #include "panels/series_panel.h"
@@ -47,10 +48,14 @@ class Gauge {
         const double time = to.time - from.time;
         const double thermal = thermal_energy(box, cast_.particles, o.sample);
         const bool pushed = infinite_mass_moves(cast_.particles, o.sample);
+        *of_points_ = pushed ? nan_ : pressure_of_points(box, thermal);
         const auto virial = virial_pressure(box, cast_.particles, thermal, change, time);
         return {wall_pressure(box, change, time).value_or(nan_),
                 pushed ? nan_ : virial.value_or(nan_)};
     }
+
+    // Of a gas of points with the energy of this one; NaN where that is not kept or not known yet.
+    std::shared_ptr<const double> of_points() const { return of_points_; }
 
   private:
     // The oldest account kept is the last that is a whole window ago.
@@ -69,6 +74,7 @@ class Gauge {
     Cast cast_;
     Over over_;
     std::deque<Account> accounts_;
+    std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
 };
 
 std::string time_words(const Over& over) {
@@ -89,8 +95,9 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
     const Box& box = cast.scene.gas.box;
     const bool walls =
         box.walls[0] == Wall::solid || (box.dimension == 2 && box.walls[1] == Wall::solid);
+    const Gauge gauge(cast, over);
     SeriesSubject subject{
-        .measure = Gauge(cast, over),
+        .measure = gauge,
         .color = line_color,
         .title =
             [spec, walls](const Theme& theme) {
@@ -104,6 +111,10 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
                 return "Pressure " + name(0, "on the walls") + " and " + virial;
             },
         .notes = {time_words(over)},
+        .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
+            if (!std::isfinite(*of_points)) return std::nullopt;
+            return ReferenceLevel{"gas of points", *of_points};
+        },
         .column =
             column_name("pressure", box.dimension == 2 ? "mass/time^2" : "mass length/time^2"),
         .names = {"on the walls", "from collisions"},

@@ -54,4 +54,8 @@ std::optional<double> virial_pressure(const Box& box, const Particles& particles
     return if_finite(twice / (box.dimension * size_of_room(box, mean_radius(particles))));
 }
 
+double pressure_of_points(const Box& box, double thermal_energy) {
+    return 2.0 * thermal_energy / (box.dimension * size_of_room(box, 0.0));
+}
+
 }  // namespace carom

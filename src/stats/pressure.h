@@ -27,4 +27,7 @@ std::optional<double> virial_pressure(const Box& box, const Particles& particles
                                       double thermal_energy, const Transfers& transfers,
                                       double time);
 
+/// Pressure of a gas of points with this energy in the same box: P V = N T, as above.
+double pressure_of_points(const Box& box, double thermal_energy);
+
 }  // namespace carom

@@ -137,6 +137,13 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
         "box: {length: 20}\ngas: [{name: a, position: 5, velocity: 2}, "
         "{name: b, position: [10, 15], velocity: -1}]\nrun: {until: 5}";
     CHECK(has(words(wire, "velocity-histogram"), "|Particles by velocity: "));
+    // N T over the area: 90 times 2 over 1200.
+    CHECK(has(words(plane, "pressure"), "|gas of points 0.150|"));
+    CHECK(!has(words("box: {size: [40, 30]}\ngas: [{name: a, count: 9, speed: 1}, {name: b, count: "
+                     "1, mass: infinite, "
+                     "position: [20, 15], velocity: [1, 0]}]\nrun: {until: 5}",
+                     "pressure"),
+               "gas of points"));
     // A bead at rest has the energy 0, which powers of ten have not; the other one has 50.
     const std::string resting = words(
         "box: {length: 20}\ngas: [{name: a, position: 5}, "

@@ -126,6 +126,11 @@ TEST_CASE("pressure on the walls is momentum for each time and length of those t
     CHECK(!wall_pressure(box_of(4, 2), transfers, 2.0));
 }
 
+TEST_CASE("the pressure of points is that of an ideal gas in the whole box") {
+    CHECK(pressure_of_points(box_of(6, 4), 5.0) == relative(5.0 / 24.0, 1e-14));
+    CHECK(pressure_of_points(wire_of(6), 5.0) == relative(10.0 / 6.0, 1e-14));
+}
+
 TEST_CASE("pressure by the virial is that of an ideal gas and what collisions add") {
     const std::vector<Body> bodies{{1, 1, 0, 0, 0.5}, {3, 3, 0, 0, 0.5}, {2, 2, 0, 0, 9, infinite}};
     const Particles particles = particles_of(bodies);

@@ -83,6 +83,10 @@ void PointsPanel::draw_ground(Canvas& canvas, const Page& page) const {
     if (low_ < 0.0)
         canvas.stroke_dashed({s.area.x, s.y(0.0)}, {s.area.right(), s.y(0.0)}, 0.06 * page.unit,
                              0.3 * page.unit, page.theme.muted);
+    if (subject_.never_equal)
+        canvas.stroke_dashed(s({subject_.width.first, subject_.width.first}),
+                             s({subject_.width.second, subject_.width.second}), 0.06 * page.unit,
+                             0.3 * page.unit, page.theme.muted);
     draw_text(canvas, {s.area.x + 0.4 * page.unit, s.area.y - 0.1 * page.unit}, subject_.up,
               label_style(page));
 }

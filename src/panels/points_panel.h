@@ -22,6 +22,7 @@ struct PointsSubject {
     std::size_t sets = 1;
     std::function<std::vector<Point>(const Observation&, std::size_t set)> points;
     std::function<Color(std::size_t set, const Theme&)> color;
+    bool never_equal = false;    ///< the two numbers: a line where they would be is drawn
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
     double breaks_up = 0.0;      ///< 0: none does
     std::pair<std::string, std::string> columns = {};  ///< of a table, with their units

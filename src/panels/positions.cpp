@@ -5,6 +5,16 @@
 
 namespace carom {
 
+namespace {
+
+// The name of the only particle of its kind says more than its number.
+std::string name_on_axis(const Cast& cast, const Chosen& chosen) {
+    const std::string single = single_name(cast, static_cast<Eigen::Index>(*chosen.particle));
+    return escape_markup(single.empty() ? name_of(cast, chosen) : single);
+}
+
+}  // namespace
+
 std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
     const Box& box = cast.scene.gas.box;
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
@@ -18,8 +28,8 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
                 return std::vector<std::string>{spec.title ? escape_markup(*spec.title)
                                                            : "Positions of two particles" + along};
             },
-        .across = name_of(cast, spec.of[0]),
-        .up = name_of(cast, spec.of[1]),
+        .across = name_on_axis(cast, spec.of[0]),
+        .up = name_on_axis(cast, spec.of[1]),
         .width = {0.0, length},
         .height = std::pair{0.0, length},
         .sets = 1,
@@ -29,6 +39,7 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
         .color = [](std::size_t, const Theme& theme) { return theme.bar; },
+        .never_equal = box.dimension == 1 && box.walls[0] == Wall::solid,  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
         .columns = {column_name("position of " + name_of(cast, spec.of[0]), reduced::length),

@@ -200,3 +200,30 @@ TEST_CASE("points stand before the paths of all, and out from them") {
     const Color other = edge_of(kind_color(2, page.theme), page.theme);
     CHECK(pixel(x, y - 1.2 * page.unit) == (to_pixel(other) & 0xFFFFFF));
 }
+
+TEST_CASE("two beads have a line that they never cross, unless they go around") {
+    const auto share_of_line = [](const std::string& walls) {
+        const test::Shot film(test::scene_from(
+            "title: T\nbox: {length: 20, walls: " + walls +
+            "}\ngas: [{position: [2, 18], velocity: [0.1, 0]}]\nrun: {until: 1}\n"
+            "film: {seconds: 4, fps: 5, theme: light, panels: [{kind: positions, of: [0, 1]}]}\n"));
+        const Grid grid(film.scene.film.layout, film.scene.film.size);
+        DiskPainter disks;
+        const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
+                        grid.unit(), theme(ThemeKind::light), disks};
+        const Rect plot = plot_area(page);
+        FramePainter painter(film.scene, *film.observers);
+        const PixelView view = painter.paint(film.frames.back()).pixels();
+        int drawn = 0;
+        for (int i = 1; i < 100; ++i) {
+            const auto x = static_cast<int>(plot.x + 0.01 * i * plot.width);
+            const auto y = static_cast<int>(plot.bottom() - 0.01 * i * plot.height);
+            if ((view.data[y * view.stride + x] & 0xFFFFFF) !=
+                (to_pixel(page.theme.page) & 0xFFFFFF))
+                ++drawn;
+        }
+        return 0.01 * drawn;
+    };
+    CHECK(share_of_line("solid") > 0.3);
+    CHECK(share_of_line("periodic") == 0.0);
+}

@@ -144,6 +144,10 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
                      "position: [20, 15], velocity: [1, 0]}]\nrun: {until: 5}",
                      "pressure"),
                "gas of points"));
+    // The only particle of its kind has a name.
+    const std::string positions = words(wire, "{kind: positions, of: [0, 2]}");
+    CHECK(has(positions, "|a|"));
+    CHECK(has(positions, "|particle 2|"));
     // A bead at rest has the energy 0, which powers of ten have not; the other one has 50.
     const std::string resting = words(
         "box: {length: 20}\ngas: [{name: a, position: 5}, "

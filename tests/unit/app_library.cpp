@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <numbers>
+#include <vector>
 
 #include "app/letters.h"
 #include "app/pipeline.h"
@@ -123,6 +125,25 @@ TEST_CASE("two disks meet once, and the lighter one changes its velocity by twic
         CHECK(std::abs(heavy) > 0.1);
         CHECK(light == relative(-2.0 * heavy, 1e-12));
     }
+}
+
+TEST_CASE("the hot particle is seen to fly, and gives its energy away blow by blow") {
+    const Scene loaded = scene("one-hot-particle");
+    Simulation simulation(loaded.gas, loaded.run);
+    const auto hot = static_cast<std::int32_t>(simulation.particles().count() - 1);
+    simulation.record_collisions(true);
+    const Passage passage = simulation.advance_to(0.7);
+    std::vector<double> blows;
+    for (const Collision& collision : passage.collisions)
+        if (collision.first == hot || collision.second == hot) blows.push_back(collision.time);
+    REQUIRE(blows.size() >= 4);
+    CHECK(blows[0] * 30.0 > 8.0 * 0.7);  // a way of eight radii at least, at speed 30
+    const auto energy = [&] {
+        return kinetic_energies(simulation.particles(), simulation.sample())[hot];
+    };
+    CHECK(energy() < 0.05 * 450.0);  // as the caption says from now on
+    simulation.advance_to(1.5);
+    CHECK(energy() < 0.01 * 450.0);  // as the figure says
 }
 
 TEST_CASE("the disks of the single collision meet once, off centre, and part at right angles") {

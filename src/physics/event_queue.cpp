@@ -257,13 +257,14 @@ inline bool EventQueue::step_ahead(std::int32_t& from, std::int32_t hours) const
     return near;
 }
 
-std::uint32_t EventQueue::look_ahead(std::int32_t hours, std::array<std::int32_t, 2>& who) {
+std::uint32_t EventQueue::look_ahead(std::int32_t hours, std::array<std::int32_t, 3>& who) {
     step_ahead(asked_, hours + hours / 2);
     fetch(heads_[index(asked_)]);
     const std::uint32_t any = step_ahead(ahead_, hours) ? 1 : 0;
     who[0] = heads_[index(ahead_)];
     who[1] = nodes_[index(who[0])].next;
-    return any + (any & (who[1] != nobody() ? 1U : 0U));
+    who[2] = nodes_[index(who[1])].next;
+    return any + (any & (who[1] != nobody() ? 1U : 0U)) + (any & (who[2] != nobody() ? 1U : 0U));
 }
 
 bool EventQueue::is_current(const Present& entry) const {

@@ -2,12 +2,12 @@
 // particle: a new one replaces the old. Times are local (local_clock.h) and lie in laps.
 //
 // A calendar: a lap is cut into days, a day into hours of half an event each. Each hour of the
-// present day has an unsorted doubly linked list through their times themselves, and the earliest of
-// the present hour is looked for among the few in it. Whoever has an event on a later day is noted
-// down at the end of that day's notes, where it stays whatever becomes of the event; when the day
-// begins, those noted that are still due then go to its hours. So only the events of one day, which
-// fit into the processor's nearest caches, are linked in no order; the notes are written and read
-// on end. Scheduling costs the same for any number of particles. A present hour with too many
+// present day has an unsorted doubly linked list through their times themselves, and the earliest
+// of the present hour is looked for among the few in it. Whoever has an event on a later day is
+// noted down at the end of that day's notes, where it stays whatever becomes of the event; when the
+// day begins, those noted that are still due then go to its hours. So only the events of one day,
+// which fit into the processor's nearest caches, are linked in no order; the notes are written and
+// read on end. Scheduling costs the same for any number of particles. A present hour with too many
 // events (a lattice that starts all at once) is ordered in a heap. Events beyond the lap are found
 // by begin_lap(). Does not know what an event means.
 #pragma once
@@ -43,11 +43,14 @@ class EventQueue {
     /// -1 when the lap is over.
     std::int32_t earliest();
 
-    /// Writes down to `who` whose events come next in the hours not told of yet, at most two, and
+    /// Writes down to `who` whose events come next in the hours not told of yet, at most three, and
     /// returns how many: none when these are more than `hours` away or on another day. Not all are
     /// told of, and others may still come between. For those who fetch ahead what these events will
     /// need, and who call this for each event that they process.
-    std::uint32_t look_ahead(std::int32_t hours, std::array<std::int32_t, 2>& who);
+    std::uint32_t look_ahead(std::int32_t hours, std::array<std::int32_t, 3>& who);
+
+    /// How many hours look_ahead() has come ahead.
+    std::int32_t hours_told() const { return ahead_ - (hour_ - midnight_); }
 
     /// Asks the processor for the time of a particle.
     void fetch(std::int32_t particle) const { __builtin_prefetch(&nodes_[index(particle)]); }

@@ -11,19 +11,31 @@ constexpr std::uint32_t partner_after = 2;
 constexpr std::uint32_t cells_after = 4;
 constexpr std::uint32_t neighbours_after = 6;
 
-// With the six before them well within the ring.
+// When more wait, two are asked for at a time; and so many at most, with the six before them well
+// within the ring.
+constexpr std::uint32_t many_waiting = 6;
 constexpr std::uint32_t most_waiting = 32;
 
 }  // namespace
 
 void FetchAhead::ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
-    std::array<std::int32_t, 2> who;
-    const std::uint32_t more = queue.look_ahead(hours_ahead, who);
-    coming(end_) = who[0];
-    coming(end_ + 1) = who[1];
-    end_ += more;
+    listen(queue);
+    // when a day begins nothing has been told of it
+    if (queue.hours_told() < hours_ahead / 2) listen(queue);
     if (begin_ == end_) return;
     if (end_ - begin_ > most_waiting) begin_ = end_ - most_waiting;
+    fetch(bodies, plane, queue);
+    if (end_ - begin_ > many_waiting) fetch(bodies, plane, queue);
+}
+
+void FetchAhead::listen(EventQueue& queue) {
+    std::array<std::int32_t, 3> who;
+    const std::uint32_t more = queue.look_ahead(hours_ahead, who);
+    for (std::uint32_t k = 0; k < who.size(); ++k) coming(end_ + k) = who[k];
+    end_ += more;
+}
+
+void FetchAhead::fetch(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
     const std::uint32_t k = begin_++;
     plane.fetch_disk_ahead(bodies, coming(k));
     const std::int32_t second = coming(k - partner_after);

@@ -21,6 +21,8 @@ class FetchAhead {
   private:
     static constexpr std::size_t least = 32768;
 
+    void listen(EventQueue& queue);  ///< who comes next?
+    void fetch(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue);
     void ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue);
     std::int32_t& coming(std::uint32_t k) { return coming_[k % coming_.size()]; }
 

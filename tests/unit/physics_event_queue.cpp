@@ -122,9 +122,9 @@ TEST_CASE("looking ahead tells of nearly each event of the next hours, and never
         const std::int32_t i = queue.earliest();
         REQUIRE(i >= 0);
         in_time += told[std::size_t(i)];
-        std::array<std::int32_t, 2> who;
+        std::array<std::int32_t, 3> who;
         const std::uint32_t more = queue.look_ahead(32, who);
-        REQUIRE(more <= 2);
+        REQUIRE(more <= who.size());
         for (std::uint32_t n = 0; n < more; ++n) {
             ++told[std::size_t(who[n])];
             CHECK(queue.time(who[n]) >= queue.time(i));
@@ -133,8 +133,8 @@ TEST_CASE("looking ahead tells of nearly each event of the next hours, and never
     }
     CHECK(queue.earliest() == -1);
     for (const int times_told : told) REQUIRE(times_told <= 1);
-    // all but those that came first on their day, and a third in one hour
-    CHECK(in_time > 0.95 * count);
+    // all but those that came first on their day, and a fourth in one hour
+    CHECK(in_time > 0.97 * count);
     CHECK(in_time < count);
 }
 

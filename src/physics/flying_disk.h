@@ -38,7 +38,6 @@ using FlyingDisks = LargeVector<FlyingDisk>;
 /// The properties of each disk; of disks that are all alike, once.
 class DiskProperties {
   public:
-    DiskProperties() = default;
     explicit DiskProperties(const Particles& particles);
 
     const Properties& operator[](std::int32_t i) const {

@@ -1,6 +1,8 @@
 #include "physics/contact_search.h"
 
 #include <bit>
+#include <cmath>
+#include <limits>
 
 #include "physics/arena.h"
 #include "physics/pair_collision.h"
@@ -17,10 +19,11 @@
 namespace carom {
 namespace {
 
-// A disk as it is now.
+// A disk as it is now, and until when its contacts matter.
 struct Viewer {
     double x, y, vx, vy;
     Properties properties;
+    double latest;
 };
 
 // What a search is about: all disks, the numbers of those looked at, and how they are met.
@@ -30,17 +33,23 @@ struct Scope {
     const Pairing& pairing;
     const std::int32_t* near;
     double now;
+    /// Earlier than now by more than a contact's time is rounded.
+    double just_before = now - 8 * std::numeric_limits<double>::epsilon() * std::abs(now);
 
     [[gnu::always_inline]] const FlyingDisk& disk(std::size_t k) const { return disks[near[k]]; }
     [[gnu::always_inline]] const Properties& properties_of(std::size_t k) const {
         return properties[near[k]];
     }
 
-    [[gnu::always_inline]] Viewer viewer(std::int32_t i) const {
+    [[gnu::always_inline]] Viewer viewer(std::int32_t i, const FirstContact& first) const {
         const FlyingDisk& d = disks[i];
         const double age = now - d.time;
         return {(d.x[0] + d.v[0] * age) - pairing.shift[0],
-                (d.x[1] + d.v[1] * age) - pairing.shift[1], d.v[0], d.v[1], properties[i]};
+                (d.x[1] + d.v[1] * age) - pairing.shift[1],
+                d.v[0],
+                d.v[1],
+                properties[i],
+                first.time};
     }
 };
 
@@ -91,8 +100,14 @@ template <bool several_images, bool alike>
     store_lanes(y, &pairs.y[k]);
     store_lanes(vx, &pairs.vx[k]);
     store_lanes(vy, &pairs.vy[k]);
-    const auto look = quick_look(RelativeMotion<FourLanes>{x, y, vx, vy}, sigma);
-    return (look.approach > 0.0) & (look.slack >= 0.0);
+    const RelativeMotion<FourLanes> motion{x, y, vx, vy};
+    const auto look = quick_look(motion, sigma);
+    const FourLanes others_latest{b0.prospect.contact_time, b1.prospect.contact_time,
+                                  b2.prospect.contact_time, b3.prospect.contact_time};
+    const FourLanes latest =
+        select(others_latest < a.latest, others_latest, FourLanes{} + a.latest);
+    return (look.approach > 0.0) & (look.slack >= 0.0) &
+           might_touch_within(motion, sigma, look.approach, latest - scope.just_before);
 }
 
 [[gnu::always_inline]] inline std::uint64_t bits_of(FourMasks mask) {
@@ -172,7 +187,7 @@ template <bool several_images, bool alike>
 template <bool several_images, bool alike>
 [[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
                                           FirstContact& first) {
-    const Viewer a = scope.viewer(i);
+    const Viewer a = scope.viewer(i, first);
     Pairs pairs;
     std::uint64_t bits =
         bits_of(all_that_might_touch<several_images, alike>(scope, a, 0, count, pairs));
@@ -191,7 +206,7 @@ template <bool several_images, bool alike>
                                           const std::array<std::int32_t, 2>& both,
                                           std::size_t split, std::size_t count,
                                           std::array<FirstContact, 2>& firsts) {
-    const std::array viewers{scope.viewer(both[0]), scope.viewer(both[1])};
+    const std::array viewers{scope.viewer(both[0], firsts[0]), scope.viewer(both[1], firsts[1])};
     Pairs pairs;
     std::uint64_t bits = bits_of(
         all_that_might_touch<several_images, alike>(scope, viewers[0], 0, split, pairs) |

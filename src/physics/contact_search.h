@@ -1,8 +1,9 @@
 // Which of some disks a disk touches first, and when. Four are tested at a time for whether they
-// may be touched at all; the exact times (pair_collision.h) of the few that may are solved two at a
-// time. There are no branches but on how many may be touched: the processor foretells none of the
-// others, and a wrong guess costs more than the arithmetic it saves. Knows no cells: who comes into
-// question is its caller's matter (plane.h).
+// may be touched at all, and before a contact that either has already; the exact times
+// (pair_collision.h) of the few that may are solved two at a time. There are no branches but on how
+// many may be touched: the processor foretells none of the others, and a wrong guess costs more
+// than the arithmetic it saves. Knows no cells: who comes into question is its caller's matter
+// (plane.h).
 #pragma once
 
 #include <array>

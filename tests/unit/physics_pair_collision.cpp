@@ -139,6 +139,26 @@ TEST_CASE("a quick look leaves out no contact, and most of those that recede or 
     CHECK(quick_look(Motion{3.0, 1.001, -1.0, 0.0}, 1.0).slack < 0.0);
 }
 
+TEST_CASE("who might touch within a time is never less than half as far away in time") {
+    Random random(13, "in time");
+    const auto might_touch = [](const Motion& m, double time) {
+        return might_touch_within(m, 1.0, quick_look(m, 1.0).approach, time);
+    };
+    int far = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const Motion m = near_the_rim(random);
+        const double time = time_of(m, 1.0);
+        if (!std::isfinite(time)) continue;
+        REQUIRE(might_touch(m, time));
+        // the margin of 1e-4 diameters apart, whoever is that near might
+        const bool near = contact_gap(m, 1.0) < 1e-2;
+        REQUIRE((near || !might_touch(m, 0.45 * time)));
+        far += near ? 0 : 1;
+    }
+    CHECK(far > 10'000);
+    CHECK(might_touch(Motion{3.0, 0.0, -1.0, 0.0}, never<double>));
+}
+
 TEST_CASE("contact times of two at once have the bits of those one by one") {
     Random random(12, "lanes");
     const auto draw = [&random]() -> Motion {

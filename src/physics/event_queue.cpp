@@ -194,6 +194,7 @@ std::int32_t EventQueue::new_leaf(std::int32_t before) {
         leaves_.emplace_back();
     } else {
         free_leaf_ = leaves_[index(leaf)].before;
+        __builtin_prefetch(&leaves_[index(std::max(free_leaf_, 0))]);
     }
     leaves_[index(leaf)].before = before;
     return leaf;
@@ -204,11 +205,21 @@ void EventQueue::begin_day() {
     ahead_ = asked_ = -1;
     const std::int32_t day = midnight_ >> day_bits_;
     Day& its = days_[index(day)];
+    // Two leaves ahead their particles' nodes are asked for, and four ahead the leaves: no sooner
+    // is a leaf there than it tells which was filled before.
+    std::int32_t soon = its.leaf, later = its.leaf;
+    const auto fetch_ahead = [&] {
+        for (const std::int32_t particle : leaves_[index(soon)].particle)
+            __builtin_prefetch(&nodes_[index(particle)]);
+        soon = later;
+        const std::int32_t before = leaves_[index(later)].before;
+        later = before == none ? later : before;
+        __builtin_prefetch(&leaves_[index(later)]);
+    };
+    for (int k = 0; k < 3; ++k) fetch_ahead();
     while (true) {
+        fetch_ahead();
         Leaf& leaf = leaves_[index(its.leaf)];
-        if (leaf.before != none)
-            for (const std::int32_t particle : leaves_[index(leaf.before)].particle)
-                __builtin_prefetch(&nodes_[index(particle)]);
         for (std::int32_t k = 0; k < its.used; ++k) {
             const std::int32_t particle = leaf.particle[index(k)];
             const Node& node = nodes_[index(particle)];

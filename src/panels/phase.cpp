@@ -1,5 +1,8 @@
 // Position against velocity along one axis, a point for each particle.
+#include <algorithm>
+
 #include "panels/chosen.h"
+#include "panels/flights.h"
 #include "panels/points_panel.h"
 #include "panels/registry.h"
 
@@ -12,6 +15,9 @@ std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec) {
     const std::vector<Chosen> chosen = choices(spec);
     std::vector<std::vector<Eigen::Index>> lists;
     for (const Chosen& one : chosen) lists.push_back(members(cast, one));
+    std::vector<Flights> flights;  // of the first of each: of several there is no path
+    for (const std::vector<Eigen::Index>& list : lists)
+        flights.emplace_back(box, axis, std::vector<Eigen::Index>{list.front()});
     PointsSubject subject{
         .titles = [cast, spec, chosen](const Theme& theme) -> std::vector<std::string> {
             if (spec.title) return {escape_markup(*spec.title)};
@@ -36,9 +42,19 @@ std::unique_ptr<Panel> make_phase(const Cast& cast, const PanelSpec& spec) {
             [cast, chosen](std::size_t k, const Theme& theme) {
                 return chosen.size() == 1 ? theme.bar : choice_color(cast, chosen[k], k, theme);
             },
+        .corners =
+            [flights](const Observation& o, std::size_t set) mutable {
+                std::vector<Point> points;
+                for (const Flights::Corner& corner : flights[set].see(o))
+                    for (const double velocity : {corner.before[0], corner.after[0]})
+                        points.push_back({corner.place[0], velocity});
+                return points;
+            },
         .breaks_across = 0.5 * box.size[axis],
         .columns = {column_name("position" + along, reduced::length),
                     column_name("velocity" + along, reduced::speed)}};
+    if (std::ranges::none_of(lists, [](const auto& list) { return list.size() == 1; }))
+        subject.corners = nullptr;
     for (const Chosen& one : chosen) subject.names.push_back(name_of(cast, one));
     return std::make_unique<PointsPanel>(std::move(subject));
 }

@@ -19,11 +19,16 @@ struct PointsState : PanelState {
 };
 
 constexpr std::size_t kept_a_frame = 200;   // numbers that the axis is fixed by
-constexpr std::size_t longest_path = 3000;  // frames: drawing must not grow with the film
-
-std::size_t first_of_path(std::size_t end) { return end > longest_path ? end - longest_path : 0; }
+constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
 }  // namespace
+
+// What a film of many frames, or of many collisions, shows of a path.
+std::pair<std::size_t, std::size_t> PointsPanel::Path::until(std::size_t frames) const {
+    if (ends.empty()) return {0, 0};
+    const std::size_t end = ends[std::min(frames, ends.size()) - 1];
+    return {end > longest_path ? end - longest_path : 0, end};
+}
 
 struct PointsPanel::Scales {
     Rect area;
@@ -41,7 +46,13 @@ void PointsPanel::survey(const Observation& observation) {
     paths_.resize(subject_.sets);
     for (std::size_t k = 0; k < subject_.sets; ++k) {
         const std::vector<Point> now = subject_.points(observation, k);
-        if (now.size() == 1) paths_[k].push_back(now.front());
+        if (now.size() == 1) {
+            std::vector<Point>& path = paths_[k].points;
+            if (subject_.corners)
+                for (const Point& corner : subject_.corners(observation, k)) path.push_back(corner);
+            path.push_back(now.front());
+            paths_[k].ends.push_back(path.size());
+        }
         const std::size_t stride = std::max<std::size_t>(1, now.size() / kept_a_frame);
         for (std::size_t i = surveyed_ % stride; i < now.size(); i += stride)
             pool_.push_back(std::abs(now[i].y));
@@ -100,12 +111,12 @@ bool PointsPanel::breaks_between(const Point& from, const Point& to) const {
 void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
                             std::size_t shown) const {
     const Scales s = scales(page);
-    const std::vector<Point>& all = paths_[set];
-    const std::size_t end = std::min(shown, all.size());
+    const std::vector<Point>& all = paths_[set].points;
+    const auto [first, end] = paths_[set].until(shown);
     const Color color = edge_of(subject_.color(set, page.theme), page.theme);
     const std::vector<double> dashes = line_dashes(set, subject_.sets, page);
     std::vector<Point> path;
-    for (std::size_t i = first_of_path(end); i < end; ++i) {
+    for (std::size_t i = first; i < end; ++i) {
         if (!path.empty() && breaks_between(all[i - 1], all[i])) {
             canvas.stroke_path(path, 0.1 * page.unit, color, dashes);
             path.clear();
@@ -140,14 +151,14 @@ Table PointsPanel::table(const PanelState& state, const Theme&) const {
     for (std::size_t k = 0; k < now.sets.size(); ++k) {
         for (const Point& point : now.sets[k])
             table.rows.push_back({"point", subject_.names.at(k), {}, point.x, point.y});
-        const std::size_t end = std::min(now.shown, paths_[k].size());
+        const std::vector<Point>& path = paths_[k].points;
+        const auto [first, end] = paths_[k].until(now.shown);
         std::int64_t piece = 0;
-        for (std::size_t i = first_of_path(end); i < end; ++i) {
-            const Point& point = paths_[k][i];
-            const bool stands = i > first_of_path(end) && point.x == paths_[k][i - 1].x &&
-                                point.y == paths_[k][i - 1].y;
+        for (std::size_t i = first; i < end; ++i) {
+            const Point& point = path[i];
+            const bool stands = i > first && point.x == path[i - 1].x && point.y == path[i - 1].y;
             if (stands) continue;
-            if (i > first_of_path(end) && breaks_between(paths_[k][i - 1], point)) ++piece;
+            if (i > first && breaks_between(path[i - 1], point)) ++piece;
             table.rows.push_back({"path", subject_.names.at(k), piece, point.x, point.y});
         }
     }

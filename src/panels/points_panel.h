@@ -22,6 +22,9 @@ struct PointsSubject {
     std::size_t sets = 1;
     std::function<std::vector<Point>(const Observation&, std::size_t set)> points;
     std::function<Color(std::size_t set, const Theme&)> color;
+    std::function<std::vector<Point>(const Observation&, std::size_t set)>
+        corners;  ///< of the path of a set of one, on the way from the frame before, in order;
+                  ///< every frame in order; none: paths have no corners but at frames
     bool never_equal = false;    ///< the two numbers: a line where they would be is drawn
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
     double breaks_up = 0.0;      ///< 0: none does
@@ -35,6 +38,7 @@ class PointsPanel : public Panel {
 
     void survey(const Observation& observation) override;
     void settle() override;
+    bool surveys_collisions() const override { return static_cast<bool>(subject_.corners); }
     std::shared_ptr<const PanelState> state(const Observation& observation) override;
     void draw_ground(Canvas& canvas, const Page& page) const override;
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
@@ -45,13 +49,19 @@ class PointsPanel : public Panel {
 
   private:
     struct Scales;
+    /// Of a set of one.
+    struct Path {
+        std::vector<Point> points;
+        std::vector<std::size_t> ends;  ///< of each frame, the number of points up to it
+        std::pair<std::size_t, std::size_t> until(std::size_t frames) const;  ///< first and end
+    };
     bool breaks_between(const Point& from, const Point& to) const;
     Scales scales(const Page& page) const;
     void draw_path(Canvas& canvas, const Page& page, std::size_t set, std::size_t shown) const;
 
     PointsSubject subject_;
-    std::vector<std::vector<Point>> paths_;  ///< of sets of one: a point for each frame
-    std::vector<double> pool_;               ///< sizes of the numbers up, thinned
+    std::vector<Path> paths_;
+    std::vector<double> pool_;  ///< sizes of the numbers up, thinned
     std::size_t surveyed_ = 0, seen_ = 0;
     double low_ = 0.0, high_ = 1.0;
 };

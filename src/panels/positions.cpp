@@ -1,5 +1,6 @@
 // One particle's position against another's along one axis, with the path so far.
 #include "panels/chosen.h"
+#include "panels/flights.h"
 #include "panels/points_panel.h"
 #include "panels/registry.h"
 
@@ -39,6 +40,14 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
         .color = [](std::size_t, const Theme& theme) { return theme.bar; },
+        .corners =
+            [flights = Flights(box, axis, {first, second})](const Observation& o,
+                                                            std::size_t) mutable {
+                std::vector<Point> points;
+                for (const Flights::Corner& corner : flights.see(o))
+                    points.push_back({corner.place[0], corner.place[1]});
+                return points;
+            },
         .never_equal = box.dimension == 1 && box.walls[0] == Wall::solid,  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,

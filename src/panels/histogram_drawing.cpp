@@ -15,7 +15,9 @@
 namespace carom {
 namespace {
 
-constexpr double casing = 0.07;  // of the page on each side of lines over bars, in units
+constexpr double casing = 0.07;     // of the page on each side of lines over bars, in units
+constexpr double cased_bar = 0.7;   // units, the height of bars over which curves have casings
+constexpr double cased_from = 0.3;  // units over the axis
 constexpr double curve_width = 0.16, mark_width = 0.12;  // in units
 constexpr double error_width = 0.08;                     // in units
 constexpr double tint_alpha = 0.3;                       // of bars that others overlap
@@ -226,27 +228,41 @@ std::optional<double> HistogramPanel::mark_place(const Page& page, double value)
 }
 
 // Solid bars have hardly another lightness than curves and marks: a line of the page on each side
-// keeps those apart. Under all of them, and not over the axes.
+// keeps those apart. Under all of them, and not over the axes. It would hide low bars and
+// the feet of others, on which a curve lies like a lid: there the curve has none.
 void HistogramPanel::draw_casings(Canvas& canvas, const Page& page,
                                   const MeanHistogram& now) const {
     const Scales s = scales(page);
     const double u = page.unit, axis = axis_style(page).line_width;
     canvas.clip_to({s.area.x + axis, s.area.y, s.area.width - axis, s.area.height - axis});
     const Series& one = series_.front();
-    const auto curve = [&](const std::vector<Point>& points) {
+    const auto stroke = [&](const std::vector<Point>& points) {
         canvas.stroke_path(path_of(page, points), (curve_width + 2.0 * casing) * u,
                            page.theme.page);
+    };
+    const auto is_tall = [&](int bin) {
+        return s.area.bottom() - s.y(now.counts[static_cast<std::size_t>(bin)]) >= cased_bar * u;
     };
     const auto mark = [&](double value) {
         if (const std::optional<double> x = mark_place(page, value))
             canvas.stroke_line({*x, s.area.bottom()}, {*x, s.area.y},
                                (mark_width + 2.0 * casing) * u, page.theme.page);
     };
-    curve(one.curve);
-    if (spec_.fit) curve(fit_curve(0, now));
     if (marks_mean_start()) mark(one.mean_start);
     if (marks_mean_now()) mark(now.mean);
     canvas.release_clip();
+    for (int from = 0; from < bins_.count; ++from) {
+        int to = from;
+        while (to < bins_.count && is_tall(to)) ++to;
+        if (to == from) continue;
+        const double left = std::max(std::round(s.x(bins_.edge(from))), s.area.x + axis);
+        const double right = std::round(s.x(bins_.edge(to)));
+        canvas.clip_to({left, s.area.y, right - left, s.area.height - cased_from * u});
+        stroke(one.curve);
+        if (spec_.fit) stroke(fit_curve(0, now));
+        canvas.release_clip();
+        from = to;
+    }
 }
 
 // The normal curve with the mean and the deviation of what the bars show.

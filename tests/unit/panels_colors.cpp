@@ -195,6 +195,34 @@ TEST_CASE("a casing of the page parts curves and marks from the bars behind them
     }
 }
 
+TEST_CASE("a casing does not hide low bars, nor the feet of others") {
+    const Picture picture(scene_of("{count: 300, radius: 0.3, temperature: 1}",
+                                   "panels: [{kind: energy-histogram, mean_start: false, "
+                                   "mean_now: false}], theme: dark"));
+    const Theme& colors = theme(ThemeKind::dark);
+    const Grid grid(picture.scene.film.layout, picture.scene.film.size);
+    DiskPainter disks;
+    const Rect plot =
+        plot_area({grid.place(shared_slots(picture.scene.film.layout.panels, 1).front()),
+                   grid.unit(), colors, disks});
+    // Up from the axis, as far as a bar goes, there is bar and curve, but no page.
+    int low = 0, parted = 0;
+    for (double x = plot.x + 0.3 * plot.width; x < plot.right() - 2; x += 1.0) {
+        int height = 0, pages = 0, pages_within = 0;
+        for (int up = 3; up < 0.6 * grid.unit(); ++up) {
+            const Color pixel = picture.at(x, plot.bottom() - up);
+            pages += same(pixel, colors.page);
+            if (!same(pixel, colors.bar)) continue;
+            height = up;
+            pages_within = pages;
+        }
+        low += height > 0;
+        parted += pages_within > 0;
+    }
+    CHECK(low > 100);
+    CHECK(parted == 0);
+}
+
 TEST_CASE("words on plates, and on captions, can be read over anything that moves behind") {
     for (const ThemeKind kind : all_themes) {
         CAPTURE(static_cast<int>(kind));

@@ -20,9 +20,16 @@ Observers::Observers(const Scene& scene, const Particles& particles, const Sampl
     if (layout.monitors)
         panels_.push_back(
             {*layout.monitors, std::make_unique<MonitorsPanel>(cast, scene.film.monitors)});
-    const std::vector<Slot> slots = shared_slots(layout.panels, scene.film.panels.size());
-    for (std::size_t i = 0; i < scene.film.panels.size(); ++i)
-        panels_.push_back({slots[i], make_panel(cast, scene.film.panels[i])});
+    std::vector<std::unique_ptr<Panel>> panels;
+    std::vector<std::optional<double>> enough;
+    for (const PanelSpec& spec : scene.film.panels) {
+        panels.push_back(make_panel(cast, spec));
+        enough.push_back(panels.back()->enough_height());
+    }
+    const std::vector<Slot> slots =
+        with_heights(shared_slots(layout.panels, panels.size()), enough);
+    for (std::size_t i = 0; i < panels.size(); ++i)
+        panels_.push_back({slots[i], std::move(panels[i])});
 }
 
 bool Observers::wants_collisions() const {

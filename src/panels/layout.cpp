@@ -70,4 +70,27 @@ std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count
     return shared;
 }
 
+std::vector<Slot> with_heights(std::vector<Slot> slots,
+                               const std::vector<std::optional<double>>& enough) {
+    const std::size_t count = std::min(slots.size(), enough.size());
+    double spare = 0.0;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && (!same(slots[i].x, slots[0].x) || !same(slots[i].width, slots[0].width)))
+            return slots;
+        if (enough[i]) spare += std::max(0.0, slots[i].height - *enough[i]);
+        if (!enough[i]) ++others;
+    }
+    if (others == 0) return slots;
+    double moved = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double height = enough[i] ? std::min(slots[i].height, *enough[i])
+                                        : slots[i].height + spare / static_cast<double>(others);
+        slots[i].y += moved;
+        moved += height - slots[i].height;
+        slots[i].height = height;
+    }
+    return slots;
+}
+
 }  // namespace carom

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,11 @@ class Grid {
 /// The places of `count` panels, row by row. Fewer than there are places share the whole area of a
 /// regular grid of places; where these are no regular grid, the first are taken.
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count);
+
+/// Places one below the other, of which those that have enough with less than their height (grid
+/// units; none: more is better) leave the rest to the others. Places that do not stand so, or all
+/// have enough, stay as they are. `enough` may be shorter than `slots`.
+std::vector<Slot> with_heights(std::vector<Slot> slots,
+                               const std::vector<std::optional<double>>& enough);
 
 }  // namespace carom

@@ -41,8 +41,12 @@ constexpr double widest_column = 8.968;
 constexpr double widest_number = 6.4;
 constexpr double tightest = 0.85;  // the widths of columns have some air
 constexpr double digits_over_label = 1.53;
-constexpr double least_gap = 0.8;     // units, between the numbers of columns
-constexpr double arrow_place = 5.29;  // units, right of the time
+constexpr double digit_height = 1.1;   // of the size of their label
+constexpr double least_gap = 0.8;      // units, between the numbers of columns
+constexpr double above_digits = 0.8;   // of the size of their label
+constexpr double largest_label = 1.6;  // units
+constexpr double title_height = 2.0;   // units
+constexpr double arrow_place = 5.29;   // units, right of the time
 
 const Column& column(Monitor number) { return columns.at(static_cast<std::size_t>(number)); }
 
@@ -69,6 +73,14 @@ std::string percent(double share) {
     return padding + whole + "\u2009%";
 }
 
+// The size of text, in units, with which a label over its number fills a height; labels grow less.
+double size_in(double height) {
+    constexpr double air = 0.95;
+    const double size = (height - air) / (1.0 + above_digits + digit_height);
+    if (size <= largest_label) return size;
+    return (height - air - (1.0 + above_digits) * largest_label) / digit_height;
+}
+
 // A triangle that points along the direction of time; `turn` from 0 (right) to 1 (left).
 void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color color) {
     std::array<Point, 3> corners;
@@ -88,10 +100,12 @@ struct MonitorsPanel::Row {
     std::size_t shown, columns;
     double spacing, size, height;  // of text and rows as multiples of the smallest
     double unit;
-    double label_size() const { return std::min(size, 1.6); }
+    double label_size() const { return std::min(size, largest_label); }
     double digits() const { return digits_over_label * size; }
     double label_baseline() const { return label_size() * unit; }
-    double baseline() const { return label_baseline() + 1.9 * size * unit; }
+    double baseline() const {
+        return label_baseline() + (above_digits * label_size() + digit_height * size) * unit;
+    }
 };
 
 // Of the first `count` numbers.
@@ -107,7 +121,7 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
         }
         const double across = area.width / unit / width;
         const double height = area.height / unit / static_cast<double>(rows);
-        const double size = std::min(across, (height - 1.6) / 2.3);
+        const double size = std::min(across, size_in(height));
         if (rows == 1 || (size > best.size && best.size < 1.0))
             best = {area, count, columns, across, size, height, unit};
     }
@@ -118,8 +132,8 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
 MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
     Rect area = page.area;
     if (title_) {
-        area.y += 2.0 * page.unit;
-        area.height -= 2.0 * page.unit;
+        area.y += title_height * page.unit;
+        area.height -= title_height * page.unit;
     }
     constexpr double loosest = 1.35;
     std::size_t count = numbers_.size();
@@ -242,6 +256,12 @@ std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
             return now.return_distance ? three_digits_of_power(now.log10_return_distance) : "–";
     }
     return "";
+}
+
+std::optional<double> MonitorsPanel::enough_height() const {
+    constexpr double enough = 8.2;
+    if (numbers_.size() > 1) return {};
+    return enough + (title_ ? title_height : 0.0);
 }
 
 bool MonitorsPanel::shows_time() const {

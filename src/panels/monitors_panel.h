@@ -25,6 +25,7 @@ class MonitorsPanel : public Panel {
     void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     bool shows_time() const override;
+    std::optional<double> enough_height() const override;
 
   private:
     struct Row;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -113,6 +114,10 @@ class Panel {
 
     /// Whether it shows the time, and beside it how slow the film is.
     virtual bool shows_time() const { return false; }
+
+    /// The height, in units, beyond which it gains nothing and leaves room to others; none: it
+    /// gains by any.
+    virtual std::optional<double> enough_height() const { return {}; }
 
     /// What the panel fills of its area.
     virtual Rect frame_in(const Rect& area) const { return area; }

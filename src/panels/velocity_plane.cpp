@@ -32,7 +32,7 @@ void VelocityPlane::draw_line(Canvas& canvas, const Eigen::Array2d& through,
 }
 
 double scale_in(const Rect& area, const Eigen::Array2d& reach) {
-    constexpr double beyond = 1.15;  // of the largest velocities
+    constexpr double beyond = 1.08;  // of the largest velocities
     return std::min(area.width / (2.0 * beyond * reach[0]),
                     area.height / (2.0 * beyond * reach[1]));
 }

@@ -55,3 +55,14 @@ TEST_CASE("places that are no regular grid are taken as they are") {
     REQUIRE(three.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) check_slot(three[i], four[i]);
 }
+
+TEST_CASE("a panel that has enough leaves the rest of its height to those below and above") {
+    const std::vector<Slot> column{{0, 0, 10, 6}, {0, 7, 10, 6}, {0, 14, 10, 6}};
+    const std::vector<Slot> shared = with_heights(column, {2.0, {}, {}});
+    check_slot(shared[0], {0, 0, 10, 2});
+    check_slot(shared[1], {0, 3, 10, 8});
+    check_slot(shared[2], {0, 12, 10, 8});
+    check_slot(with_heights(column, {9.0, {}, {}})[1], column[1]);    // it has not even that
+    check_slot(with_heights(column, {2.0, 2.0, 2.0})[1], column[1]);  // nobody wants more
+    check_slot(with_heights(grid_of_four, {2.0, {}, {}, {}})[2], grid_of_four[2]);
+}

@@ -321,11 +321,8 @@ const Line& line_of(const std::string& markup, const TextStyle& style) {
     return typesetter().line({markup, style.size, style.weight, style.tabular, style.max_width});
 }
 
-struct GridPoint {
-    int whole = 0, phase = 0;
-};
-
-GridPoint to_grid(double position) {
+// The whole pixel before a position, and the phase after it.
+std::pair<int, int> to_grid(double position) {
     const double steps = std::floor(position * Typesetter::phases + 0.5);
     const double whole = std::floor(steps / Typesetter::phases);
     return {static_cast<int>(whole), static_cast<int>(steps - whole * Typesetter::phases)};
@@ -333,12 +330,12 @@ GridPoint to_grid(double position) {
 
 void draw_glyphs(Canvas& canvas, Point origin, const Line& line) {
     for (const PlacedGlyph& glyph : line.glyphs) {
-        const GridPoint x = to_grid(origin.x + glyph.x);
-        const GridPoint y = to_grid(origin.y + glyph.y);
-        const GlyphMask& mask = typesetter().mask(glyph, x.phase, y.phase);
+        const auto [x, phase_x] = to_grid(origin.x + glyph.x);
+        const auto [y, phase_y] = to_grid(origin.y + glyph.y);
+        const GlyphMask& mask = typesetter().mask(glyph, phase_x, phase_y);
         cairo_surface_t* coverage = mask.coverage.get();
         if (coverage == nullptr) continue;
-        const double left = x.whole + mask.left, top = y.whole + mask.top;
+        const double left = x + mask.left, top = y + mask.top;
         cairo_mask_surface(canvas.handle(), coverage, left, top);
         canvas.touch({left, top, double(cairo_image_surface_get_width(coverage)),
                       double(cairo_image_surface_get_height(coverage))});
@@ -359,6 +356,20 @@ Rect ink_of(PangoLayout* layout, Point origin) {
             to_length(ink.height)};
 }
 
+void draw_halo(Canvas& canvas, Point origin, const Line& line, const TextStyle& style) {
+    const Rect ink = ink_of(line.layout.get(), origin);
+    const double w = style.halo + 1.0;
+    canvas.touch({ink.x - w, ink.y - w, ink.width + 2 * w, ink.height + 2 * w});
+    cairo_t* context = canvas.handle();
+    const Color& color = style.behind;
+    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
+    cairo_set_line_width(context, 2.0 * style.halo);
+    cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+    cairo_move_to(context, origin.x, origin.y);
+    pango_cairo_layout_line_path(context, pango_layout_get_line_readonly(line.layout.get(), 0));
+    cairo_stroke(context);
+}
+
 bool is_raster(cairo_t* context) {
     return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
 }
@@ -368,11 +379,11 @@ bool is_raster(cairo_t* context) {
 TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style) {
     const Line& line = line_of(markup, style);
     cairo_t* context = canvas.handle();
-    const Color& color = style.color;
-    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
-
     Point origin{start_of(at.x, style.align, line.extent.width), at.y};
     if (is_raster(context)) origin.y = std::round(origin.y);
+    if (style.halo > 0.0) draw_halo(canvas, origin, line, style);
+    const Color& color = style.color;
+    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
     if (is_raster(context) && !line.glyphs.empty()) {
         draw_glyphs(canvas, origin, line);
     } else {
@@ -427,10 +438,6 @@ TextLog::~TextLog() { current_log = nullptr; }
 
 TextExtent measure_text(const std::string& markup, const TextStyle& style) {
     return line_of(markup, style).extent;
-}
-
-std::string escape_markup(const std::string& text) {
-    return GString(g_markup_escape_text(text.data(), static_cast<gssize>(text.size()))).get();
 }
 
 void require_font() {

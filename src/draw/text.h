@@ -20,6 +20,8 @@ struct TextStyle {
     Align align = Align::left;
     bool tabular = true;   ///< figures of equal width
     double max_width = 0;  ///< > 0: a longer line ends in an ellipsis
+    double halo = 0;       ///< > 0: an edge of this width around the letters,
+    Color behind = {};     ///< in this colour, so that they can be read over anything
 };
 
 struct TextExtent {

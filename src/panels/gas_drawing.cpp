@@ -1,6 +1,8 @@
 // The drawing of the gas: ghosts, trails, disks, their labels, rings and names, flashes and arrows.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "panels/bead_words.h"
@@ -59,23 +61,73 @@ double way_around(const Box& box, int axis, double back) {
 // What is left of a disk's radius inside a ring; disks too small for one are filled.
 double inside_ring(double radius, double line) { return radius > 2.0 * line ? radius - line : 0.0; }
 
-// A name on a plate of the ground, so that disks behind it do not cut it up. Above the disk if
-// there is room, else below, else upon it; inside the box.
-void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& disk,
-               const std::string& markup, double alpha) {
-    const double u = page.unit;
-    TextStyle style = title_style(page);
-    style.align = Align::center;
-    style.color = with_alpha(page.theme.ink, alpha);
-    style.max_width = box.width - 0.8 * u;
-    const double half = measure_text(markup, style).width / 2 + 0.4 * u;
+// Above the disk if there is room, else below, else upon it; inside the box.
+Point usual_foot(const Rect& box, const Rect& disk, double half, double u) {
     const double center = disk.x + disk.width / 2;
     Point foot{std::max(box.x + half, std::min(center, box.right() - half)), disk.y - 0.7 * u};
     if (foot.y - 1.2 * u < box.y) foot.y = disk.bottom() + 1.7 * u;
     if (foot.y + 0.4 * u > box.bottom())
         foot.y = std::clamp(disk.y + disk.height / 2, box.y + 1.2 * u, box.bottom() - 0.4 * u);
-    canvas.fill({foot.x - half, foot.y - 1.2 * u, 2.0 * half, 1.6 * u},
-                with_alpha(page.theme.ground, plate_alpha * alpha));
+    return foot;
+}
+
+// How many of the disks lie under a name, but for its own.
+int disks_under(const std::vector<Disk>& disks, const Rect& name, const Rect& own) {
+    int under = 0;
+    for (const Disk& disk : disks) {
+        const double x = static_cast<double>(disk.x), y = static_cast<double>(disk.y);
+        if (std::hypot(x - own.x - own.width / 2, y - own.y - own.height / 2) < own.width / 2)
+            continue;
+        const double across = x - std::clamp(x, name.x, name.right());
+        const double up = y - std::clamp(y, name.y, name.bottom());
+        under += std::hypot(across, up) < static_cast<double>(disk.radius);
+    }
+    return under;
+}
+
+// In a picture that stands still a name may keep clear of the disks around it: of the places around
+// its own disk, from above on, the first that covers the fewest.
+Point free_foot(const Rect& box, const Rect& disk, double half, double u,
+                const std::vector<Disk>& disks) {
+    constexpr int directions = 24;
+    const double high = 1.4 * u, wide = 2.0 * half - 0.4 * u;
+    Point best = usual_foot(box, disk, half, u);
+    int least = std::numeric_limits<int>::max();
+    for (int k = 0; k < 2 * directions; ++k) {
+        const double turn =
+            (k % 2 == 0 ? 0.5 : -0.5) * (k % directions) + (k % 2 == 0 ? 0.0 : -0.5);
+        const double angle = 2.0 * std::numbers::pi * turn / directions;
+        const double x = std::sin(angle), y = -std::cos(angle);
+        const double gap = (k < directions ? 0.2 : 0.8) * u + disk.width / 2;
+        const double away = std::min((gap + 0.5 * wide) / std::max(1e-9, std::abs(x)),
+                                     (gap + 0.5 * high) / std::max(1e-9, std::abs(y)));
+        const Rect name{disk.x + disk.width / 2 + away * x - 0.5 * wide,
+                        disk.y + disk.height / 2 + away * y - 0.5 * high, wide, high};
+        if (name.x < box.x || name.y < box.y || name.right() > box.right() ||
+            name.bottom() > box.bottom())
+            continue;
+        const int under = disks_under(disks, name, disk);
+        if (under >= least) continue;
+        least = under;
+        best = {name.x + 0.5 * wide, name.y + 1.1 * u};
+    }
+    return best;
+}
+
+// With an edge of the ground, so that it can be read over disks and hides little of them. `disks`:
+// to keep clear of.
+void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& disk,
+               const std::string& markup, double alpha, const std::vector<Disk>* disks) {
+    const double u = page.unit;
+    TextStyle style = title_style(page);
+    style.align = Align::center;
+    style.color = with_alpha(page.theme.ink, alpha);
+    style.max_width = box.width - 0.8 * u;
+    style.halo = 0.16 * u;
+    style.behind = with_alpha(page.theme.ground, alpha);
+    const double half = measure_text(markup, style).width / 2 + 0.4 * u;
+    const Point foot =
+        disks == nullptr ? usual_foot(box, disk, half, u) : free_foot(box, disk, half, u, *disks);
     draw_text(canvas, foot, markup, style);
 }
 
@@ -298,6 +350,14 @@ void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& s
 void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
     const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
+    std::vector<Disk> disks;
+    for (std::size_t i = 0; i < gas.x.size() && !cast_.in_film; ++i) {
+        const Point at = to_pixels(double(gas.x[i]), double(gas.y[i]));
+        const double radius =
+            cast_.particles.radius[static_cast<Eigen::Index>(i)] * to_pixels.scale;
+        disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
+                         static_cast<float>(std::max(least_radius, radius)), 0});
+    }
     for (const Chosen& chosen : chosen_) {
         const auto i = static_cast<std::size_t>(chosen.particle);
         const Point place{static_cast<double>(gas.x[i]), static_cast<double>(gas.y[i])};
@@ -314,7 +374,7 @@ void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& s
         if (gas.label_alpha <= 0.0F || name.empty()) continue;
         const Rect disk{at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius};
         draw_name(canvas, page, to_pixels.box, disk, escape_markup(name),
-                  static_cast<double>(gas.label_alpha));
+                  static_cast<double>(gas.label_alpha), cast_.in_film ? nullptr : &disks);
     }
 }
 

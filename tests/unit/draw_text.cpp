@@ -216,3 +216,19 @@ TEST_CASE("letters that no font has are found") {
     // U+2FE0 is no letter and never will be one that fonts have.
     CHECK(missing_letters("a\u2fe0b\u2fe0") == std::vector<std::string>{"\u2fe0"});
 }
+
+TEST_CASE("a halo parts letters from what is behind them, and ends there") {
+    TextStyle style = style_of(100);
+    style.halo = 6.0;
+    Canvas canvas({900, 220});
+    canvas.fill_all(white);
+    draw_text(canvas, {50, 150}, "H", style);
+    const Ink letter = ink_of(drawn("H", style_of(100)));
+    const PixelView pixels = canvas.pixels();
+    const auto level = [&](int x, int y) { return pixels.data[y * pixels.stride + x] & 0xFF; };
+    const int middle = (letter.top + letter.bottom) / 2;
+    CHECK(level(letter.left + 3, middle) == 0xFF);  // white on white, but for
+    CHECK(level(letter.left - 3, middle) == 0x00);
+    CHECK(level(letter.left - 9, middle) == 0xFF);
+    CHECK(level((letter.left + letter.right) / 2, letter.top) == 0xFF);  // no plate
+}

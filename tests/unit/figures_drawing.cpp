@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "draw/text.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "support/figure_run.h"
@@ -142,4 +143,24 @@ TEST_CASE("a figure of one collision shows the whole of it and no present") {
     CHECK(picture(3) == picture(4));
     for (const auto& row : table_of(run.figures()[3]).rows)
         CHECK(std::get<std::string>(row[1]) != "present");
+}
+
+TEST_CASE("in a figure the name of a disk keeps clear of the disks around it") {
+    const auto left_of_name = [](const std::string& place) {
+        const Scene scene = test::scene_from(
+            "title: T\nbox: {size: [40, 30]}\n"
+            "gas:\n  - {name: hot, count: 1, radius: 1, position: [20, 15]}\n"
+            "  - {name: far, count: 20, radius: 0.5, position: {within: [0, 0, 10, 10]}}\n"
+            "  - {count: 1, name: near, radius: 1, position: " +
+            place +
+            "}\nrun: {until: 1}\nfilm: {seconds: 2, trails: {of: hot}}\n"
+            "figures: [{name: a, kind: gas, at: 0}]\n");
+        const FigureRun run = run_of(scene);
+        const TextLog log;
+        drawn(run, 0, FigureFormat::png);
+        for (const DrawnLine& line : log.lines)
+            if (line.markup == "hot") return line.ink.x;
+        return 0.0;
+    };
+    CHECK(std::abs(left_of_name("[20, 17.5]") - left_of_name("[35, 17.5]")) > 20.0);
 }

@@ -40,6 +40,7 @@ const std::vector<Door> doors{
     {std::regex("yaml-cpp/.*"), {"scene/yaml.cpp"}},
     {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
+    {std::regex("glib\\.h"), {"draw/markup.cpp"}},
     {std::regex("xxhash.*"), {"app/fingerprint.cpp"}},
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},
     {std::regex("zlib.*"), {"draw/png.cpp"}},

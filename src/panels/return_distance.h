@@ -69,6 +69,7 @@ class ReturnDistancePanel : public Panel {
     void draw_note(Canvas& canvas, const Page& page) const;
     void draw_floor(Canvas& canvas, const Page& page) const;
     double level_baseline(const Page& page) const;
+    bool is_crossed(const Rect& part, const Page& page) const;
     void draw_level(Canvas& canvas, const Page& page) const;
     void draw_home(Canvas& canvas, const Page& page) const;
     void draw_law(Canvas& canvas, const Page& page, const ReturnDistancePanel& run,

@@ -16,6 +16,17 @@ namespace {
 constexpr double floor_height = 1.5;  // of the band for distances of exactly 0, in units
 constexpr double line_width = 0.18, law_width = 0.1;  // in units
 
+// Whether a straight piece of a line lies over a part of the picture.
+bool meets(const Rect& part, const Point& a, const Point& b) {
+    const double from = std::max(part.x, std::min(a.x, b.x));
+    const double to = std::min(part.right(), std::max(a.x, b.x));
+    if (from > to) return false;
+    const double slope = a.x == b.x ? 0.0 : (b.y - a.y) / (b.x - a.x);
+    const double first = a.x == b.x ? a.y : a.y + slope * (from - a.x);
+    const double second = a.x == b.x ? b.y : a.y + slope * (to - a.x);
+    return std::min(first, second) <= part.bottom() && std::max(first, second) >= part.y;
+}
+
 }  // namespace
 
 struct ReturnDistancePanel::Scales {
@@ -142,10 +153,39 @@ void ReturnDistancePanel::draw_level(Canvas& canvas, const Page& page) const {
     const double y = s.y(std::log10(radius()));
     canvas.stroke_dashed({s.area.x, y}, {s.area.right(), y}, 0.08 * u, 0.3 * u, page.theme.muted);
     const bool all_alike = (cast_.particles.radius == cast_.particles.radius[0]).all();
-    TextStyle style = label_style(page);
-    style.align = Align::right;  // at the left the lines are steep
-    draw_text(canvas, {s.area.right() - 0.4 * u, level_baseline(page)},
-              all_alike ? "a radius" : "a mean radius", style);
+    const std::string words = all_alike ? "a radius" : "a mean radius";
+    const TextStyle style = label_style(page);
+    const double width = measure_text(words, style).width, baseline = level_baseline(page);
+    const double last = s.area.right() - 0.4 * u - width;  // at the left the lines are steep
+    double left = last;
+    const auto crossed = [&] {
+        return is_crossed({left - 0.3 * u, baseline - 0.9 * u, width + 0.6 * u, 1.2 * u}, page);
+    };
+    while (crossed() && left > s.area.x + 1.4 * u) left -= u;
+    draw_text(canvas, {crossed() ? last : left, baseline}, words, style);
+}
+
+// Whether any line will cross a part of the plot.
+bool ReturnDistancePanel::is_crossed(const Rect& part, const Page& page) const {
+    const Scales s = scales(page);
+    for (const ReturnDistancePanel* run : runs_) {
+        const Steps steps = run->way_home_.steps();
+        for (std::size_t i = 1; i < steps.size(); ++i) {
+            if (!steps[i].is_known || steps[i].reversal != steps[i - 1].reversal) continue;
+            const auto at = [&](const WayHome::Step& step) {
+                return Point{s.x(along(step)), s.height(log_of(step, Line::largest))};
+            };
+            if (meets(part, at(steps[i - 1]), at(steps[i]))) return true;
+        }
+        for (std::size_t reversal = 0; reversal < run->way_home_.reversals().size(); ++reversal) {
+            const std::vector<LawPoint> points = law(*run, reversal);
+            for (std::size_t i = 1; i < points.size(); ++i)
+                if (meets(part, {s.x(points[i - 1].along), s.height(points[i - 1].log10_distance)},
+                          {s.x(points[i].along), s.height(points[i].log10_distance)}))
+                    return true;
+        }
+    }
+    return false;
 }
 
 void ReturnDistancePanel::draw_home(Canvas& canvas, const Page& page) const {

@@ -268,3 +268,24 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
           std::string::npos);
     CHECK(words("double", 1280).find(" 53 bits\n") != std::string::npos);
 }
+
+TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
+    const Scene scene = load_scene(std::string(CAROM_TEST_ROOT) + "/scenes/time-reversal.yaml",
+                                   std::string(CAROM_TEST_ROOT) + "/templates",
+                                   {{{"film.template", "square"}, {"film.fps", "5"}}});
+    const test::Shot film(scene);
+    const TextLog log;
+    FramePainter painter(film.scene, *film.observers);
+    const auto words = std::ranges::find(log.lines, "a radius", &DrawnLine::markup);
+    REQUIRE(words != log.lines.end());
+    const Rect ink = words->ink;  // the log goes on
+    const auto pixels = [&](const FrameData& frame) {
+        const PixelView view = painter.paint(frame).pixels();
+        std::vector<std::uint32_t> found;
+        for (auto y = std::lround(ink.y); y < std::lround(ink.bottom()); ++y)
+            for (auto x = std::lround(ink.x); x < std::lround(ink.right()); ++x)
+                found.push_back(view.data[y * view.stride + x]);
+        return found;
+    };
+    CHECK(pixels(film.frames.front()) == pixels(film.frames.back()));
+}

@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "util/text.h"
@@ -84,13 +86,25 @@ void draw_upright_line(Canvas& canvas, double x, double from, double to, const A
     canvas.fill({std::round(x - 0.5 * width), top, width, bottom - top}, style.line);
 }
 
+struct LabelSpan {
+    double left, right;
+};
+
+// Of a label under its tick; that at the end of the axis reaches hardly beyond it.
+LabelSpan span_of(const TickMark& mark, const Scale& scale, const TextStyle& style) {
+    constexpr double most_beyond = 0.6;  // ems
+    const double width = measure_text(mark.label, style).width;
+    const double end = std::max(scale.from, scale.to) + most_beyond * style.size;
+    const double left = std::min(scale(mark.value) - 0.5 * width, end - width);
+    return {left, left + width};
+}
+
 // Whether each label keeps half an em to the next one.
 bool fits(const std::vector<TickMark>& marks, const Scale& scale, const TextStyle& style) {
     for (std::size_t i = 1; i < marks.size(); ++i) {
-        const double distance = std::abs(scale(marks[i].value) - scale(marks[i - 1].value));
-        const double needed = 0.5 * (measure_text(marks[i].label, style).width +
-                                     measure_text(marks[i - 1].label, style).width);
-        if (distance < needed + 0.5 * style.size) return false;
+        const double gap =
+            span_of(marks[i], scale, style).left - span_of(marks[i - 1], scale, style).right;
+        if (gap < 0.5 * style.size) return false;
     }
     return true;
 }
@@ -101,6 +115,40 @@ std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style
         if (fits(marks, scale, style.label)) return marks;
     }
     return ticks(scale.low, scale.high, 2, style.whole);
+}
+
+// The left end of an axis's title among its labels: at the right end, or in the last gap between
+// two labels that has room for it.
+std::optional<double> title_place(const std::vector<TickMark>& marks, const Scale& scale,
+                                  double width, double right, double air, const AxisStyle& style) {
+    if (marks.empty()) return right - width;
+    LabelSpan next = span_of(marks.back(), scale, style.label);
+    if (next.right < right - width - 0.5 * style.title.size) return right - width;
+    for (std::size_t i = marks.size() - 1; i-- > 0;) {
+        const LabelSpan label = span_of(marks[i], scale, style.label);
+        if (next.left - label.right >= width + 2.0 * air)
+            return 0.5 * (label.right + next.left - width);
+        next = label;
+    }
+    return {};
+}
+
+// Three ticks or more and the place of the title with which no label is lost, if there are such.
+std::pair<std::vector<TickMark>, std::optional<double>> ticks_with_title(const Scale& scale,
+                                                                         double width, double right,
+                                                                         const AxisStyle& style) {
+    std::vector<TickMark> usual = fitting_x_ticks(scale, style);
+    constexpr std::size_t least_ticks = 3;
+    for (const double ems : {0.7, 0.5})  // of air on each side of the title
+        for (std::size_t most = usual.size(); most >= least_ticks; --most) {
+            std::vector<TickMark> marks =
+                ticks(scale.low, scale.high, static_cast<int>(most), style.whole);
+            if (marks.size() < least_ticks || !fits(marks, scale, style.label)) continue;
+            const double air = ems * style.title.size;
+            if (const auto place = title_place(marks, scale, width, right, air, style))
+                return {std::move(marks), place};
+        }
+    return {std::move(usual), {}};
 }
 
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
@@ -207,18 +255,24 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
         y + style.tick_length + gap_to_label(style) + 2 * half_line_height(label);
     draw_level_line(canvas, area.x - 0.5 * style.line_width, area.right() + 0.5 * style.line_width,
                     y, style);
-    double right = std::numeric_limits<double>::infinity();
-    if (!title.empty()) {
+    double end = std::numeric_limits<double>::infinity();  // of the room for labels
+    std::vector<TickMark> marks;
+    if (title.empty()) {
+        marks = fitting_x_ticks(scale, style);
+    } else {
+        const double width = measure_text(title, style.title).width;
+        std::optional<double> place;
+        std::tie(marks, place) = ticks_with_title(scale, width, area.right(), style);
+        if (!place) end = area.right() - width - 0.5 * style.title.size;
         TextStyle words = style.title;
-        words.align = Align::right;
-        const double width = draw_text(canvas, {area.right(), baseline}, title, words).width;
-        right = area.right() - width - 0.5 * words.size;
+        words.align = Align::left;
+        draw_text(canvas, {place.value_or(area.right() - width), baseline}, title, words);
     }
-    for (const TickMark& mark : fitting_x_ticks(scale, style)) {
-        const double x = scale(mark.value);
-        draw_upright_line(canvas, x, y, y + style.tick_length, style);
-        if (x + 0.5 * measure_text(mark.label, label).width < right)
-            draw_text(canvas, {x, baseline}, mark.label, label);
+    for (const TickMark& mark : marks) {
+        draw_upright_line(canvas, scale(mark.value), y, y + style.tick_length, style);
+        const LabelSpan span = span_of(mark, scale, label);
+        if (span.right < end)
+            draw_text(canvas, {0.5 * (span.left + span.right), baseline}, mark.label, label);
     }
 }
 

@@ -50,7 +50,8 @@ double x_axis_space(const AxisStyle& style);
 double y_axis_space(const Scale& scale, const AxisStyle& style);
 
 /// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
-/// on the line of the labels at the right end; labels that it would touch are left out.
+/// on the line of the labels: at the right end, or between two of them, with fewer ticks if that
+/// makes room for it. Where nothing does, labels that it would touch at the right end are left out.
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
 

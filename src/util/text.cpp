@@ -173,7 +173,9 @@ std::string counted(long long count, std::string_view what) {
 
 std::string grouped(long long value) {
     std::string digits = std::to_string(value < 0 ? -value : value);
-    for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+    constexpr std::size_t fewest_grouped = 5;  // digits: ISO 80000-1 leaves fewer together
+    const bool is_long = digits.size() >= fewest_grouped;
+    for (int i = static_cast<int>(digits.size()) - 3; is_long && i > 0; i -= 3)
         digits.insert(static_cast<std::size_t>(i), "\u2009");
     return value < 0 ? "\u2212" + digits : digits;
 }

@@ -63,7 +63,8 @@ std::string plain_number(double value);
 /// "1 frame", "30 frames".
 std::string counted(long long count, std::string_view what);
 
-/// An integer with thin spaces (U+2009) between groups of three digits: 12 345.
+/// An integer with thin spaces (U+2009) between groups of three digits, from five digits on: 1234,
+/// 12 345.
 std::string grouped(long long value);
 
 }  // namespace carom

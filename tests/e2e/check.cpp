@@ -96,7 +96,7 @@ TEST_CASE("estimates are plain numbers of two digits") {
         return outcome.out.substr(begin, outcome.out.find('\n', begin) - begin);
     };
     // 1,500 in a time of 300, 2/9 of them for each of nine beads
-    CHECK(collisions("300").find("about 1\u2009500 between particles, 330 for each") !=
+    CHECK(collisions("300").find("about 1500 between particles, 330 for each") !=
           std::string::npos);
     CHECK(collisions("30000").find(", 33\u2009000 for each") != std::string::npos);
     CHECK(collisions("3").find("about 15 between particles, 3.3 for each") != std::string::npos);

@@ -69,10 +69,13 @@ TEST_CASE("the nearest spelling is offered only when it is near") {
     CHECK_FALSE(nearest_spelling("temperature", keys).has_value());
 }
 
-TEST_CASE("integers are grouped by thin spaces") {
+TEST_CASE("integers are grouped by thin spaces, from five digits on") {
     CHECK(grouped(999) == "999");
+    CHECK(grouped(9999) == "9999");
+    CHECK(grouped(10000) == "10\u2009000");
     CHECK(grouped(1234567) == "1\u2009234\u2009567");
-    CHECK(grouped(-1000) == "\u22121\u2009000");
+    CHECK(grouped(-10000) == "\u221210\u2009000");
+    CHECK(grouped(-1000) == "\u22121000");
 }
 
 TEST_CASE("control characters are C0, delete and C1") {

@@ -114,7 +114,10 @@ void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
     const std::vector<Point>& all = paths_[set].points;
     const auto [first, end] = paths_[set].until(shown);
     const Color color = edge_of(subject_.color(set, page.theme), page.theme);
-    const std::vector<double> dashes = line_dashes(set, subject_.sets, page);
+    // Dashes of a path that goes to and fro add up to a thicket. Two are told apart by their greys,
+    // and by the points at their ends.
+    std::vector<double> dashes;
+    if (subject_.sets > 2) dashes = line_dashes(set, subject_.sets, page);
     std::vector<Point> path;
     for (std::size_t i = first; i < end; ++i) {
         if (!path.empty() && breaks_between(all[i - 1], all[i])) {

@@ -1,11 +1,14 @@
 // Paths have their corners where velocities change, not at the frames before and after.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "panels/frame.h"
+#include "panels/layout.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 
@@ -71,4 +74,30 @@ TEST_CASE("at a reversal a velocity jumps to its opposite") {
         "{kind: phase, of: [0]}");
     CHECK(has(path, 4.0, 1.0));
     CHECK(has(path, 4.0, -1.0));
+}
+
+TEST_CASE("in print the paths of two are whole lines") {
+    const test::Shot film(test::scene_from(
+        "title: T\nbox: {length: 20}\ngas: [{position: [2, 18], velocity: [1, -1]}]\n"
+        "run: {until: 5}\nfilm: {seconds: 4, fps: 20, theme: print, "
+        "panels: [{kind: phase, of: [0, 1]}]}\n"));
+    const Grid grid(film.scene.film.layout, film.scene.film.size);
+    DiskPainter disks;
+    const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()), grid.unit(),
+                    theme(ThemeKind::print), disks};
+    const Rect plot = plot_area(page);
+    FramePainter painter(film.scene, *film.observers);
+    const PixelView view = painter.paint(film.frames.back()).pixels();
+    // At velocity -1, which is a share of the axis that the panel chose: some row is whole.
+    int longest = 0;
+    for (int y = static_cast<int>(plot.y + 0.55 * plot.height); y < plot.bottom() - 3; ++y) {
+        int run = 0;
+        for (int x = static_cast<int>(plot.x) + 3; x < plot.right(); ++x) {
+            const bool page_pixel = (view.data[y * view.stride + x] & 0xFFFFFF) ==
+                                    (to_pixel(page.theme.page) & 0xFFFFFF);
+            run = page_pixel ? 0 : run + 1;
+            longest = std::max(longest, run);
+        }
+    }
+    CHECK(longest > 0.2 * plot.width);
 }

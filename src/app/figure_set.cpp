@@ -234,8 +234,10 @@ class Maker {
         if (due.empty()) return;
         report_.made += static_cast<int>(due.size());
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const FigureRun run(part.scene, simulate, options_.threads,
-                            shown_runs(part.scene, progress));
+        const Fresh fresh = [](const Scene& scene, const TimeTold& told) {
+            return simulate(scene, told);
+        };
+        const FigureRun run(part.scene, fresh, options_.threads, shown_runs(part.scene, progress));
         progress.begin("drawing", static_cast<double>(due.size()), "figures");
         std::vector<NewFile> files;
         for (const PlannedFigure* figure : due) {

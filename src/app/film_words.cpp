@@ -227,12 +227,14 @@ std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments
 
 }  // namespace
 
-FilmWords words_of_film(const Scene& scene, const FrameSpan& span) {
+FilmWords words_of_film(const Scene& scene, const FrameSpan& span, Progress& progress) {
     std::vector<Moment> moments = moments_of(scene, span, timeline(scene));
-    Simulation simulation = simulate(scene);
+    Simulation simulation = simulate(scene, progress);
+    progress.begin("describing", static_cast<double>(moments.size()), "moments");
     for (Moment& moment : moments) {
         throw_if_interrupted();
         look(moment, scene, simulation);
+        progress.advance();
     }
     const double begin = static_cast<double>(span.first) / scene.film.fps;
     const double end = seconds_at(span.end, scene, span);

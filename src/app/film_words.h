@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/frame_span.h"
+#include "app/progress.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -22,7 +23,7 @@ struct FilmWords {
 
 /// Runs the physics once more, for the numbers. `span` is of the scene's timeline. Throws as
 /// render() does.
-FilmWords words_of_film(const Scene& scene, const FrameSpan& span);
+FilmWords words_of_film(const Scene& scene, const FrameSpan& span, Progress& progress);
 
 /// What their files are called, by what they hold: the film's name without its extension, and this.
 inline const std::map<std::string, std::string> words_endings = {

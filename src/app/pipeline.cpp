@@ -69,7 +69,7 @@ void survey(const std::vector<Tick>& ticks, Simulation simulation,
 void show_previews(const Scene& scene, const std::vector<Tick>& ticks, const FrameSpan& span,
                    Observers& observers, FilmWriter& writer, Progress& progress) {
     progress.begin("choosing colours", static_cast<double>(span.end));
-    Simulation simulation = simulate(scene);
+    Simulation simulation = simulate(scene, progress);
     simulation.record_collisions(observers.wants_collisions());
     FramePainter painter(scene, observers);
     const int wanted = std::min(writer.wanted_previews(), span.frames());
@@ -102,7 +102,7 @@ RenderReport render(const Scene& asked, const RenderOptions& options, Progress& 
     const double begun = seconds_of(CLOCK_MONOTONIC);
     const double cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
     const Scene scene = with_precision(asked, progress);
-    Simulation simulation = simulate(scene);
+    Simulation simulation = simulate(scene, progress);
     const std::vector<Tick> ticks = timeline(scene);
     const FrameSpan span = frames_between(ticks, options.from, options.to);
     // Before the work: it may not be allowed to write.
@@ -112,14 +112,14 @@ RenderReport render(const Scene& asked, const RenderOptions& options, Progress& 
     Observers observers(scene, simulation.particles(), simulation.sample());
     if (writer->wanted_previews() > 0) {
         Observers beforehand(scene, simulation.particles(), simulation.sample());
-        survey(ticks, simulate(scene), {&observers, &beforehand}, progress);
+        survey(ticks, simulate(scene, progress), {&observers, &beforehand}, progress);
         show_previews(scene, ticks, span, beforehand, *writer, progress);
     } else {
-        survey(ticks, simulate(scene), {&observers}, progress);
+        survey(ticks, simulate(scene, progress), {&observers}, progress);
     }
 
     FilmWords words;
-    if (options.words) words = words_of_film(scene, span);
+    if (options.words) words = words_of_film(scene, span, progress);
 
     progress.begin("rendering", static_cast<double>(span.frames()));
     simulation.record_collisions(observers.wants_collisions());
@@ -155,9 +155,9 @@ Canvas draw_still(const Scene& asked, double at, std::string_view format, Progre
     const std::vector<Tick> ticks = timeline(scene);
     const auto nearest = static_cast<std::size_t>(frame_nearest_to(ticks, at));
 
-    Simulation simulation = simulate(scene);
+    Simulation simulation = simulate(scene, progress);
     Observers observers(scene, simulation.particles(), simulation.sample());
-    survey(ticks, simulate(scene), {&observers}, progress);
+    survey(ticks, simulate(scene, progress), {&observers}, progress);
     progress.begin("going to the frame", static_cast<double>(nearest + 1));
     simulation.record_collisions(observers.wants_collisions());
     FrameData frame;

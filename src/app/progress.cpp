@@ -57,7 +57,7 @@ void Progress::show_now_and_then() {
     const auto now = Clock::now();
     const auto pause =
         form_ == Form::bar ? std::chrono::milliseconds(100) : std::chrono::seconds(4);
-    if (now - shown_ >= pause) show(now);
+    if (done_ > 0.0 && now - shown_ >= pause) show(now);
 }
 
 std::string Progress::line(double elapsed) const {

@@ -23,7 +23,7 @@ class Progress {
     /// A stage of `total` frames, or whatever `unit` calls what is counted or measured.
     void begin(std::string stage, double total, std::string unit = "frames");
     void advance(double more = 1.0);  ///< so much more is done; called from any thread
-    void reach(double done);          ///< so much of the total is done, above 0
+    void reach(double done);          ///< so much of the total is done
     void finish();                    ///< clears the bar
 
   private:

@@ -108,7 +108,7 @@ class Course {
   public:
     Course(const Scene& scene, Progress& progress)
         : run_(scene.run),
-          simulation_(prepare(scene)),
+          simulation_(prepare(scene, progress)),
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(scene.gas.species.size()), sample_count(scene.run)),
           reversals_(scene.run, simulation_),
@@ -135,9 +135,9 @@ class Course {
     }
 
   private:
-    Simulation prepare(const Scene& scene) {
+    Simulation prepare(const Scene& scene, Progress& progress) {
         const Stopwatch watch(seconds_.prepare);
-        return simulate(scene);
+        return simulate(scene, progress);
     }
 
     void see_sample(const SampleTaker& take) {

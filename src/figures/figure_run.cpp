@@ -75,22 +75,17 @@ class FigureRun::OfSeed {
     OfSeed(const Scene& scene, int later, const Fresh& fresh, const TrialTold& trial)
         : scene_(with_precision(alone(scene, later), trial)),
           fresh_(fresh),
-          ticks_(ticks_of(scene_)),
-          start_(fresh(scene_)) {
-        particles_ = start_->particles();
-        equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
-        const Cast cast{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_, false};
+          ticks_(ticks_of(scene_)) {
         for (const FigureSpec& spec : scene_.figures)
-            if (spec.panel.seeds > later && spec.compare.empty())
-                figures.push_back({&spec, spec.panel.kind == "gas" ? make_gas_panel(cast)
-                                                                   : make_panel(cast, spec.panel)});
+            if (spec.panel.seeds > later && spec.compare.empty()) specs_.push_back(&spec);
     }
     OfSeed(const OfSeed&) = delete;
     OfSeed& operator=(const OfSeed&) = delete;
 
+    void begin(const RunsTold& told);
     void survey(const RunsTold& told);
     void look(const RunsTold& told);
-    double time_to_simulate() const { return figures.empty() ? 0.0 : 2.0 * scene_.run.until; }
+    double time_to_simulate() const;
     const Figure& figure_of(const std::string& name) const;
     const Scene& scene() const { return scene_; }
     const Particles& particles() const { return particles_; }
@@ -98,11 +93,13 @@ class FigureRun::OfSeed {
     std::vector<Figure> figures;
 
   private:
+    Simulation fresh(const RunsTold& told) const;
     Observation observe(const Tick& tick, const Sample& sample, const Passage& passage);
 
     Scene scene_;
     const Fresh& fresh_;
     std::vector<Tick> ticks_;
+    std::vector<const FigureSpec*> specs_;
     std::optional<Simulation> start_;
     Particles particles_;
     std::optional<EquilibriumGas> equilibrium_;
@@ -114,6 +111,33 @@ const Figure& FigureRun::OfSeed::figure_of(const std::string& name) const {
                               [](const Figure& figure) { return figure.spec->name; });
 }
 
+// One that shows nothing is begun, for its particles, and goes no further.
+double FigureRun::OfSeed::time_to_simulate() const {
+    const Run& run = scene_.run;
+    return specs_.empty() ? run.equilibrate : 2.0 * (run.equilibrate + run.until);
+}
+
+Simulation FigureRun::OfSeed::fresh(const RunsTold& told) const {
+    double now = -scene_.run.equilibrate;
+    const auto tell = [&](double time) {
+        if (told.advance) told.advance(time - std::exchange(now, time));
+    };
+    Simulation simulation = fresh_(scene_, tell);
+    tell(0.0);
+    return simulation;
+}
+
+// Makes the panels, with the particles at time 0.
+void FigureRun::OfSeed::begin(const RunsTold& told) {
+    start_ = fresh(told);
+    particles_ = start_->particles();
+    equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
+    const Cast cast{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_, false};
+    for (const FigureSpec* spec : specs_)
+        figures.push_back({spec, spec->panel.kind == "gas" ? make_gas_panel(cast)
+                                                           : make_panel(cast, spec->panel)});
+}
+
 Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
                                        const Passage& passage) {
     speed_ = speeds(sample);
@@ -123,7 +147,7 @@ Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
 
 void FigureRun::OfSeed::survey(const RunsTold& told) {
     if (figures.empty()) return;
-    Simulation simulation = fresh_(scene_);
+    Simulation simulation = fresh(told);
     simulation.record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
     double now = 0.0;
@@ -184,6 +208,7 @@ FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads, const 
     double all = 0.0;
     for (const Job& job : jobs) all += (*job.run)->time_to_simulate();
     if (told.begin) told.begin(all);
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->begin(told); });
     on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->survey(told); });
     settle();
     on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(told); });

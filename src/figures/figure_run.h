@@ -41,13 +41,14 @@ struct Figure {
     std::vector<FigureSide> sides = {};  ///< of a comparison; its moments are the first one's
 };
 
-/// Gives a simulation of a scene at time 0; from any thread.
-using Fresh = std::function<Simulation(const Scene&)>;
+/// Gives a simulation of a scene at time 0, and tells of the time before it; from any thread.
+using Fresh = std::function<Simulation(const Scene&, const TimeTold&)>;
 
 /// Told how far the runs have come.
 struct RunsTold {
-    TrialTold trial;                           ///< where there is but one run: of its precision
-    std::function<void(double time)> begin;    ///< how much all will simulate together
+    TrialTold trial;  ///< where there is but one run: of its precision
+    std::function<void(double time)>
+        begin;  ///< how much all will simulate together, equilibration included
     std::function<void(double time)> advance;  ///< how much more is simulated; from any thread
 };
 

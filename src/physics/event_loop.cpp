@@ -223,7 +223,8 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t
 }
 
 template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* record) {
+void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* record,
+                                           const TimeTold& told) {
     constexpr int events_between_looks = 4096;
     int until_look = events_between_looks;
     Collision collision;
@@ -234,6 +235,7 @@ void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* 
         if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
         if (--until_look == 0) {
             throw_if_interrupted();
+            if (told) told(clock_.absolute(now_));
             until_look = events_between_looks;
         }
     }

@@ -73,9 +73,10 @@ class EventLoop {
     void start(const Sample& state);
 
     /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
-    /// Throws std::runtime_error when particles collide without end at one instant, or two of
-    /// infinite mass meet on a wire.
-    void advance(double time, std::vector<Collision>* record);
+    /// `told` hears the time of the latest event now and then. Throws Interrupted, and
+    /// std::runtime_error when particles collide without end at one instant, or two of infinite
+    /// mass meet on a wire.
+    void advance(double time, std::vector<Collision>* record, const TimeTold& told = {});
 
     /// Goes on to the next collision at a time <= `time`, false if there is none.
     bool advance_one(double time, Collision& collision);

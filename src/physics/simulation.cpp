@@ -77,7 +77,8 @@ struct Simulation::Implementation {
         return std::visit(std::forward<Function>(f), loop);
     }
 
-    Implementation(const Box& its_box, Particles its_particles, const Sample& start, const Run& run)
+    Implementation(const Box& its_box, Particles its_particles, const Sample& start, const Run& run,
+                   const TimeTold& told)
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
@@ -88,7 +89,7 @@ struct Simulation::Implementation {
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
             its.start(present);
-            if (run.equilibrate > 0.0) its.advance(0.0, nullptr);
+            if (run.equilibrate > 0.0) its.advance(0.0, nullptr, told);
             its.forget();
         });
         present.time = 0.0;
@@ -150,15 +151,17 @@ struct Simulation::Implementation {
     int reversals = 0;
 };
 
-Simulation::Simulation(const Gas& gas, const Run& run) {
+Simulation::Simulation(const Gas& gas, const Run& run, const TimeTold& told) {
     auto [particles, start] = place(gas);
     if (gas.box.dimension == 1) refuse_squeeze(gas.box, particles, start, run);
     refuse_jam(gas.box, particles, start);
-    implementation_ = std::make_unique<Implementation>(gas.box, std::move(particles), start, run);
+    implementation_ =
+        std::make_unique<Implementation>(gas.box, std::move(particles), start, run, told);
 }
 
 Simulation::Simulation(const Box& box, Particles particles, const Sample& start, const Run& run)
-    : implementation_(std::make_unique<Implementation>(box, std::move(particles), start, run)) {}
+    : implementation_(
+          std::make_unique<Implementation>(box, std::move(particles), start, run, TimeTold{})) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

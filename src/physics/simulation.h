@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -59,6 +60,9 @@ struct Passage {
         collisions;  ///< of this passage only, when recording; valid until the next advance
 };
 
+/// Told what time it is in a run, every some thousand events.
+using TimeTold = std::function<void(double time)>;
+
 /// A nudge that would push a particle into another or into a wall.
 class NudgeError : public std::runtime_error {
   public:
@@ -72,9 +76,9 @@ class NudgeError : public std::runtime_error {
 
 class Simulation {
   public:
-    /// Places the particles and runs `run.equilibrate`; `run.bits` must be there. Throws
-    /// PlacementError.
-    Simulation(const Gas& gas, const Run& run);
+    /// Places the particles and runs `run.equilibrate`, of which `told` hears, in times before 0;
+    /// `run.bits` must be there. Throws PlacementError, Interrupted.
+    Simulation(const Gas& gas, const Run& run, const TimeTold& told = {});
 
     /// Starts from given particles at `start.time` = 0, or `run.equilibrate` before it. Overlapping
     /// particles are a programmer's error (assertion).

@@ -192,6 +192,11 @@ class Diary {
     double low_ = 0.0, high_ = 0.0;
 };
 
+TimeTold times_told(const TrialTold& told, int bits) {
+    if (!told) return {};
+    return [&told, bits](double time) { told(bits, time); };
+}
+
 /// How a run in so many bits came home.
 struct Echo {
     bool meets_the_same = true;
@@ -207,7 +212,7 @@ class EchoRun {
         : box_(gas.box), loop_(gas.box, particles, {.bits = bits}), bits_(bits), told_(told) {
         start.time = -run.equilibrate;
         loop_.start(start);
-        loop_.advance(0.0, nullptr);
+        loop_.advance(0.0, nullptr, times_told(told, bits));
     }
 
     Echo go(const Itinerary& way, Diary& diary, double tolerance, double fastest) {
@@ -326,7 +331,7 @@ class Search {
     void count_collisions() {
         Run run = without_nudges(run_);
         run.bits = bits_of_double;
-        Simulation simulation(gas_, run);
+        Simulation simulation(gas_, run, times_told(told_, bits_of_double));
         std::int64_t before = 0;
         for (const Leg& leg : way_.legs()) {
             const std::int64_t now = simulation.advance_to(leg.end).counts.particle;

@@ -27,7 +27,7 @@ class PrecisionError : public std::runtime_error {
 };
 
 /// Told now and then how far a trial has come: the bits that are tried, those of a double where
-/// collisions are only counted, and the simulated time.
+/// collisions are only counted, and the simulated time, below 0 while it equilibrates.
 using TrialTold = std::function<void(int bits, double time)>;
 
 /// Bits with which the gas comes home after every reversal of `run`, as far as the run goes on:

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "e2e/program.h"
 #include "support/process.h"
@@ -60,4 +61,21 @@ TEST_CASE("on a terminal a bar tells how far figures and stills have come, not w
         CHECK(has(shown, " left\r\x1b[K"));
         CHECK_FALSE(has(shown_until("left\r", all + " --quiet", 1), "left"));
     }
+}
+
+TEST_CASE("on a terminal a bar tells how far a gas has equilibrated") {
+    if (!has_terminal()) return;
+    for (const std::string& command :
+         std::vector<std::string>{"run scene.yaml", "render scene.yaml -o film.mp4",
+                                  "still scene.yaml", "run scene.yaml --set run.precision=64"}) {
+        const std::string all = command + " --set run.equilibrate=1e9";
+        CAPTURE(all);
+        const std::string shown = shown_until("left\r", all);
+        CHECK(has(shown, "░ scene: equilibrating "));
+        CHECK(has(shown, "/1e+09 time units, "));
+    }
+    const std::string shown =
+        shown_until("left\r", "figures scene.yaml --set run.equilibrate=1e9 --set run.until=1e6");
+    CHECK(has(shown, "░ scene: simulating "));
+    CHECK(has(shown, "/2.002e+09 time units, "));
 }

@@ -246,3 +246,19 @@ TEST_CASE("a nudged echo fails when the growth law says") {
         CHECK(each < expected * 1.5);
     }
 }
+
+TEST_CASE("trials of a precision tell how far they are, while they equilibrate too") {
+    Run run = reversed_at({5.0}, 10.0);
+    run.equilibrate = 400.0;
+    std::map<int, std::pair<double, double>> times;  // the first and the last, by bits
+    const int bits =
+        bits_to_come_home(test::equal_disks(0.3, 49), run, [&](int tried, double time) {
+            times.emplace(tried, std::pair{time, time}).first->second.second = time;
+        });
+    REQUIRE(times.contains(bits));
+    for (const auto& [tried, of_trial] : times) {
+        CAPTURE(tried);
+        CHECK(of_trial.first < -100.0);
+        CHECK(of_trial.second > 0.0);
+    }
+}

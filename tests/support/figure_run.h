@@ -6,7 +6,10 @@
 namespace carom::test {
 
 inline FigureRun run_of(const Scene& scene, int threads = 1) {
-    return {scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, threads};
+    return {
+        scene,
+        [](const Scene& one, const TimeTold& told) { return Simulation(one.gas, one.run, told); },
+        threads};
 }
 
 }  // namespace carom::test

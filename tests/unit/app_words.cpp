@@ -21,8 +21,13 @@ Scene row_of_beads(const std::string& more) {
         more);
 }
 
+FilmWords words_of_span(const Scene& scene, const FrameSpan& span) {
+    Progress silent(Progress::Form::silent, "");
+    return words_of_film(scene, span, silent);
+}
+
 FilmWords words_of(const Scene& scene) {
-    return words_of_film(scene, {0, frame_count(scene.film)});
+    return words_of_span(scene, {0, frame_count(scene.film)});
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -79,7 +84,7 @@ TEST_CASE("captions and reversals are told when they come") {
     CHECK(contains(words.transcript, "All velocities are reversed. Time 4.50, 4 collisions"));
     CHECK(contains(words.transcript, "“Back again” Time 3.97"));
     // Of a part, times count from its first frame.
-    const FilmWords part = words_of_film(scene, {20, 60});
+    const FilmWords part = words_of_span(scene, {20, 60});
     CHECK(contains(part.captions, "00:00:00.000 --> 00:00:02.000\nA bead"));
     CHECK(contains(part.transcript, "A silent film of 0:04."));
 }
@@ -99,8 +104,8 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
     CHECK(contains(words.descriptions, "Particle 0 is moved by 3.00×10⁻⁴⁰. "));
     // Not where the film is over before, or begins after it.
     const int frames = static_cast<int>(timeline(scene).size());
-    CHECK_FALSE(contains(words_of_film(scene, {0, 60}).transcript, "is moved"));
-    CHECK_FALSE(contains(words_of_film(scene, {frames - 5, frames}).transcript, "is moved"));
+    CHECK_FALSE(contains(words_of_span(scene, {0, 60}).transcript, "is moved"));
+    CHECK_FALSE(contains(words_of_span(scene, {frames - 5, frames}).transcript, "is moved"));
     CHECK(words_of_events(scene.run) ==
           "At time 4.5 every velocity is turned round. Particle 0 is moved by 3.00×10⁻⁴⁰ at time "
           "4.5. Particle 2 is moved by 0.00100 at time 8.");

@@ -136,7 +136,7 @@ TEST_CASE("runs of several seeds take no more threads than they are given") {
         const Scene scene = scene_of(bars + ", seeds: 8}\n");
         const FigureRun run(
             scene,
-            [&](const Scene& one) {
+            [&](const Scene& one, const TimeTold&) {
                 const std::lock_guard lock(mutex);
                 seen.insert(std::this_thread::get_id());
                 return Simulation(one.gas, one.run);
@@ -149,13 +149,21 @@ TEST_CASE("runs of several seeds take no more threads than they are given") {
 
 TEST_CASE("all runs together tell how far they have come, each of its two passes") {
     const std::string two = ", compare: [{label: a, set: seed=7}, {label: b, set: run.until=8}]}\n";
-    for (const auto& [figures, expected] :
-         {std::pair{bars + "}\n", 12.0}, {bars + ", seeds: 4}\n", 48.0}, {bars + two, 28.0}}) {
+    const std::string later =
+        ", compare: [{label: a, set: run.equilibrate=3}, {label: b, set: seed=7}]}\n";
+    for (const auto& [figures, expected] : {std::pair{bars + "}\n", 12.0},
+                                            {bars + ", seeds: 4}\n", 48.0},
+                                            {bars + two, 28.0},
+                                            {bars + later, 30.0}}) {
         CAPTURE(figures);
         std::mutex mutex;
         double all = 0.0, done = 0.0;
         const Scene scene = scene_of(figures);
-        const FigureRun run(scene, [](const Scene& one) { return Simulation(one.gas, one.run); }, 2,
+        const FigureRun run(scene,
+                            [](const Scene& one, const TimeTold& told) {
+                                return Simulation(one.gas, one.run, told);
+                            },
+                            2,
                             {.trial = {},
                              .begin = [&](double time) { all = time; },
                              .advance =

@@ -93,3 +93,19 @@ TEST_CASE("what no bits can do is refused where it is written") {
         "{at: 2, nudge: {particle: 3, by: [-59.9, 0]}}]}\n");
     CHECK(overlap.starts_with("test:4:71: error: the nudge at time 2 would push particle 3 into "));
 }
+
+TEST_CASE("the trial of a nudge tells how far it is") {
+    const Scene scene = load_scene_text(
+        "title: A nudge\nbox: {size: [24, 18]}\ngas: [{count: 60, radius: 0.6, speed: 3}]\n"
+        "run: {until: 60, precision: 64, events: [{at: 30, nudge: {particle: 0, by: [1e-9, 0]}}]}\n"
+        "film: {seconds: 4, template: minimal}\n",
+        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+    std::vector<double> times;
+    with_precision(scene, [&](int bits, double time) {
+        CHECK(bits == 64);
+        times.push_back(time);
+    });
+    CHECK(times.size() > 10);
+    CHECK(std::ranges::is_sorted(times));
+    CHECK(times.back() == 30.0);
+}

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "physics/simulation.h"
 #include "support/bodies.h"
+#include "support/equal_disks.h"
 #include "support/relative.h"
 
 using namespace carom;
@@ -163,4 +165,22 @@ TEST_CASE("what changes hands is added up") {
     CHECK(transfers.wall[0] == 0.0);
     CHECK(transfers.wall[1] == 6.0);
     CHECK(transfers.largest_overlap == 0.0);
+}
+
+TEST_CASE("a gas tells how far it has equilibrated, and is none the worse for it") {
+    const Gas gas = test::equal_disks(0.3, 100);
+    for (const int bits : {bits_of_double, least_bits}) {
+        CAPTURE(bits);
+        const Run run{.until = 1.0, .equilibrate = 200.0, .events = {}, .bits = bits};
+        std::vector<double> times;
+        Simulation told(gas, run, [&](double time) { times.push_back(time); });
+        CHECK(times.size() > 5);
+        CHECK(std::ranges::is_sorted(times));
+        CHECK(times.front() < -150.0);
+        CHECK(times.front() >= -200.0);
+        CHECK(times.back() > -50.0);
+        CHECK(times.back() <= 0.0);
+        Simulation untold(gas, run);
+        CHECK((told.sample().position == untold.sample().position).all());
+    }
 }

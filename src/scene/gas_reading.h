@@ -37,7 +37,7 @@ std::string called(const SpeciesDraft& draft, std::size_t particle);
 double number_of(const Quantity& quantity, std::size_t i);
 
 /// Reports what cannot be placed in a box of two dimensions: disks too large for it, too many for
-/// its area, places outside, places that overlap.
+/// its area or for a lattice, places outside, places that overlap.
 void check_room(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors);
 
 /// The same for beads on a wire, and those of infinite mass that run into one another before the
@@ -46,8 +46,8 @@ void check_wire(const Box& box, const std::vector<SpeciesDraft>& drafts, const R
                 Errors& errors);
 
 /// Reports particles that would move where they have no room, as far as it is known before they are
-/// placed: those listed, those of a wire that is full, disks as wide as the box. Of a gas without
-/// other errors.
+/// placed: those listed, those of a wire that is full, disks as wide as the box, a species on a
+/// lattice. Of a gas without other errors.
 void check_jam(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors);
 
 }  // namespace carom

@@ -1,9 +1,12 @@
 // Whether particles fill a line of their box and move along it: what can be said before anything is
 // placed.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "physics/jam.h"
+#include "physics/lattice.h"
 #include "scene/gas_reading.h"
 
 namespace carom {
@@ -92,6 +95,35 @@ std::vector<Known> as_wide_as(const Box& box, const std::vector<SpeciesDraft>& d
     return all;
 }
 
+// Disks of one species on a lattice where disks touch along a side of the box, if nothing but they
+// takes its sites.
+std::vector<Known> on_lattice(const Box& box, const std::vector<SpeciesDraft>& drafts) {
+    std::vector<Known> all;
+    double radius = 0.0;
+    for_each_particle(drafts, [&](Known one) {
+        if (!std::holds_alternative<LatticePlaces>(one.draft->species.position)) return;
+        radius = std::max(radius, radius_of(one));
+        all.push_back(one);
+    });
+    const auto is_apart = [](const SpeciesDraft& draft) {
+        return std::holds_alternative<RandomPlaces>(draft.species.position) ||
+               std::holds_alternative<WithinRegion>(draft.species.position);
+    };
+    const auto others = std::ranges::count_if(drafts, std::not_fn(is_apart));
+    if (all.empty() || others > 1 ||
+        4.0 * radius * radius * static_cast<double>(all.size()) < 0.3 * box.size.prod())
+        return {};
+    const auto lattices = fitting_lattices(box, static_cast<int>(all.size()), radius);
+    const double touching = 2.0 * radius * (1.0 + rounding);
+    if (lattices.empty()) return {};
+    const Eigen::Array2d& spacing = lattices.front().spacing;  // of rows, every other one shifted
+    if (std::min(spacing[0], 2.0 * spacing[1]) > touching) return {};
+    const std::vector<Eigen::Array2d> sites = lattice_sites(box, lattices.front(), radius);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        all[k].place = sites[k * sites.size() / all.size()];
+    return all;
+}
+
 bool report_jam(const Box& box, const std::vector<Known>& known, Errors& errors) {
     const auto count = static_cast<Eigen::Index>(known.size());
     Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
@@ -125,6 +157,7 @@ void check_jam(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& 
     }
     for (const Known& one : as_wide_as(box, drafts))
         if (report_jam(box, {one}, errors)) return;
+    report_jam(box, on_lattice(box, drafts), errors);
 }
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "physics/lattice.h"
 #include "scene/gas_reading.h"
 
 namespace carom {
@@ -50,7 +51,7 @@ bool fits(const Box& box, const SpeciesDraft& draft, Errors& errors) {
     return false;
 }
 
-void check_packing(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors) {
+bool check_packing(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors) {
     double covered = 0.0;
     const SpeciesDraft* largest = &drafts.front();
     for (const SpeciesDraft& draft : drafts) {
@@ -58,7 +59,7 @@ void check_packing(const Box& box, const std::vector<SpeciesDraft>& drafts, Erro
         if (area_of_disks(draft) > area_of_disks(*largest)) largest = &draft;
     }
     const double fraction = covered / box.size.prod();
-    if (fraction <= densest_packing) return;
+    if (fraction <= densest_packing) return true;
     const double scale = std::sqrt(fraction / 0.5);
     errors.add(at_key(*largest, "count"),
                fmt::format("the disks cover {:.4g} of the box's area {:.6g} (packing fraction "
@@ -66,6 +67,43 @@ void check_packing(const Box& box, const std::vector<SpeciesDraft>& drafts, Erro
                            covered, box.size.prod(), fraction, densest_packing),
                fmt::format("fewer or smaller disks, or a box of about {:.3g} by {:.3g}",
                            box.size[0] * scale, box.size[1] * scale));
+    return false;
+}
+
+// The most disks of this radius that a lattice holds; fewer than `too_many`.
+int most_on_lattice(const Box& box, int too_many, double radius) {
+    int most = 0;
+    while (too_many - most > 1) {
+        const int middle = most + (too_many - most) / 2;
+        (fitting_lattices(box, middle, radius).empty() ? too_many : most) = middle;
+    }
+    return most;
+}
+
+// As the placement does it, before any place is taken: all of them share one lattice, on which each
+// has as much room as the largest.
+void check_lattice(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors& errors) {
+    constexpr double roomy = 0.3;  // packing fraction
+    const Node* node = nullptr;
+    int count = 0;
+    double radius = 0.0;
+    bool equal = true;
+    for (const SpeciesDraft& draft : drafts) {
+        if (!std::holds_alternative<LatticePlaces>(draft.species.position)) continue;
+        if (node == nullptr) node = &at_key(draft, "position");
+        const double* one = std::get_if<double>(&draft.species.radius);
+        equal = equal && one != nullptr && (count == 0 || *one == radius);
+        count += static_cast<int>(draft.species.count);
+        radius = std::max(radius, moments(draft.species.radius).largest_sure);
+    }
+    if (count * std::numbers::pi * radius * radius < roomy * box.size.prod()) return;
+    if (count == 0 || !fitting_lattices(box, count, radius).empty()) return;
+    errors.add(
+        *node,
+        fmt::format("no hexagonal lattice holds {} disks of radius {}{} in a box of {} by {}",
+                    count, equal ? "" : "up to ", radius, box.size[0], box.size[1]),
+        fmt::format("{} of them would fit; or smaller disks, or a larger box",
+                    most_on_lattice(box, count, radius)));
 }
 
 void check_region(const Box& box, const SpeciesDraft& draft, Errors& errors) {
@@ -202,7 +240,7 @@ void check_room(const Box& box, const std::vector<SpeciesDraft>& drafts, Errors&
         if (draft.radius_known) all_fit = fits(box, draft, errors) && all_fit;
         if (draft.position_known) check_region(box, draft, errors);
     }
-    if (known && all_fit) check_packing(box, drafts, errors);
+    if (known && all_fit && check_packing(box, drafts, errors)) check_lattice(box, drafts, errors);
     const std::vector<Disk> disks = listed_disks(drafts);
     check_inside(box, disks, errors);
     check_overlaps(box, disks, errors);

@@ -59,8 +59,10 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
     {"jam_around", several_places},
+    {"jam_lattice", several_places},
     {"jam_row", several_places},
     {"jam_wide", several_places},
+    {"lattice", several_places},
     {"list_lengths", several_places},     // against the count
     {"nudge_in_double", several_places},  // `by` against `precision`
     {"outside", several_places},

@@ -27,8 +27,8 @@ const std::map<std::string, std::set<std::string>> allowed_rooms{
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
 // simulation.
-const std::set<std::string> plain_physics{"physics/gas.h", "physics/jam.h", "physics/run.h",
-                                          "physics/wire_squeeze.h"};
+const std::set<std::string> plain_physics{"physics/gas.h", "physics/jam.h", "physics/lattice.h",
+                                          "physics/run.h", "physics/wire_squeeze.h"};
 
 struct Door {
     std::regex header;

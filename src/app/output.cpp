@@ -36,6 +36,16 @@ bool is_stream(const fs::path& path) {
                                   std::generic_category().message(errno)));
 }
 
+// A named pipe is waited for until somebody reads it.
+int opened(const std::string& path) {
+    while (true) {
+        const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        if (descriptor >= 0) return descriptor;
+        if (errno != EINTR) fail(path);
+        throw_if_interrupted();
+    }
+}
+
 }  // namespace
 
 Output::Output(std::string path) : path_(std::move(path)) {
@@ -46,8 +56,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
             fail(path_);
         }
     } else if (is_stream(path_)) {
-        descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-        if (descriptor_ < 0) fail(path_);
+        descriptor_ = opened(path_);
         owned_ = true;
     } else {
         file_.emplace(path_);

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "scene/limits.h"
+#include "util/interrupt.h"
 
 namespace carom {
 namespace {
@@ -22,7 +23,14 @@ std::string cause(int error) { return std::generic_category().message(error); }
 // Up to one byte over the ceiling, which the reader then refuses.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
     std::string text(most_file_bytes.count() + 1, '\0');
-    text.resize(std::fread(text.data(), 1, text.size(), &file));
+    std::size_t size = 0;
+    while (true) {
+        size += std::fread(text.data() + size, 1, text.size() - size, &file);
+        if (std::ferror(&file) == 0 || errno != EINTR) break;
+        throw_if_interrupted();  // a terminal or pipe that sends nothing must not hold Ctrl-C
+        std::clearerr(&file);
+    }
+    text.resize(size);
     if (std::ferror(&file) == 0) return text;
     errors.add(name, "cannot be read: " + cause(errno));
     return std::nullopt;

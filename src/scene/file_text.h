@@ -11,7 +11,7 @@
 namespace carom {
 
 /// All of a stream up to one byte over the ceiling of a file, which the reader then refuses;
-/// nothing, with an error, if it cannot be read.
+/// nothing, with an error, if it cannot be read. Throws Interrupted.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors);
 
 /// The same of the file at `path`, if it is an ordinary one.

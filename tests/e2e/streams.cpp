@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "e2e/program.h"
 #include "support/process.h"
@@ -166,4 +168,21 @@ TEST_CASE("a format and an ending that contradict one another are refused") {
     CHECK(still.err == "carom: -o a.png: the name ends in .png, and --format asks for svg\n");
     CHECK(call("render '" + scene + "' --format avi", folder.path()).exit_code == 2);
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("Ctrl-C ends the wait for a scene that does not come, or for a reader of a named pipe") {
+    const TemporaryFolder folder;
+    REQUIRE(shell("mkfifo pipe", folder.path()).exit_code == 0);
+    for (const std::string& waiting : std::vector<std::string>{
+             "check - <>pipe", "render - -o a.mp4 <>pipe", "run '" + scene + "' --csv pipe",
+             "run '" + scene + "' --json pipe"}) {
+        CAPTURE(waiting);
+        // Until it is gone: the first may come before it waits.
+        const Outcome stopped = call(waiting +
+                                         " & p=$!; for i in $(seq 600); do kill -INT $p || "
+                                         "break; sleep 0.1; done 2>gone; wait $p",
+                                     folder.path());
+        CHECK(stopped.exit_code == 130);
+        CHECK(stopped.err.find("carom: interrupted; nothing was written") != std::string::npos);
+    }
 }

@@ -44,6 +44,17 @@ std::string meant_flag(const CLI::App& app) {
     return "";
 }
 
+// A variable of a shell that is not set must not be taken for the number 0, or for no file.
+void refuse_empty_values(CLI::App& app) {
+    const auto complaint = [](const std::string& value) {
+        return std::string(value.empty() ? "the value is empty" : "");
+    };
+    for (CLI::App* command : app.get_subcommands({}))
+        for (CLI::Option* option : command->get_options())
+            if (!option->get_lnames().empty() && option->get_items_expected_max() > 0)
+                option->check(complaint);
+}
+
 // The command that is named does its work at the end of parsing.
 int parse_and_run(int argc, const char* const* argv) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
@@ -52,6 +63,7 @@ int parse_and_run(int argc, const char* const* argv) {
     for (const auto add :
          {add_render, add_still, add_figures, add_run, add_check, add_new, add_schema})
         add(app);
+    refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);
     try {
         app.parse(argc, argv);

@@ -186,3 +186,16 @@ TEST_CASE("Ctrl-C ends the wait for a scene that does not come, or for a reader 
         CHECK(stopped.err.find("carom: interrupted; nothing was written") != std::string::npos);
     }
 }
+
+TEST_CASE("an option whose value is empty is refused: a variable of a shell that is not set") {
+    const TemporaryFolder folder;
+    for (const std::string& option : std::vector<std::string>{
+             "still --at", "still --output", "run --csv", "run --json", "render --to",
+             "figures --only", "check --set", "still --template"}) {
+        CAPTURE(option);
+        const Outcome refused = call(option + " '' '" + scene + "'", folder.path());
+        CHECK(refused.exit_code == 2);
+        CHECK(has(refused.err, option.substr(option.find("--")) + ": the value is empty\n"));
+    }
+    CHECK(folder.names().empty());
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "physics/lattice.h"
 #include "scene/gas_reading.h"
@@ -143,11 +144,11 @@ std::vector<Disk> listed_disks(const std::vector<SpeciesDraft>& drafts) {
         const auto* places = std::get_if<Places>(&draft.species.position);
         if (places != nullptr && draft.position_known) {
             const Node& list = at_key(draft, "position");
-            const bool one = !list.items.front().is_list();
+            const bool each = list.is_list() && list.items.front().is_list();  // no point, no text
             for (std::size_t i = 0; i < places->values.size(); ++i)
                 disks.push_back({places->values[i],
                                  draft.radius_known ? number_of(draft.species.radius, i) : 0.0,
-                                 first + i, one ? &list : &list.items[i], &draft});
+                                 first + i, each ? &list.items[i] : &list, &draft});
         }
         first += static_cast<std::size_t>(draft.species.count);
     }
@@ -192,17 +193,21 @@ double distance(const Box& box, const Disk& a, const Disk& b) {
     return apart.matrix().norm();
 }
 
-// Whether the pair overlaps, which is reported.
-bool overlap(const Box& box, const Disk& a, const Disk& b, Errors& errors) {
+// Whether the pair overlaps, which is reported; of a word only once, since it is moved as a whole.
+bool overlap(const Box& box, const Disk& a, const Disk& b, std::set<const Node*>& words,
+             Errors& errors) {
     const double needed = a.radius + b.radius;
     const double apart = distance(box, a, b);
     if (apart >= needed * (1.0 - rounding) && apart > 0.0) return false;
     const Disk& first = a.particle < b.particle ? a : b;
     const Disk& second = a.particle < b.particle ? b : a;
-    errors.add(*second.node,
-               fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed", called(second),
-                           called(first), apart, needed),
-               "move one of them, or make them smaller");
+    const bool of_word = second.node->is_mapping();
+    if (of_word && !words.insert(second.node).second) return false;
+    errors.add(
+        *second.node,
+        fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed", called(second),
+                    called(first), apart, needed),
+        of_word ? "another `within` moves the word" : "move one of them, or make them smaller");
     return true;
 }
 
@@ -217,6 +222,7 @@ void check_overlaps(const Box& box, std::vector<Disk> disks, Errors& errors) {
     const bool around = box.walls[0] == Wall::periodic;
     std::size_t compared = 0;
     std::size_t overlaps = 0;
+    std::set<const Node*> words;
     for (std::size_t i = 0; i < disks.size(); ++i)
         for (std::size_t step = 1; step < disks.size(); ++step) {
             const std::size_t j = (i + step) % disks.size();
@@ -224,7 +230,8 @@ void check_overlaps(const Box& box, std::vector<Disk> disks, Errors& errors) {
             const double turn = j < i ? box.size[0] : 0.0;
             if (disks[j].center[0] + turn - disks[i].center[0] > reach) break;
             if (++compared > most_pairs_compared.count()) return;
-            if (overlap(box, disks[i], disks[j], errors) && ++overlaps == most_errors_shown.count())
+            if (overlap(box, disks[i], disks[j], words, errors) &&
+                ++overlaps == most_errors_shown.count())
                 return;
         }
 }

@@ -95,6 +95,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"wire_pistons_meet", several_places},
     {"wire_too_long", several_places},
     {"within", several_places},
+    {"words_overlap", several_places},
     {"panels_beyond", other_file},  // the template's places
     {"panels_in_square", other_file},
     {"panels_too_many", other_file},

@@ -91,8 +91,9 @@ void check_slots(const Fields& fields, Film& film, const TemplatesFor& templates
         return;
     }
     errors.add(list->items[slots],
-               fmt::format("the template `{}` has {} places for panels, found {} panels",
-                           film.template_name, slots, list->items.size()),
+               fmt::format("the template `{}` has {} for panels, found {}", film.template_name,
+                           counted(static_cast<long long>(slots), "place"),
+                           counted(static_cast<long long>(list->items.size()), "panel")),
                templates_hint(templates(list->items.size())));
 }
 
@@ -221,9 +222,9 @@ void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& e
     const double seconds = std::ceil(10.0 * with_cards * enough / film.fps) / 10.0;
     errors.add(
         *fields->given("events"),
-        fmt::format(
-            "{} reversals divide the run into {} parts, a film of {} frames has room for {}",
-            legs - 1, legs, frame_count(film), steps),
+        fmt::format("{} {} the run into {} parts, a film of {} has room for {}",
+                    counted(legs - 1, "reversal"), legs == 2 ? "divides" : "divide", legs,
+                    counted(frame_count(film), "frame"), steps),
         fmt::format("give fewer events, or a longer film: {} seconds are enough (`film.seconds`)",
                     seconds));
 }

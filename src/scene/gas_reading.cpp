@@ -37,7 +37,7 @@ void check_list_length(const Fields& item, std::string_view key, std::int64_t co
     const bool vectors = key == "velocity" || key == "position";
     if (vectors && !lists_points(*list, dimension)) {
         if (key == "position" && is_places(*list) && count != 1)
-            errors.add(*list, fmt::format("one point for {} particles", count),
+            errors.add(*list, fmt::format("one point for {}", counted(count, "particle")),
                        fmt::format("list a point for each, or give `{{within: {}}}`",
                                    dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]"));
         return;
@@ -45,7 +45,9 @@ void check_list_length(const Fields& item, std::string_view key, std::int64_t co
     if (!list->is_list()) return;
     const auto length = static_cast<std::int64_t>(list->items.size());
     if (length != count)
-        errors.add(*list, fmt::format("`{}` lists {} values for {} particles", key, length, count),
+        errors.add(*list,
+                   fmt::format("`{}` lists {} for {}", key, counted(length, "value"),
+                               counted(count, "particle")),
                    "give one for each particle");
 }
 
@@ -293,6 +295,15 @@ std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Error
     check_total(drafts, errors);
     if (drafts.size() == 1 && drafts[0].species.name.empty()) drafts[0].species.name = "gas";
     return drafts;
+}
+
+std::optional<std::int64_t> particles_in(const Gas& gas) {
+    std::int64_t count = 0;
+    for (const Species& species : gas.species) {
+        if (species.count <= 0) return std::nullopt;
+        count += species.count;
+    }
+    return gas.species.empty() ? std::nullopt : std::optional(count);
 }
 
 const Node& at_key(const SpeciesDraft& draft, std::string_view key) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +28,9 @@ struct SpeciesDraft {
 
 /// The species in the order of the list, for a box of one or two dimensions.
 std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Errors& errors);
+
+/// How many there are in all; nothing while an error leaves the count of a species open.
+std::optional<std::int64_t> particles_in(const Gas& gas);
 
 /// Where a key of the species is written; the species if it is not.
 const Node& at_key(const SpeciesDraft& draft, std::string_view key);

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "scene/gas_reading.h"
 #include "scene/limits.h"
 #include "scene/mixing.h"
 #include "scene/scalar.h"
@@ -17,22 +17,16 @@
 namespace carom {
 namespace {
 
-std::int64_t particles_in(const Gas& gas) {
-    return std::accumulate(
-        gas.species.begin(), gas.species.end(), std::int64_t{0},
-        [](std::int64_t sum, const Species& species) { return sum + species.count; });
-}
-
 std::optional<Chosen> chosen_particle(const Node& node, double number, const Gas& gas,
                                       Errors& errors) {
-    const std::int64_t count = particles_in(gas);
-    if (number >= 0.0 && number < static_cast<double>(count) && number == std::floor(number))
+    const auto count = particles_in(gas);
+    if (!count) return std::nullopt;
+    if (number >= 0.0 && number < static_cast<double>(*count) && number == std::floor(number))
         return Chosen{{}, static_cast<std::int64_t>(number)};
     errors.add(node, fmt::format("there is no particle {}", in_quotes(node.text)),
-               count > 0 ? fmt::format("particles are numbered from 0 to {}, in the order in which "
-                                       "`gas` lists them",
-                                       count - 1)
-                         : "");
+               fmt::format("particles are numbered from 0 to {}, in the order in which `gas` lists "
+                           "them",
+                           *count - 1));
     return std::nullopt;
 }
 
@@ -213,7 +207,7 @@ void check_way_home(const Node& place, const Shown& shown, Errors& errors) {
     if (leg_count(shown.run) < 2)
         errors.add(place, "`return-distance` is measured from a reversal on, and this run has none",
                    "give one in `run`: events: [{at: TIME, reverse: velocities}]");
-    const std::int64_t count = particles_in(shown.gas);
+    const std::int64_t count = particles_in(shown.gas).value_or(0);
     if (count > static_cast<std::int64_t>(most_returning.count()))
         errors.add(
             place, fmt::format("`return-distance` of {} particles", count),

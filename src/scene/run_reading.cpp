@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scene/captions.h"
+#include "scene/gas_reading.h"
 #include "scene/limits.h"
 #include "scene/scalar.h"
 
@@ -103,7 +104,7 @@ void check_way_home(const RunDraft& draft, Errors& errors) {
     if (std::ranges::count_if(run.events, reverses) != 1) return;
     const auto reversal = std::ranges::find_if(run.events, reverses);
     const double home = 2.0 * reversal->at;
-    if (home <= run.until) return;
+    if (home <= run.until || run.until <= 0.0) return;  // there is another mistake
     const Node& node = *draft.event_nodes[static_cast<std::size_t>(reversal - run.events.begin())];
     errors.add(
         node, fmt::format("the gas would be home at {}, and the run ends at {}", home, run.until),
@@ -127,20 +128,18 @@ void sort_events(RunDraft& draft) {
 }  // namespace
 
 void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors) {
-    std::int64_t count = 0;
-    for (const Species& species : gas.species) count += species.count;
+    const auto count = particles_in(gas);
     const double size = gas.box.size.maxCoeff();
     for (std::size_t k = 0; k < draft.run.events.size(); ++k) {
         const auto* nudge = std::get_if<Nudge>(&draft.run.events[k].action);
         if (nudge == nullptr) continue;
         const Node& node = *draft.event_nodes[k];
-        if (nudge->particle >= count)
+        if (count && nudge->particle >= *count)
             errors.add(*find(node, "particle"),
                        fmt::format("there is no particle {}", nudge->particle),
-                       count > 0 ? fmt::format("particles are numbered from 0 to {}, in the order "
-                                               "in which `gas` lists them",
-                                               count - 1)
-                                 : "");
+                       fmt::format("particles are numbered from 0 to {}, in the order in which "
+                                   "`gas` lists them",
+                                   *count - 1));
         const double x = parse_number(nudge->by[0]).value_or(0.0);
         const double y = parse_number(nudge->by[1]).value_or(0.0);
         const double length = std::hypot(x, y);

@@ -209,9 +209,9 @@ void check_wire(const Box& box, const std::vector<SpeciesDraft>& drafts, const R
     if (known && all_fit) check_filling(box, drafts, errors);
     std::stable_sort(beads.begin(), beads.end(),
                      [](const Bead& a, const Bead& b) { return a.x < b.x; });
-    bool good = true;
-    for (const Bead& bead : beads) good = is_inside(box, bead, errors) && good;
-    good = !overlaps(box, beads, errors) && good;
+    const auto outside =
+        std::erase_if(beads, [&](const Bead& bead) { return !is_inside(box, bead, errors); });
+    const bool good = !overlaps(box, beads, errors) && outside == 0;
     if (good && known) check_squeeze(box, drafts, beads, run, errors);
 }
 

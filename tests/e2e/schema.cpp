@@ -48,6 +48,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"collision_map_plane", several_places},  // a kind against the box
     {"count_missing", several_places},        // a count, or a list of positions
     {"event_at_the_end", several_places},     // `at` against `until`
+    {"events_in_two_frames", several_places},
     {"events_too_dense", several_places},
     {"figure_compare_run", several_places},  // `set` of a run against the scene
     {"figure_test_over", several_places},
@@ -90,6 +91,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"wire_full", several_places},
     {"wire_full_between", several_places},
     {"wire_outside", several_places},
+    {"wire_outside_around", several_places},
     {"wire_overlap", several_places},
     {"wire_piston_presses", several_places},
     {"wire_pistons_meet", several_places},

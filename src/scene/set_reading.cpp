@@ -36,6 +36,26 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
     return end == folder.end() && rest != file.end();
 }
 
+// Of a scene that is not there: the one beside its place that is meant.
+std::string hint_of_missing(const fs::path& path) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(folder_of(path), failed))
+        names.push_back(entry.path().filename().string());
+    const auto meant = nearest_spelling(path.filename().string(), names);
+    return meant ? fmt::format("did you mean `{}`?", *meant) : "paths are relative to the set";
+}
+
+void check_is_there(const Node& written, const fs::path& path, Errors& errors) {
+    std::error_code failed;
+    const bool is_there = fs::exists(path, failed);
+    if (is_there && !fs::is_directory(path, failed)) return;
+    errors.add(written,
+               fmt::format("the scene {} {}", in_quotes(written.text),
+                           is_there ? "is a folder" : "is not there"),
+               is_there ? "" : hint_of_missing(path));
+}
+
 // A set and its scenes may be moved together, and lead nowhere else.
 fs::path scene_path(const Node& written, const fs::path& set, Errors& errors) {
     const fs::path path = folder_of(set) / written.text;
@@ -47,6 +67,8 @@ fs::path scene_path(const Node& written, const fs::path& set, Errors& errors) {
                    fmt::format("the scene {} is neither in the set's folder nor in the one above",
                                in_quotes(written.text)),
                    "give its path from the set: ../one-hot-particle.yaml");
+    else if (written.valid && !written.text.empty())
+        check_is_there(written, path, errors);
     return path.lexically_normal();
 }
 

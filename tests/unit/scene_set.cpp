@@ -117,3 +117,27 @@ TEST_CASE("a link does not lead a set out of its folders") {
     fs::create_symlink("/etc/passwd", example.folder.path() / "sets/link.yaml");
     CHECK(example.message().find("neither in the set's folder") != std::string::npos);
 }
+
+TEST_CASE("a scene that is not there is told with its place in the set") {
+    CHECK(Example("title: T\nscenes:\n  - ../scen.yaml\n  - {scene: .}\n  - besides\n"
+                  "comparisons:\n  - {name: c, kind: entropy, scenes: [beside.yaml, none.yaml]}\n")
+              .message() ==
+          "sets/set.yaml:3:5: error: the scene `../scen.yaml` is not there\n"
+          "    3 |   - ../scen.yaml\n"
+          "      |     ^^^^^^^^^^^^\n"
+          "  hint: did you mean `scene.yaml`?\n"
+          "\n"
+          "sets/set.yaml:4:13: error: the scene `.` is a folder\n"
+          "    4 |   - {scene: .}\n"
+          "      |             ^\n"
+          "\n"
+          "sets/set.yaml:5:5: error: the scene `besides` is not there\n"
+          "    5 |   - besides\n"
+          "      |     ^^^^^^^\n"
+          "  hint: paths are relative to the set\n"
+          "\n"
+          "sets/set.yaml:7:52: error: the scene `none.yaml` is not there\n"
+          "    7 |   - {name: c, kind: entropy, scenes: [beside.yaml, none.yaml]}\n"
+          "      |                                                    ^^^^^^^^^\n"
+          "  hint: paths are relative to the set");
+}

@@ -46,7 +46,9 @@ constexpr double least_gap = 0.8;      // units, between the numbers of columns
 constexpr double above_digits = 0.8;   // of the size of their label
 constexpr double largest_label = 1.6;  // units
 constexpr double title_height = 2.0;   // units
-constexpr double arrow_place = 5.29;   // units, right of the time
+constexpr double arrow_place = 5.29;   // units, to the middle of the arrow that follows the time
+constexpr double arrow_gap = 0.9;      // units, from the end of a long time to its middle
+constexpr double arrow_size = 0.6;     // units, from its middle to its ends
 
 const Column& column(Monitor number) { return columns.at(static_cast<std::size_t>(number)); }
 
@@ -113,8 +115,8 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
     Row best{area, count, count, 0.0, 0.0, 0.0, unit};
     for (std::size_t rows = 1; rows <= count; ++rows) {
         const std::size_t columns = (count + rows - 1) / rows;
-        double width = widest_column * static_cast<double>(columns);
-        if (count == 1) width = widest_number;
+        double width = column_width(unit) * static_cast<double>(columns);
+        if (count == 1) width = std::max(widest_number, shows_time() ? widest_time(unit) : 0.0);
         if (rows == 1 && count > 1) {
             width = 0.0;
             for (std::size_t i = 0; i < count; ++i) width += this->width(numbers_[i], unit);
@@ -155,13 +157,26 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
     const std::size_t line = before / length + (in_short ? 0 : shorter);
     double x = row.area.x;
     for (std::size_t i = index - before % length; i < index; ++i)
-        x += (row.columns < row.shown ? widest_column : width(numbers_[i], row.unit)) *
+        x += (row.columns < row.shown ? column_width(row.unit) : width(numbers_[i], row.unit)) *
              row.spacing * row.unit;
     return {x, row.area.y + row.height * row.unit * static_cast<double>(line)};
 }
 
+// In units, at the smallest size of text, with the arrow behind it; 0 if it is no longer than
+// usual.
+double MonitorsPanel::widest_time(double unit) const {
+    MonitorsState last;
+    last.time = cast_.scene.run.until;
+    const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
+    const double width = measure_text(text(last, Monitor::time), style).width / unit;
+    if (width < arrow_place - arrow_size) return 0.0;
+    return width + (leg_count(cast_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
+}
+
 // In units, at the smallest size of text: numbers that need a power of ten need more than usual.
 double MonitorsPanel::width(Monitor number, double unit) const {
+    if (number == Monitor::time)
+        return std::max(column(number).width, (widest_time(unit) + least_gap) / tightest);
     if (number != Monitor::mean_speed && number != Monitor::mean_energy &&
         number != Monitor::return_distance)
         return column(number).width;
@@ -177,6 +192,11 @@ double MonitorsPanel::width(Monitor number, double unit) const {
     for (const MonitorsState* state : {&least, &most})
         widest = std::max(widest, measure_text(text(*state, number), style).width / unit);
     return std::max(column(number).width, (widest + least_gap) / tightest);
+}
+
+// Of all columns where there are several rows.
+double MonitorsPanel::column_width(double unit) const {
+    return std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
 }
 
 MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
@@ -297,8 +317,11 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
         draw_slowness(canvas, page, rows, state);
         if (leg_count(cast_.scene.run) == 1) continue;
         const double size = rows.size * page.unit;
-        draw_arrow(canvas, {at.x + arrow_place * rows.spacing * page.unit, baseline - 0.55 * size},
-                   0.6 * size, static_cast<const MonitorsState&>(state).arrow, page.theme.accent);
+        const double x = std::max(arrow_place * rows.spacing,
+                                  (widest_time(page.unit) - arrow_size) * rows.size) *
+                         page.unit;
+        draw_arrow(canvas, {at.x + x, baseline - 0.55 * size}, 0.6 * size,
+                   static_cast<const MonitorsState&>(state).arrow, page.theme.accent);
     }
 }
 

@@ -36,6 +36,8 @@ class MonitorsPanel : public Panel {
                        const PanelState& state) const;
     std::string text(const PanelState& state, Monitor number) const;
     double width(Monitor number, double unit) const;  ///< of its column
+    double widest_time(double unit) const;
+    double column_width(double unit) const;
 
     Cast cast_;
     std::vector<Monitor> numbers_;

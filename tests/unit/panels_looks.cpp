@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "draw/palette.h"
 #include "panels/bead_words.h"
@@ -13,6 +14,7 @@
 #include "support/first_frame.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
+#include "util/text.h"
 
 using namespace carom;
 
@@ -38,6 +40,16 @@ struct Picture : test::FirstFrame {
             for (int x = 0; x < view.width; ++x)
                 count += (view.data[y * view.stride + x] & 0xFFFFFF) == color;
         return count;
+    }
+
+    // The first and the last column that has it.
+    std::pair<int, int> columns_of(std::uint32_t color) const {
+        std::pair<int, int> columns{view.width, -1};
+        for (int y = 0; y < view.height; ++y)
+            for (int x = 0; x < view.width; ++x)
+                if ((view.data[y * view.stride + x] & 0xFFFFFF) == color)
+                    columns = {std::min(columns.first, x), std::max(columns.second, x)};
+        return columns;
     }
 
     std::vector<std::uint32_t> pixels() const { return test::pixels_of(view); }
@@ -190,6 +202,33 @@ TEST_CASE("as many numbers stand in a row as it has room for") {
     CHECK(drawn(7.4, two) == drawn(7.4, {Monitor::time}));
     CHECK(drawn(20, two) != drawn(20, {Monitor::time}));
     CHECK(drawn(1, two) == drawn(1, {Monitor::time}));  // one is always there
+}
+
+TEST_CASE("a time with a power of ten has room, and its arrow too") {
+    int compared = 0;
+    for (double width = 6.0; width <= 24.0; width += 1.0) {
+        CAPTURE(width);
+        Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+        scene.run.until = 2e-9;
+        scene.run.events = {{1e-9, ReverseVelocities{}}};
+        scene.film.layout.monitors = Slot{1, 1, width, 3.8};
+        scene.film.monitors = {Monitor::time, Monitor::collisions};
+        TextLog log;
+        const Picture picture(std::move(scene));
+        const auto line = [&](const std::string& words) {
+            return std::ranges::find(log.lines, words, &DrawnLine::markup);
+        };
+        const auto time = line("time"), number = line("0"), other = line("collisions");
+        REQUIRE(number != log.lines.end());
+        const double widest =
+            measure_text(three_digits(2e-9), {.size = number->size, .color = {}}).width;
+        const auto [left, right] = picture.columns_of(0xFF9F43);  // the arrow
+        CHECK(left - time->ink.x > widest);
+        if (other == log.lines.end() || other->ink.y > time->ink.bottom()) continue;  // no room
+        CHECK(other->ink.x > right);
+        ++compared;
+    }
+    CHECK(compared > 3);
 }
 
 TEST_CASE("rows of numbers leave none alone: the last are the longer ones") {

@@ -68,8 +68,8 @@ void survey(const std::vector<Tick>& ticks, Simulation simulation,
 // Frames of the whole film, evenly spread, drawn before it.
 void show_previews(const Scene& scene, const std::vector<Tick>& ticks, const FrameSpan& span,
                    Observers& observers, FilmWriter& writer, Progress& progress) {
-    progress.begin("choosing colours", static_cast<double>(span.end));
     Simulation simulation = simulate(scene, progress);
+    progress.begin("choosing colours", static_cast<double>(span.end));
     simulation.record_collisions(observers.wants_collisions());
     FramePainter painter(scene, observers);
     const int wanted = std::min(writer.wanted_previews(), span.frames());

@@ -79,3 +79,11 @@ TEST_CASE("on a terminal a bar tells how far a gas has equilibrated") {
     CHECK(has(shown, "░ scene: simulating "));
     CHECK(has(shown, "/2.002e+09 time units, "));
 }
+
+TEST_CASE("on a terminal a bar tells of the colours of a film as GIF after it has equilibrated") {
+    if (!has_terminal()) return;
+    CHECK(has(shown_until("choosing colours",
+                          "render scene.yaml -o film.gif --set run.until=1e4 "
+                          "--set run.equilibrate=1"),
+              "░ scene: choosing colours "));
+}

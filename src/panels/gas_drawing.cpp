@@ -94,8 +94,8 @@ Point free_foot(const Rect& box, const Rect& disk, double half, double u,
     Point best = usual_foot(box, disk, half, u);
     int least = std::numeric_limits<int>::max();
     for (int k = 0; k < 2 * directions; ++k) {
-        const double turn =
-            (k % 2 == 0 ? 0.5 : -0.5) * (k % directions) + (k % 2 == 0 ? 0.0 : -0.5);
+        const int step = k % directions;  // to the right and to the left in turn
+        const double turn = step % 2 == 0 ? 0.5 * step : -0.5 * (step + 1);
         const double angle = 2.0 * std::numbers::pi * turn / directions;
         const double x = std::sin(angle), y = -std::cos(angle);
         const double gap = (k < directions ? 0.2 : 0.8) * u + disk.width / 2;
@@ -350,8 +350,9 @@ void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& s
 void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
     const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
-    std::vector<Disk> disks;
-    for (std::size_t i = 0; i < gas.x.size() && !cast_.in_film; ++i) {
+    std::vector<Disk> disks;  // for a name to keep clear of
+    const std::size_t count = cast_.in_film ? 0 : gas.x.size();
+    for (std::size_t i = 0; i < count; ++i) {
         const Point at = to_pixels(double(gas.x[i]), double(gas.y[i]));
         const double radius =
             cast_.particles.radius[static_cast<Eigen::Index>(i)] * to_pixels.scale;

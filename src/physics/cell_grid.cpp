@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 // More cells than this a particle would mostly be empty and cost crossings.
-constexpr double cells_per_particle = 1.25;
+constexpr double cells_per_particle = 1.0;
 constexpr double wider = 1.0 + 1e-9;  // so that round-off never leaves a cell too narrow
 
 double least_cell(double area, double count) {
@@ -57,6 +57,15 @@ int cells_along(double length, double least) {
     return static_cast<int>(std::clamp(cells, 1.0, 65535.0));
 }
 
+// Disks in cells two apart, one between, must not touch although both hang over. Along a periodic
+// axis those in neighbouring cells must also stay less than half of the box apart, so that the
+// nearest image is the one meant.
+double overhang_of(double cell, double widest_pair, double length, bool periodic) {
+    const double free = 0.5 * (cell - widest_pair * wider);
+    const double near = periodic ? 0.25 * length / wider - cell : free;
+    return std::max(0.0, std::min(free, near));
+}
+
 // Coarse cells are whole numbers of fine ones; the last takes what is left over.
 std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
     const int together = static_cast<int>(
@@ -93,6 +102,9 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
                        static_cast<std::size_t>(rows_ + 1));
     // Of two in neighbouring cells, less than two cells apart, the nearest image is the one meant.
     plain_ = !has_large_ && (!periodic_x || columns_ >= 5) && (!periodic_y || rows_ >= 5);
+    if (plain_)
+        overhang_ = {overhang_of(width_, 2.0 * largest, box.size[0], periodic_x),
+                     overhang_of(height_, 2.0 * largest, box.size[1], periodic_y)};
     const auto around = [](const Axis& axis, std::int32_t stride) {
         std::vector<std::int64_t> cells;
         for (std::int32_t k = -1; k <= axis.cells; ++k) {

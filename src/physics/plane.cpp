@@ -42,6 +42,7 @@ Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
       only_(Pairing::shifted(0.0, 0.0)) {
     const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
     cell_size_ = TwoLanes{grid_.cell_width(), grid_.cell_height()};
+    overhang_ = load_two(grid_.overhang().data());
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
     if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * largest;
     for (std::size_t a = 0; a < 2; ++a) {
@@ -181,15 +182,16 @@ void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
     grid_.move(i, properties_[i].radius, from, body.cell);
 }
 
-// The contact, or the first of the borders ahead on each axis, of the cell or of the box. A large
-// disk touches the wall from several cells away.
+// The contact, or the first of the borders ahead on each axis, of the cell with its overhang or of
+// the box. A large disk touches the wall from several cells away.
 inline double Plane::next_event(Body& d, double radius, double now,
                                 const FirstContact& contact) const {
     const TwoLanes none = both(never<double>), zero{};
     const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
     const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
     const TwoMasks up = v > 0.0;
-    TwoLanes border = cell_size_ * (cell + select(up, both(1.0), zero));
+    TwoLanes border =
+        cell_size_ * (cell + select(up, both(1.0), zero)) + select(up, overhang_, -overhang_);
     TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
     if (has_walls_) {
         const TwoLanes wall = select(up, box_size_ - radius, both(radius));

@@ -95,7 +95,7 @@ class Plane {
 
     std::array<int, 2> last_cell_{};
     std::array<unsigned, 2> first_inner_{}, inner_cells_{};  ///< with no other image around
-    TwoLanes cell_size_{}, box_size_{};
+    TwoLanes cell_size_{}, overhang_{}, box_size_{};
     TwoLanes last_cells_{};  ///< last_cell_, as numbers to compare with
     TwoMasks solid_{};       ///< of the walls
     bool has_walls_ = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -55,6 +56,12 @@ void refuse_empty_values(CLI::App& app) {
                 option->check(complaint);
 }
 
+// What a command has told there, and the help; if it was closed nobody was to hear of it.
+void finish_standard_output() {
+    if ((std::cout.flush() && std::fflush(stdout) == 0) || errno == EBADF) return;
+    throw SystemError("cannot write standard output: " + std::generic_category().message(errno));
+}
+
 // The command that is named does its work at the end of parsing.
 int parse_and_run(int argc, const char* const* argv) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
@@ -71,11 +78,10 @@ int parse_and_run(int argc, const char* const* argv) {
         const int code = app.exit(error);
         if (const std::string meant = meant_flag(app); code != 0 && !meant.empty())
             say(fmt::format("Did you mean {}?\n", meant));
-        if (!std::cout.flush())
-            throw SystemError("cannot write standard output: " +
-                              std::generic_category().message(errno));
+        finish_standard_output();
         return code == 0 ? 0 : 2;
     }
+    finish_standard_output();
     return 0;
 }
 

@@ -220,6 +220,17 @@ TEST_CASE("help that cannot be written is exit code 1") {
     CHECK(shell("'" + program + "' render --help > /dev/null").exit_code == 0);
 }
 
+TEST_CASE("what a command has made stays where its report cannot be written, and the code is 1") {
+    const TemporaryFolder folder;
+    const Outcome film = shell(render_small("film.mp4", ">/dev/full"), folder.path());
+    CHECK(film.exit_code == 1);
+    CHECK(film.err.find("cannot write standard output: No space left") != std::string::npos);
+    CHECK(shell(render_small("heard.mp4"), folder.path()).exit_code == 0);
+    CHECK(contents(folder.path() / "film.mp4") == contents(folder.path() / "heard.mp4"));
+    CHECK(shell("'" + program + "' new a.yaml >/dev/full", folder.path()).exit_code == 1);
+    CHECK(fs::exists(folder.path() / "a.yaml"));
+}
+
 TEST_CASE("a standard error that cannot be written costs neither the film nor the exit code") {
     const TemporaryFolder folder;
     CHECK(shell("'" + program + "' render missing.yaml 2>&-", folder.path()).exit_code == 2);

@@ -80,6 +80,28 @@ std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
     return merged;
 }
 
+// Of two in neighbouring cells, of the fine grid or of the coarse one, the nearest image is the one
+// meant.
+bool nearest_is_meant(int cells, const std::vector<std::int32_t>& coarse, bool has_large) {
+    if (cells < 5) return false;
+    if (!has_large) return true;
+    const auto in_last = std::count(coarse.begin(), coarse.end(), coarse.back());
+    const auto in_first = std::count(coarse.begin(), coarse.end(), 0);
+    return static_cast<double>(in_first + in_last) / cells < 0.5 / wider;
+}
+
+// Those around which no other image comes into question.
+CellGrid::Inner inner_cells(const std::vector<std::int32_t>& coarse, bool periodic,
+                            bool has_large) {
+    const auto count = static_cast<unsigned>(coarse.size());
+    if (!periodic) return {0, count};
+    if (!has_large) return {1, count > 2 ? count - 2 : 0};
+    const auto first = std::count(coarse.begin(), coarse.end(), 0);
+    const auto last = std::count(coarse.begin(), coarse.end(), coarse.back());
+    return {static_cast<unsigned>(first),
+            static_cast<unsigned>(std::max<std::ptrdiff_t>(0, count - first - last))};
+}
+
 }  // namespace
 
 CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
@@ -104,9 +126,11 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
                Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
     fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
                        static_cast<std::size_t>(rows_ + 1));
-    // Of two in neighbouring cells, less than two cells apart, the nearest image is the one meant.
-    plain_ = !has_large_ && (!periodic_x || columns_ >= 5) && (!periodic_y || rows_ >= 5);
-    if (plain_)
+    plain_ = (!periodic_x || nearest_is_meant(columns_, coarse_column_, has_large_)) &&
+             (!periodic_y || nearest_is_meant(rows_, coarse_row_, has_large_));
+    inner_ = {inner_cells(coarse_column_, periodic_x, has_large_),
+              inner_cells(coarse_row_, periodic_y, has_large_)};
+    if (plain_ && !has_large_)
         overhang_ = {overhang_of(width_, 2.0 * largest, box.size[0], periodic_x),
                      overhang_of(height_, 2.0 * largest, box.size[1], periodic_y)};
     const auto around = [](const Axis& axis, std::int32_t stride) {
@@ -195,6 +219,13 @@ void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
         if (size + 2 * spare > list.size()) list.resize(2 * list.size() + 2 * spare);
         list[size++] = i;
     }
+}
+
+void CellGrid::append_large_around(Cell cell, std::vector<std::int32_t>& list,
+                                   std::size_t& size) const {
+    for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_column_[cell[0]],
+                    coarse_row_[cell[1]],
+                    [&](const Slots& slots, double, double) { append(slots, list, size); });
 }
 
 // Three cells of a row lie within two lines of memory.

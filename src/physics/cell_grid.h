@@ -86,14 +86,22 @@ class CellGrid {
     static constexpr std::size_t spare = 64;
     void append(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
 
-    /// Whether what a disk of `radius` may touch lies in the 9 cells around, and the nearest image
-    /// of each is meant: no large disks about, and no few cells along a periodic axis.
+    /// Whether all that a disk of `radius` may touch lies in the cells around and the nearest image
+    /// of each is meant: a small disk, and no few cells along a periodic axis.
     bool plain(double radius) const { return plain_ && radius <= small_radius_; }
 
-    /// Appends at once all in the 9 cells around one; in a plain case only.
+    /// The columns, or rows, around whose cells no other image comes into question: the first of
+    /// them, and how many.
+    struct Inner {
+        unsigned first, count;
+    };
+    const std::array<Inner, 2>& inner() const { return inner_; }
+
+    /// Appends at once all in the cells around one, and the large ones about; in a plain case only.
     void append_around(Cell cell, std::vector<std::int32_t>& list, std::size_t& size) const;
 
-    /// Those of them that came near when a disk crossed `side` of a cell into `cell`.
+    /// The same, of the small ones only those that came near when a disk crossed `side` of a cell
+    /// into `cell`.
     void append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
                              std::size_t& size) const;
 
@@ -130,6 +138,7 @@ class CellGrid {
         return radius > small_radius_ ? coarse_slots_[coarse_index(cell)]
                                       : fine_slots_[fine_index(cell)];
     }
+    void append_large_around(Cell cell, std::vector<std::int32_t>& list, std::size_t& size) const;
     template <std::size_t Firsts, std::size_t Seconds>
     void append_cells(const std::int64_t* first, const std::int64_t* second,
                       std::vector<std::int32_t>& list, std::size_t& size) const;
@@ -153,6 +162,7 @@ class CellGrid {
     double small_radius_ = 0.0;  ///< disks with a larger one are in the coarse grid
     bool has_large_ = false;
     bool plain_ = false;
+    std::array<Inner, 2> inner_{};
     // Where in fine_slots_ the columns and rows -1 to columns_ or rows_ are found. Beyond a wall
     // lie one more column and row, of cells that stay empty.
     std::vector<std::int64_t> column_around_, row_around_;
@@ -205,6 +215,7 @@ template <std::size_t Firsts, std::size_t Seconds>
 inline void CellGrid::append_around(Cell cell, std::vector<std::int32_t>& list,
                                     std::size_t& size) const {
     append_cells<3, 3>(&row_around_[cell[1]], &column_around_[cell[0]], list, size);
+    if (has_large_) append_large_around(cell, list, size);
 }
 
 inline void CellGrid::append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
@@ -212,6 +223,7 @@ inline void CellGrid::append_newly_around(Cell cell, int side, std::vector<std::
     const std::array around{&column_around_[cell[0]], &row_around_[cell[1]]};
     const auto axis = static_cast<std::size_t>(side / 2);
     append_cells<1, 3>(around[axis] + (side % 2 == 0 ? 0 : 2), around[1 - axis], list, size);
+    if (has_large_) append_large_around(cell, list, size);
 }
 
 template <typename Function>

@@ -49,8 +49,6 @@ Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
         const double size = box.size[static_cast<Eigen::Index>(a)];
         const bool periodic = box.walls[a] == Wall::periodic;
         narrow_[a] = periodic && 4.0 * largest > 0.99 * size;
-        first_inner_[a] = periodic ? 1 : 0;
-        inner_cells_[a] = static_cast<unsigned>(std::max(0, last_cell_[a] + (periodic ? -1 : 1)));
         last_cells_[a] = last_cell_[a];
         box_size_[a] = size;
         solid_[a] = periodic ? 0 : -1;
@@ -238,7 +236,9 @@ inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, cons
 
 // Of those in the cells around.
 inline const Pairing& Plane::pairing_near(Cell cell) const {
-    const auto inner = [&](std::size_t a) { return cell[a] - first_inner_[a] < inner_cells_[a]; };
+    const auto inner = [&](std::size_t a) {
+        return cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
+    };
     return inner(0) & inner(1) ? only_ : nearest_;
 }
 

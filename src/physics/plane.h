@@ -90,11 +90,10 @@ class Plane {
     DiskProperties properties_;
     Pairing nearest_, only_;  ///< with several images, and with the only one
     std::vector<std::int32_t> near_ =
-        std::vector<std::int32_t>(2 * CellGrid::spare);  ///< scratch: the disks to be looked at
+        std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be looked at
     std::size_t near_count_ = 0;
 
     std::array<int, 2> last_cell_{};
-    std::array<unsigned, 2> first_inner_{}, inner_cells_{};  ///< with no other image around
     TwoLanes cell_size_{}, overhang_{}, box_size_{};
     TwoLanes last_cells_{};  ///< last_cell_, as numbers to compare with
     TwoMasks solid_{};       ///< of the walls

@@ -81,13 +81,14 @@ std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
 }
 
 // Of two in neighbouring cells, of the fine grid or of the coarse one, the nearest image is the one
-// meant.
-bool nearest_is_meant(int cells, const std::vector<std::int32_t>& coarse, bool has_large) {
+// meant. The overhang is a share of a cell.
+bool nearest_is_meant(int cells, const std::vector<std::int32_t>& coarse, double overhang,
+                      bool has_large) {
     if (cells < 5) return false;
     if (!has_large) return true;
     const auto in_last = std::count(coarse.begin(), coarse.end(), coarse.back());
     const auto in_first = std::count(coarse.begin(), coarse.end(), 0);
-    return static_cast<double>(in_first + in_last) / cells < 0.5 / wider;
+    return static_cast<double>(in_first + in_last) + 2.0 * overhang < 0.5 / wider * cells;
 }
 
 // Those around which no other image comes into question.
@@ -116,23 +117,24 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
     rows_ = cells_along(box.size[1], least);
     width_ = box.size[0] / columns_;
     height_ = box.size[1] / rows_;
-    coarse_column_ = merge(columns_, width_, std::max(2.0 * largest, width_));
-    coarse_row_ = merge(rows_, height_, std::max(2.0 * largest, height_));
-
     const bool periodic_x = box.walls[0] == Wall::periodic;
     const bool periodic_y = box.walls[1] == Wall::periodic;
+    overhang_ = {overhang_of(width_, diameter, box.size[0], periodic_x),
+                 overhang_of(height_, diameter, box.size[1], periodic_y)};
+    coarse_column_ = merge(columns_, width_, std::max(2.0 * (largest + overhang_[0]), width_));
+    coarse_row_ = merge(rows_, height_, std::max(2.0 * (largest + overhang_[1]), height_));
+
     fine_ = {Axis{columns_, periodic_x, box.size[0]}, Axis{rows_, periodic_y, box.size[1]}};
     coarse_ = {Axis{coarse_column_.back() + 1, periodic_x, box.size[0]},
                Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
     fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
                        static_cast<std::size_t>(rows_ + 1));
-    plain_ = (!periodic_x || nearest_is_meant(columns_, coarse_column_, has_large_)) &&
-             (!periodic_y || nearest_is_meant(rows_, coarse_row_, has_large_));
+    plain_ =
+        (!periodic_x ||
+         nearest_is_meant(columns_, coarse_column_, overhang_[0] / width_, has_large_)) &&
+        (!periodic_y || nearest_is_meant(rows_, coarse_row_, overhang_[1] / height_, has_large_));
     inner_ = {inner_cells(coarse_column_, periodic_x, has_large_),
               inner_cells(coarse_row_, periodic_y, has_large_)};
-    if (plain_ && !has_large_)
-        overhang_ = {overhang_of(width_, 2.0 * largest, box.size[0], periodic_x),
-                     overhang_of(height_, 2.0 * largest, box.size[1], periodic_y)};
     const auto around = [](const Axis& axis, std::int32_t stride) {
         std::vector<std::int64_t> cells;
         for (std::int32_t k = -1; k <= axis.cells; ++k) {

@@ -250,20 +250,23 @@ void CellGrid::for_each_around(const LargeVector<Slots>& cells, const std::array
 }
 
 // A small disk can touch one of `radius` only from a cell that comes as near as the sum of radii,
-// and never from one that lies wholly under the large disk.
+// and never from one that lies wholly under the large disk, when both may hang over.
 template <typename Function>
 void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
     const double reach = (radius + small_radius_) * (1.0 + 1e-9);
     const double inside = radius * (1.0 - 1e-9);
     const auto chord = [](double r, double y) { return std::sqrt(std::max(0.0, r * r - y * y)); };
-    const int most_rows = std::min(static_cast<int>(reach / height_) + 1, rows_);
+    const double hang_x = 2.0 * overhang_[0], hang_y = 2.0 * overhang_[1];
+    const int most_rows = std::min(static_cast<int>((reach + hang_y) / height_) + 1, rows_);
     for (int dy = -most_rows; dy <= most_rows; ++dy) {
         const Wrapped y = wrap(cell[1] + dy, fine_[1]);
-        const double least = std::max(0, std::abs(dy) - 1) * height_;
+        const double least = std::max(0.0, (std::abs(dy) - 1) * height_ - hang_y);
         if (y.cell < 0 || least > reach) continue;
-        const int outer = std::min(static_cast<int>(chord(reach, least) / width_) + 1, columns_);
-        const double most = (std::abs(dy) + 1) * height_;
-        const int inner = most < inside ? static_cast<int>(chord(inside, most) / width_) - 1 : -1;
+        const int outer =
+            std::min(static_cast<int>((chord(reach, least) + hang_x) / width_) + 1, columns_);
+        const double most = (std::abs(dy) + 1) * height_ + hang_y;
+        const int inner =
+            most < inside ? static_cast<int>((chord(inside, most) - hang_x) / width_) - 1 : -1;
         for (int dx = -outer; dx <= outer; ++dx) {
             if (std::abs(dx) <= inner) dx = inner + 1;
             if (dx > outer) break;

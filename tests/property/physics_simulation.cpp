@@ -235,6 +235,32 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
         }
 }
 
+TEST_CASE("giants that meet each other") {
+    Gas gas;
+    gas.box.size = {60.0, 50.0};
+    gas.box.walls = {Wall::periodic, Wall::periodic};
+    gas.species = {{.name = "giant", .count = 12, .radius = 5.0, .velocity = Temperature{1.0}},
+                   {.name = "dust",
+                    .count = 300,
+                    .radius = 0.2,
+                    .mass = Quantity{0.1},
+                    .velocity = Temperature{1.0}}};
+    require_hard_disks(gas, 20'000, 20);
+}
+
+TEST_CASE("a giant that nearly fills its periodic box is met at each of its images") {
+    // Nobody else moves, so that nobody else finds what the small one has not seen.
+    Gas gas;
+    gas.box.size = {21.0, 20.0};
+    gas.box.walls = {Wall::periodic, Wall::periodic};
+    const Quantity fixed{std::numeric_limits<double>::infinity()};
+    gas.species = {
+        {.name = "giant", .count = 1, .radius = 8.0, .mass = fixed},
+        {.name = "obstacle", .count = 40, .radius = 0.05, .mass = fixed},
+        {.name = "small", .count = 1, .radius = 0.05, .velocity = Velocity{{{1.0, 0.1}}}}};
+    require_hard_disks(gas, 3'000, 1);
+}
+
 TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself") {
     // A disk found a cell too late has overlapped before it collides. Whether the rim just reaches
     // a cell depends on the radius: hence several.

@@ -82,10 +82,11 @@ std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
 
 // Of two in neighbouring cells, of the fine grid or of the coarse one, the nearest image is the one
 // meant. The overhang is a share of a cell.
-bool nearest_is_meant(int cells, const std::vector<std::int32_t>& coarse, double overhang,
+bool nearest_is_meant(const std::vector<std::int32_t>& coarse, double overhang, bool periodic,
                       bool has_large) {
-    if (cells < 5) return false;
-    if (!has_large) return true;
+    if (!periodic) return true;
+    const auto cells = static_cast<double>(coarse.size());
+    if (cells < 5 || !has_large) return cells >= 5;
     const auto in_last = std::count(coarse.begin(), coarse.end(), coarse.back());
     const auto in_first = std::count(coarse.begin(), coarse.end(), 0);
     return static_cast<double>(in_first + in_last) + 2.0 * overhang < 0.5 / wider * cells;
@@ -129,10 +130,8 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
                Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
     fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
                        static_cast<std::size_t>(rows_ + 1));
-    plain_ =
-        (!periodic_x ||
-         nearest_is_meant(columns_, coarse_column_, overhang_[0] / width_, has_large_)) &&
-        (!periodic_y || nearest_is_meant(rows_, coarse_row_, overhang_[1] / height_, has_large_));
+    plain_ = nearest_is_meant(coarse_column_, overhang_[0] / width_, periodic_x, has_large_) &&
+             nearest_is_meant(coarse_row_, overhang_[1] / height_, periodic_y, has_large_);
     inner_ = {inner_cells(coarse_column_, periodic_x, has_large_),
               inner_cells(coarse_row_, periodic_y, has_large_)};
     const auto around = [](const Axis& axis, std::int32_t stride) {

@@ -1,4 +1,4 @@
-# One set of compiler rules for every room. No fast-math, and no contraction left to the compiler:
+# One set of compiler rules for every module. No fast-math, and no contraction left to the compiler:
 # a scene's events and pixels are the same at every optimisation level (std::fma is asked for by name).
 add_library(carom_rules INTERFACE)
 target_compile_options(carom_rules INTERFACE

@@ -1,7 +1,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "app/command_line.h"
+#include "app/commands/command_line.h"
 #include "util/interrupt.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "panels/precision.h"
-#include "physics/placement.h"
+#include "physics/placement/placement.h"
 #include "util/diagnostics.h"
 
 namespace carom {

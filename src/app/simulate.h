@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/progress.h"
+#include "physics/reversal/echo.h"
 #include "physics/simulation.h"
-#include "physics/way_back.h"
 #include "scene/scene.h"
 
 namespace carom {

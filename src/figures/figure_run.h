@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "panels/panel.h"
+#include "physics/reversal/echo.h"
 #include "physics/simulation.h"
-#include "physics/way_back.h"
 #include "scene/scene.h"
 
 namespace carom {

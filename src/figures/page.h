@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "figures/escaping.h"
-#include "scene/node.h"
+#include "scene/yaml/node.h"
 
 namespace carom {
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "panels/layout.h"
-#include "panels/monitors_panel.h"
 #include "panels/registry.h"
-#include "panels/text_panel.h"
+#include "panels/words/monitors_panel.h"
+#include "panels/words/text_panel.h"
 
 namespace carom {
 Color page_color(const Film& film) { return theme_of(film.theme).page; }

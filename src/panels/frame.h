@@ -7,7 +7,7 @@
 
 #include "panels/layout.h"
 #include "panels/panel.h"
-#include "scene/captions.h"
+#include "scene/time/captions.h"
 
 namespace carom {
 

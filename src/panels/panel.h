@@ -15,9 +15,9 @@
 #include "draw/style.h"
 #include "panels/table.h"
 #include "physics/simulation.h"
-#include "physics/theory.h"
+#include "physics/theory/theory.h"
 #include "scene/scene.h"
-#include "scene/timeline.h"
+#include "scene/time/timeline.h"
 
 namespace carom {
 

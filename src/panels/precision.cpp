@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "physics/placement.h"
+#include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "util/interrupt.h"
 

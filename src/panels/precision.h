@@ -2,7 +2,7 @@
 // scene calculate with the same bits.
 #pragma once
 
-#include "physics/way_back.h"
+#include "physics/reversal/echo.h"
 #include "scene/scene.h"
 
 namespace carom {

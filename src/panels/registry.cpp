@@ -3,8 +3,8 @@
 #include <array>
 #include <cassert>
 
-#include "panels/gas_panel.h"
-#include "panels/wire_panel.h"
+#include "panels/gas/gas_panel.h"
+#include "panels/line/line_panel.h"
 
 namespace carom {
 namespace {

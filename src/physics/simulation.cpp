@@ -11,12 +11,12 @@
 #include <variant>
 #include <vector>
 
-#include "physics/event_loop.h"
-#include "physics/jam.h"
-#include "physics/multiprecision.h"
-#include "physics/placed_disks.h"
-#include "physics/placement.h"
-#include "physics/wire_squeeze.h"
+#include "physics/events/event_loop.h"
+#include "physics/multiprecision/multiprecision.h"
+#include "physics/placement/jam.h"
+#include "physics/placement/line_squeeze.h"
+#include "physics/placement/placed_disks.h"
+#include "physics/placement/placement.h"
 
 namespace carom {
 namespace {

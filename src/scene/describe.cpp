@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "scene/event_words.h"
-#include "scene/film_reading.h"
+#include "scene/reading/film_reading.h"
+#include "scene/time/event_words.h"
 #include "util/text.h"
 
 namespace carom {

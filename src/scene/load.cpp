@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "scene/captions.h"
-#include "scene/check.h"
-#include "scene/figure_reading.h"
-#include "scene/file_text.h"
-#include "scene/film_reading.h"
-#include "scene/gas_reading.h"
+#include "scene/keys/check.h"
 #include "scene/overrides.h"
-#include "scene/run_reading.h"
-#include "scene/scalar.h"
-#include "scene/template.h"
-#include "scene/timeline.h"
-#include "scene/yaml.h"
+#include "scene/reading/figure_reading.h"
+#include "scene/reading/film_reading.h"
+#include "scene/reading/gas_reading.h"
+#include "scene/reading/run_reading.h"
+#include "scene/reading/template.h"
+#include "scene/time/captions.h"
+#include "scene/time/timeline.h"
+#include "scene/yaml/file_text.h"
+#include "scene/yaml/scalar.h"
+#include "scene/yaml/yaml.h"
 #include "util/text.h"
 
 namespace carom {

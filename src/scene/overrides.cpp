@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "scene/limits.h"
-#include "scene/yaml.h"
+#include "scene/yaml/yaml.h"
 
 namespace carom {
 namespace {

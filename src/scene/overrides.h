@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/load.h"
-#include "scene/node.h"
+#include "scene/yaml/node.h"
 
 namespace carom {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/theory.h"
+#include "physics/theory/theory.h"
 
 namespace carom {
 

@@ -2,9 +2,9 @@
 // in full).
 #pragma once
 
+#include "physics/exact_positions.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
-#include "physics/whereabouts.h"
 
 namespace carom {
 

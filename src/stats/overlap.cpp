@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "physics/placed_disks.h"
+#include "physics/placement/placed_disks.h"
 
 namespace carom {
 namespace {

@@ -18,7 +18,7 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
-#include "app/pipeline.h"
+#include "app/film/pipeline.h"
 #include "app/resources.h"
 #include "media/yuv.h"
 #include "panels/frame.h"

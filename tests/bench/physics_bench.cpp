@@ -10,8 +10,8 @@
 #include <numbers>
 #include <string>
 
-#include "physics/event_loop.h"
-#include "physics/placement.h"
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "support/equal_disks.h"
 

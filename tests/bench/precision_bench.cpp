@@ -9,7 +9,7 @@
 #include <ctime>
 #include <string>
 
-#include "physics/placement.h"
+#include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "support/equal_disks.h"
 

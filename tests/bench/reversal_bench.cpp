@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-#include "app/pipeline.h"
+#include "app/film/pipeline.h"
 #include "app/resources.h"
 #include "scene/load.h"
 

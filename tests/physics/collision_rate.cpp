@@ -1,5 +1,5 @@
 // The rate of collisions that kinetic theory expects, against simulations.
-#include "physics/collision_rate.h"
+#include "physics/theory/collision_rate.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/draws.h"
+#include "physics/placement/draws.h"
 #include "physics/simulation.h"
 
 using namespace carom;

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/event_loop.h"
-#include "physics/placement.h"
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "support/csv.h"
 #include "support/equal_disks.h"
 #include "support/small_scenes.h"

@@ -1,6 +1,4 @@
 // How many bits it takes to come home is found by trying; and what a nudge does to an echo.
-#include "physics/way_back.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -11,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/placement.h"
+#include "physics/placement/placement.h"
+#include "physics/reversal/echo.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
 #include "support/equal_disks.h"

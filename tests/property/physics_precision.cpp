@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "physics/event_loop.h"
-#include "physics/placement.h"
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "support/same_events.h"
 #include "support/slow_simulator.h"
 #include "support/slow_wire.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "physics/event_loop.h"
-#include "physics/placement.h"
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "support/relative.h"
 #include "support/same_events.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "physics/event_loop.h"
-#include "physics/placement.h"
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "support/relative.h"
 #include "support/same_events.h"
 #include "support/slow_wire.h"

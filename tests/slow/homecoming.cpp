@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "physics/reversal/echo.h"
 #include "physics/simulation.h"
-#include "physics/way_back.h"
 #include "support/equal_disks.h"
 #include "support/nudged_echo.h"
 

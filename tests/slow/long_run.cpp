@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/event_loop.h"
-#include "physics/placement.h"
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "support/equal_disks.h"
 
 using namespace carom;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "physics/placement.h"
+#include "physics/placement/placement.h"
 
 namespace carom::test {
 

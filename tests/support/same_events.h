@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "physics/event_loop.h"
+#include "physics/events/event_loop.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
 

@@ -1,0 +1,171 @@
+// carom figures: the figures of scenes and of sets, those of each in a folder.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "app/command.h"
+#include "app/figures/figure_pages.h"
+#include "app/figures/figure_set.h"
+#include "app/figures/set_loading.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "scene/reading/set_reading.h"
+#include "util/diagnostics.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FiguresArguments : SceneOptions {
+    std::vector<std::string> scenes;
+    std::string output;
+    std::vector<std::string> formats;
+    std::vector<std::string> pages;
+    SetOptions options;
+};
+
+fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
+    if (arguments.output.empty()) return fs::path("out") / scene_stem(name);
+    const fs::path output = arguments.output;
+    return arguments.scenes.size() > 1 ? output / scene_stem(name) : output;
+}
+
+FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& name) {
+    SetPart part = part_of_scene(name, overrides_of(arguments));
+    FigureSet set{.of = name == standard_input ? "stdin" : fs::path(name).filename().string(),
+                  .stem = scene_stem(name),
+                  .folder = folder_of(arguments, name),
+                  .title = part.scene.title,
+                  .description = part.scene.description,
+                  .parts = {},
+                  .formats = in_order(arguments.formats),
+                  .pages = pages_of(arguments.pages)};
+    set.parts.push_back(std::move(part));
+    return set;
+}
+
+// What is said on the command line wins over the file.
+FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
+    if (name == standard_input || !is_figure_set(name)) return set_of_scene(arguments, name);
+    FigureSet set = set_of_file(name, overrides_of(arguments), arguments.formats, arguments.pages);
+    set.folder = folder_of(arguments, name);
+    return set;
+}
+
+// All scenes before any work: a mistake in the last one must not cost the time of the first.
+std::vector<FigureSet> sets_of(const FiguresArguments& arguments) {
+    return all_made(arguments.scenes,
+                    [&](const std::string& name) { return set_of(arguments, name); });
+}
+
+void refuse_standard_output(const FiguresArguments& arguments) {
+    if (Output::is_standard_output(arguments.output))
+        throw UsageError(
+            fmt::format("-o {}: figures are several files; name a folder", arguments.output));
+}
+
+void refuse_same_folders(const FiguresArguments& arguments) {
+    refuse_second_standard_input(arguments.scenes);
+    std::set<fs::path> folders;
+    for (const std::string& name : arguments.scenes)
+        if (const fs::path folder = folder_of(arguments, name).lexically_normal();
+            !folders.insert(folder).second)
+            throw UsageError(
+                fmt::format("the figures of two scenes would go into {}; make them one by one "
+                            "with -o",
+                            folder.string()));
+}
+
+void tell(const FigureSet& set, const SetReport& report) {
+    if (report.films > 0)
+        fmt::print("{}: {} rendered\n", set.folder.string(), counted(report.films, "film"));
+    if (report.made == 0)
+        return fmt::print("{}: up to date, {}\n", set.folder.string(),
+                          counted(report.up_to_date, "figure"));
+    fmt::print("{}: {} made{}\n", set.folder.string(), counted(report.made, "figure"),
+               report.up_to_date > 0 ? fmt::format(", {} up to date", report.up_to_date) : "");
+}
+
+void warn(const FigureSet& set, const SetReport& report) {
+    if (!report.replaced.empty())
+        say(fmt::format("carom: {}: replaced {}, which carom had not written so\n",
+                        set.folder.string(), listed(report.replaced)));
+    for (const auto& [page, letters] : report.unset)
+        say(
+            fmt::format("carom: {}: pdfLaTeX cannot set {}; LuaLaTeX and XeLaTeX can, with a font "
+                        "that has {}\n",
+                        (set.folder / page).string(), fmt::join(letters, " "),
+                        letters.size() == 1 ? "it" : "them"));
+    if (!report.gone.empty())
+        say(fmt::format("carom: {}: {} of figures that are no longer there; left as {}\n",
+                        set.folder.string(), listed(report.gone),
+                        report.gone.size() == 1 ? "it is" : "they are"));
+}
+
+void make_all(const FiguresArguments& arguments) {
+    refuse_standard_output(arguments);
+    refuse_same_folders(arguments);
+    SetOptions options = arguments.options;
+    options.threads = threads_of(arguments);
+    options.quiet = arguments.quiet;
+    const std::vector<FigureSet> sets = sets_of(arguments);
+    try {
+        for (const FigureSet& set : sets) {
+            const SetReport report = make_figures(set, options);
+            warn(set, report);
+            if (!arguments.quiet) tell(set, report);
+        }
+    } catch (const Interrupted&) {
+        throw Interrupted("figures that were finished stay, and are not made again");
+    }
+}
+
+// One word with commas in it, so that a scene may stand behind it.
+CLI::Option& listed_option(CLI::App& command, const std::string& flag,
+                           std::vector<std::string>& words, const std::string& about) {
+    return *command.add_option(flag, words, about)
+                ->delimiter(',')
+                ->allow_extra_args(false)
+                ->transform([](const std::string& word) { return CLI::detail::trim_copy(word); });
+}
+
+}  // namespace
+
+void add_figures(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("figures", "draw the figures of scenes and sets");
+    const auto arguments = std::make_shared<FiguresArguments>();
+    command
+        .add_option("scenes", arguments->scenes,
+                    "files of scenes and of figure sets; - for a scene from standard input")
+        ->required();
+    command.add_option("-o,--output", arguments->output,
+                       "a folder, of several scenes one with a folder for each; out/SCENE if not "
+                       "given");
+    listed_option(command, "--formats", arguments->formats,
+                  fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")))
+        .check(CLI::IsMember(figure_formats));
+    listed_option(command, "--only", arguments->options.only,
+                  "names of figures, with commas between them");
+    command.add_flag("--force", arguments->options.force,
+                     "make all again, and replace files that carom did not write");
+    listed_option(command, "--page", arguments->pages,
+                  "a page that shows them: markdown, html, latex, or a template of your own "
+                  "(.md, .html, .tex); several with commas between them");
+    command.add_flag("--films", arguments->options.films,
+                     "render the films of the scenes, too, which pages then show");
+    add_scene_options(command, *arguments);
+    command
+        .add_option(
+            "--threads", arguments->threads,
+            "cores to use, for films and for runs side by side; the result is the same for any "
+            "number")
+        ->check(CLI::Range(1, 1024));
+    command.callback([arguments] { make_all(*arguments); });
+}
+
+}  // namespace carom

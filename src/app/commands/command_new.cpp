@@ -1,0 +1,142 @@
+// carom new: a scene to start from, commented or made from another.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "app/command.h"
+#include "app/resources.h"
+#include "scene/keys/starter.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewArguments {
+    std::string name;
+    std::string from;
+    bool quiet = false;
+};
+
+fs::path named(const std::string& name) {
+    const fs::path path = name;
+    if (path.filename().empty() || path.filename() == "." || path.filename() == "..")
+        throw UsageError(fmt::format("new {}: expected the name of a file", name));
+    if (path.extension() == ".yaml" || path.extension() == ".yml") return path;
+    return name + ".yaml";
+}
+
+bool is_plain(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view{"/._-~+"}.find(c) != std::string_view::npos;
+}
+
+// A path as the first line may hold it: editors read it up to a space, so that one with spaces
+// or other letters becomes a URI.
+std::string as_reference(const fs::path& path) {
+    const std::string text = path.string();
+    if (std::all_of(text.begin(), text.end(), is_plain)) return text;
+    std::string uri = "file://";
+    for (const char c : fs::absolute(path).string())
+        uri += is_plain(c)
+                   ? std::string(1, c)
+                   : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    return uri;
+}
+
+// Where the file finds the schema: by a way that stays true when both are moved if it is written
+// into the folder of the schema, else by the whole path. Nothing is installed: beside the file.
+std::string schema_reference(const fs::path& file) {
+    std::error_code error;
+    const fs::path schema = schema_file();
+    if (!fs::exists(schema, error)) return "scene.schema.json";
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (is_same_file(folder, schema.parent_path())) return schema.filename().string();
+    return as_reference(schema);
+}
+
+std::vector<std::string> library() {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(library_folder(), error))
+        if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+// A file, or a scene of the library by its name.
+fs::path source(const std::string& from) {
+    std::error_code error;
+    if (from == standard_input || fs::exists(from, error)) return from;
+    const std::vector<std::string> names = library();
+    if (std::find(names.begin(), names.end(), from) != names.end())
+        return library_folder() / (from + ".yaml");
+    const auto near = nearest_spelling(from, names);
+    throw UsageError(
+        fmt::format("--from {}: there is no such file, and no such scene in the library; {}", from,
+                    near ? fmt::format("did you mean `{}`?", *near)
+                         : fmt::format("its scenes are {}", fmt::join(names, ", "))));
+}
+
+std::string text_for(const NewArguments& arguments, const fs::path& file) {
+    const std::string schema = schema_reference(file);
+    if (arguments.from.empty()) return starter_scene(schema, file.filename().string());
+    // Its mistakes are told where they are.
+    const Scene scene = load_scene(source(arguments.from), templates_folder());
+    return starter_from(scene.source.text, schema);
+}
+
+[[noreturn]] void fail(const fs::path& file, int cause) {
+    if (cause == EEXIST)
+        throw UsageError(fmt::format("{} exists; it is left as it is", file.string()));
+    throw SystemError(
+        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(cause)));
+}
+
+// Only where there is nothing: an earlier file is never replaced, not even one of this moment.
+void write_new(const fs::path& file, const std::string& text) {
+    std::error_code error;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+    if (error) fail(file, error.value());
+    std::FILE* stream = std::fopen(file.c_str(), "wx");
+    if (stream == nullptr) fail(file, errno);
+    const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+    const int cause = errno;
+    if (std::fclose(stream) == 0 && written) return;
+    const int at_closing = errno;
+    std::remove(file.c_str());
+    fail(file, written ? at_closing : cause);
+}
+
+void make_scene(const NewArguments& arguments) {
+    const fs::path file = named(arguments.name);
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(file, error))) fail(file, EEXIST);
+    const std::string text = text_for(arguments, file);
+    load_scene_text(text, file.string(), templates_folder());  // a template beside the other one
+    write_new(file, text);
+    if (!arguments.quiet)
+        fmt::print("{0}: a scene; `carom render {0}` makes its film\n", file.string());
+}
+
+}  // namespace
+
+void add_new(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("new", "write a commented scene to start from");
+    const auto arguments = std::make_shared<NewArguments>();
+    command.add_option("name", arguments->name, "the file to write: NAME.yaml")->required();
+    command.add_option(
+        "--from", arguments->from,
+        "another scene to begin with: a file, - for standard input, or the name of one in "
+        "the library");
+    command.add_flag("--quiet", arguments->quiet, "no report");
+    command.callback([arguments] { make_scene(*arguments); });
+}
+
+}  // namespace carom

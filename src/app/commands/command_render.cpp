@@ -1,0 +1,213 @@
+// carom render: the films of scenes.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "app/command.h"
+#include "app/film/film_path.h"
+#include "app/film/letters.h"
+#include "app/film/pipeline.h"
+#include "app/output.h"
+#include "app/resources.h"
+#include "app/scratch_folder.h"
+#include "media/gif_film.h"
+#include "util/diagnostics.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderArguments : SceneOptions {
+    std::vector<std::string> scenes;
+    std::string output;
+    std::string format;
+    std::string quality = "standard";
+    std::optional<double> from, to;
+    bool words = false;
+};
+
+Quality quality_of(const std::string& name) {
+    if (name == "draft") return Quality::draft;
+    return name == "final" ? Quality::final_ : Quality::standard;
+}
+
+FilmDestination destination_of(const RenderArguments& arguments) {
+    return {arguments.output, arguments.format, arguments.scenes.size() > 1};
+}
+
+void refuse_same_outputs(const RenderArguments& arguments) {
+    std::set<fs::path> outputs;
+    for (const std::string& scene : arguments.scenes)
+        if (const fs::path path = film_path(destination_of(arguments), scene);
+            !outputs.insert(path).second)
+            throw UsageError(
+                fmt::format("two scenes would be written to {}; render them one by one with -o",
+                            path.string()));
+}
+
+void refuse_span(const RenderArguments& arguments, const Scene& scene) {
+    for (const auto& [flag, time] : {std::pair{"--from", arguments.from}, {"--to", arguments.to}})
+        if (time && !(*time >= 0.0 && *time <= scene.run.until))
+            throw UsageError(
+                fmt::format("{} {}: the scene runs from 0 to {}", flag, *time, scene.run.until));
+    const double from = arguments.from.value_or(0.0), to = arguments.to.value_or(scene.run.until);
+    if (!(from < to))
+        throw UsageError(
+            fmt::format("--from {} --to {}: expected an end after the start", from, to));
+}
+
+void refuse_format(const std::string& format, const Scene& scene) {
+    if (scene.film.transparent && format == "mp4")
+        throw UsageError(
+            "the ground is none, and H.264 in MP4 has no transparency; write a .webm or a folder "
+            "of frames (--format webm or png)");
+    if (scene.film.transparent && format == "gif")
+        throw UsageError(
+            "the ground is none, and the pixels of a GIF are either there or not, which would "
+            "leave "
+            "ragged letters; write a .webm or a folder of frames (--format webm or png)");
+    if (format == "gif" && scene.film.fps > most_gif_frames_per_second)
+        throw UsageError(
+            fmt::format("a GIF cannot show {} frames a second, {} are the most; give "
+                        "--fps {} or fewer, or write a .webm or .mp4",
+                        scene.film.fps, most_gif_frames_per_second, most_gif_frames_per_second));
+}
+
+std::string timings(const RenderReport& report) {
+    std::string text;
+    const auto row = [&](const char* stage, double seconds, const std::string& rate) {
+        text += fmt::format("  {:<10} {:>8.2f} s CPU   {}\n", stage, seconds, rate);
+    };
+    const double events = static_cast<double>(report.collisions.particle + report.collisions.wall);
+    const double frames = report.frames;
+    row("simulate", report.simulate_seconds,
+        fmt::format("{:.3g} events/s, both passes", 2.0 * events / report.simulate_seconds));
+    row("draw", report.draw_seconds,
+        fmt::format("{:.2f} ms a frame", 1e3 * report.draw_seconds / frames));
+    row("encode", report.encode_seconds,
+        fmt::format("{:.2f} ms a frame, conversion included",
+                    1e3 * report.encode_seconds / frames));
+    return text + fmt::format("  {:<10} {:>8.2f} s       {:.1f} frames/s\n", "wall",
+                              report.wall_seconds, frames / report.wall_seconds);
+}
+
+// All scenes before any work: a mistake in the last one must not cost the hours of the first.
+std::vector<Scene> load_all(const RenderArguments& arguments) {
+    const fs::path templates = templates_folder();
+    const Overrides overrides = overrides_of(arguments);
+    return all_made(arguments.scenes, [&](const std::string& name) {
+        return load_scene(name, templates, overrides);
+    });
+}
+
+// A GIF holds every change of every pixel: what pages and mail take without trouble is soon passed.
+std::string warning(const std::string& format, const RenderReport& report) {
+    constexpr double large = 10e6;
+    const auto bytes = static_cast<double>(report.bytes);
+    if (format != "gif" || bytes < large) return "";
+    return fmt::format(
+        "carom: {:.0f} MB is large for a GIF; a smaller --size or --fps makes it "
+        "smaller, and a .webm takes a third of it\n",
+        1e-6 * bytes);
+}
+
+void tell(const RenderArguments& arguments, const Scene& scene, const RenderReport& report) {
+    if (arguments.quiet && !arguments.timings) return;
+    const bool streamed = Output::is_standard_output(arguments.output);
+    std::string text = fmt::format(
+        "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
+        streamed ? "standard output" : report.path.string(), counted(report.frames, "frame"),
+        clock_text(static_cast<double>(report.frames) / scene.film.fps),
+        1e-6 * static_cast<double>(report.bytes), counted(report.collisions.particle, "collision"),
+        report.wall_seconds);
+    if (arguments.timings) text += timings(report);
+    if (streamed) return say(text);
+    fmt::print("{}", text);
+}
+
+RenderReport render_to_stream(const Scene& scene, RenderOptions options, const std::string& format,
+                              Progress& progress) {
+    Output stream("-");
+    const ScratchFolder folder;
+    options.output = folder.path() / ("film." + format);
+    const RenderReport report = render(scene, options, progress);
+    stream.copy(options.output);
+    return report;
+}
+
+void render_scene(const RenderArguments& arguments, const std::string& name, const Scene& scene) {
+    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
+    const FilmDestination destination = destination_of(arguments);
+    const fs::path path = film_path(destination, name);
+    const std::string format = film_format(destination, path);
+    const RenderOptions options{.output = path,
+                                .quality = quality_of(arguments.quality),
+                                .threads = threads_of(arguments),
+                                .words = arguments.words,
+                                .from = arguments.from,
+                                .to = arguments.to};
+    const RenderReport report = Output::is_standard_output(path.string())
+                                    ? render_to_stream(scene, options, format, progress)
+                                    : render(scene, options, progress);
+    tell(arguments, scene, report);
+    if (!arguments.quiet) say(warning(format, report));
+}
+
+void render_scenes(const RenderArguments& arguments) {
+    refuse_second_standard_input(arguments.scenes);
+    refuse_same_outputs(arguments);
+    if (arguments.words && Output::is_standard_output(arguments.output))
+        throw UsageError("--words: a film on standard output has no place beside it; name a file");
+    const std::vector<Scene> scenes = load_all(arguments);
+    const FilmDestination destination = destination_of(arguments);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        require_letters(scenes[i]);
+        refuse_span(arguments, scenes[i]);
+        refuse_format(film_format(destination, film_path(destination, arguments.scenes[i])),
+                      scenes[i]);
+    }
+    std::size_t rendered = 0;
+    try {
+        for (; rendered < scenes.size(); ++rendered)
+            render_scene(arguments, arguments.scenes[rendered], scenes[rendered]);
+    } catch (const Interrupted&) {
+        if (rendered == 0) throw;
+        throw Interrupted(fmt::format("{} of {} films {} written", rendered, scenes.size(),
+                                      rendered == 1 ? "is" : "are"));
+    }
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("render", "render the films of scenes");
+    const auto arguments = std::make_shared<RenderArguments>();
+    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
+        ->required();
+    command.add_option(
+        "-o,--output", arguments->output,
+        "the film (.mp4, .webm or .gif; - for standard output), an existing folder for it, or a "
+        "new folder with a slash for its frames as PNG (frames/); out/SCENE.mp4 if not given");
+    command.add_option("--format", arguments->format, "mp4, webm, gif, or png for frames")
+        ->check(CLI::IsMember(film_formats));
+    command.add_option("--from", arguments->from, "simulated time at which the film begins");
+    command.add_option("--to", arguments->to, "simulated time at which it ends");
+    command.add_flag("--words", arguments->words,
+                     "beside the film its captions, chapters and descriptions (.vtt) and a "
+                     "transcript (.txt)");
+    add_scene_options(command, *arguments);
+    add_picture_options(command, *arguments);
+    add_shortcut(command, *arguments, "--fps", "film.fps", "frames a second");
+    add_shortcut(command, *arguments, "--seconds", "film.seconds", "length of the film");
+    command.add_option("--quality", arguments->quality, "draft, standard or final")
+        ->check(CLI::IsMember({"draft", "standard", "final"}));
+    add_work_options(command, *arguments);
+    command.callback([arguments] { render_scenes(*arguments); });
+}
+
+}  // namespace carom

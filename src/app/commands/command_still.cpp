@@ -1,0 +1,75 @@
+// carom still: one frame of a film.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "app/command.h"
+#include "app/film/letters.h"
+#include "app/film/pipeline.h"
+#include "app/output.h"
+#include "app/resources.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+struct StillArguments : SceneOptions {
+    std::string scene;
+    std::string output, format;
+    double at = 0.0;
+};
+
+// Of a picture for standard output, the name that it would have.
+std::filesystem::path still_path(const StillArguments& arguments) {
+    const std::string &output = arguments.output, &format = arguments.format;
+    if (Output::is_standard_output(output)) return "still." + (format.empty() ? "png" : format);
+    std::vector<std::string> extensions = {".png", ".svg", ".pdf"};
+    if (!format.empty()) std::swap(extensions[0], *std::ranges::find(extensions, "." + format));
+    const std::filesystem::path path = output_path(output, false, arguments.scene, extensions);
+    if (!format.empty() && path.extension() != "." + format)
+        throw UsageError(fmt::format("-o {}: the name ends in {}, and --format asks for {}", output,
+                                     path.extension().string(), format));
+    return path;
+}
+
+void make_still(const StillArguments& arguments) {
+    const Scene scene = load_scene(arguments.scene, templates_folder(), overrides_of(arguments));
+    require_letters(scene);
+    if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
+        throw UsageError(
+            fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));
+    const std::filesystem::path output = still_path(arguments);
+    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
+    if (Output::is_standard_output(arguments.output)) {
+        Output stream("-");
+        Canvas picture =
+            draw_still(scene, arguments.at, output.extension().string().substr(1), progress);
+        const std::vector<std::uint8_t> bytes = picture.file();
+        return stream.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    render_still(scene, arguments.at, output, progress);
+    if (!arguments.quiet) fmt::print("{}\n", output.string());
+}
+
+}  // namespace
+
+void add_still(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("still", "draw one frame of a film as a PNG, SVG or PDF");
+    const auto arguments = std::make_shared<StillArguments>();
+    command.add_option("scene", arguments->scene, "a scene file; - for standard input")->required();
+    command.add_option("--at", arguments->at, "simulated time; the nearest frame is drawn");
+    command.add_option(
+        "-o,--output", arguments->output,
+        "the picture (.png, .svg, .pdf; - for standard output), or a folder; out/SCENE.png "
+        "if not given");
+    command.add_option("--format", arguments->format, "png, svg or pdf")
+        ->check(CLI::IsMember({"png", "svg", "pdf"}));
+    add_scene_options(command, *arguments);
+    add_picture_options(command, *arguments);
+    command.callback([arguments] { make_still(*arguments); });
+}
+
+}  // namespace carom

@@ -1,0 +1,121 @@
+#include "app/figures/figure_folder.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/figures/figures_json.h"
+#include "app/figures/fingerprint.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_manifest_bytes = 16 << 20;
+
+bool is_there(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(path, error));
+}
+
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+FigureFolder::FigureFolder(fs::path path, std::string of) : path_(std::move(path)) {
+    manifest_.of = of;
+    const fs::path file = path_ / manifest_name;
+    if (!is_there(file)) return;
+    saved_ = read_file(file, most_manifest_bytes);
+    auto known = read_manifest(saved_);
+    if (!known)
+        throw UsageError(
+            fmt::format("{}: this is not the list that carom keeps of a folder's figures; choose "
+                        "another folder, or move it away",
+                        file.string()));
+    if (known->of != of)
+        throw UsageError(
+            fmt::format("{}: this folder holds the figures of {}; choose another one "
+                        "for those of {}",
+                        path_.string(), known->of, of));
+    manifest_ = std::move(*known);
+}
+
+bool FigureFolder::is_current(const std::string& file, const std::string& inputs) const {
+    const auto known = manifest_.files.find(file);
+    return known != manifest_.files.end() && known->second.inputs == inputs &&
+           fingerprint_of_file(path_ / file) == known->second.content;
+}
+
+std::vector<std::string> FigureFolder::foreign(std::span<const std::string> files) const {
+    std::vector<std::string> found;
+    for (const std::string& file : files) {
+        if (!is_there(path_ / file)) continue;
+        const auto known = manifest_.files.find(file);
+        const auto content = fingerprint_of_file(path_ / file);
+        if (known == manifest_.files.end() || !content ||
+            (content != known->second.content && content != known->second.coming))
+            found.push_back(file);
+    }
+    return found;
+}
+
+// Of a file that is there already, and was carom's, both contents are known until it is replaced.
+void FigureFolder::announce(const std::string& file, const std::string& figure,
+                            const std::string& content) {
+    manifest_.files.try_emplace(file, WrittenFile{figure, "", ""}).first->second.coming = content;
+}
+
+void FigureFolder::write(std::span<const NewFile> files) {
+    std::vector<std::string> contents;
+    bool any = false;
+    for (const NewFile& one : files) {
+        contents.push_back(fingerprint(text_of(one.bytes)));
+        if (fingerprint_of_file(path_ / one.file) == contents.back()) continue;
+        announce(one.file, one.figure, contents.back());
+        any = true;
+    }
+    if (any) save();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const NewFile& one = files[i];
+        if (fingerprint_of_file(path_ / one.file) != contents[i]) {
+            AtomicFile output(path_ / one.file);
+            output.write(one.bytes);
+            output.commit();
+        }
+        manifest_.files[one.file] = {one.figure, one.inputs, contents[i]};
+    }
+}
+
+void FigureFolder::take_in(const fs::path& from, const std::string& file, const std::string& figure,
+                           const std::string& inputs) {
+    const std::string content = fingerprint_of_file(from / file).value_or("");
+    announce(file, figure, content);
+    save();
+    std::error_code error;
+    fs::rename(from / file, path_ / file, error);
+    if (error)
+        throw SystemError(
+            fmt::format("{}: cannot be written: {}", (path_ / file).string(), error.message()));
+    manifest_.files[file] = {figure, inputs, content};
+}
+
+void FigureFolder::remember(const std::string& figure, WrittenWords words) {
+    manifest_.figures[figure] = std::move(words);
+}
+
+void FigureFolder::save() {
+    std::string text = manifest_json(manifest_);
+    if (text == saved_) return;
+    AtomicFile file(path_ / manifest_name);
+    file.write(text);
+    file.commit();
+    saved_ = std::move(text);
+}
+
+}  // namespace carom

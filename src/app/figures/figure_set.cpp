@@ -1,0 +1,384 @@
+#include "app/figures/figure_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/figures/figure_pages.h"
+#include "app/figures/figures_json.h"
+#include "app/figures/fingerprint.h"
+#include "app/film/film_words.h"
+#include "app/film/pipeline.h"
+#include "app/simulate.h"
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+const std::string captions_name = "captions.json";
+
+/// One file of a figure, and what it is made from.
+struct PlannedFile {
+    std::string file, format, inputs;
+    bool current = false;  ///< there is nothing to do
+};
+
+struct PlannedFigure {
+    const SetPart* part;
+    const FigureSpec* spec;
+    std::string inputs;  ///< of all its files
+    std::vector<PlannedFile> files;
+    bool chosen = true;
+};
+
+// Texts that are put together keep their borders.
+std::string all_of(std::initializer_list<std::string_view> texts) {
+    std::string all;
+    for (const std::string_view text : texts) all += fmt::format("{}:{};", text.size(), text);
+    return all;
+}
+
+// `what` is a figure, or the film.
+std::string inputs_of(const Scene& scene, std::string_view what) {
+    std::string overrides;
+    for (const std::string& one : scene.source.overrides) overrides += all_of({one});
+    return fingerprint(
+        all_of({CAROM_VERSION, scene.source.text, scene.source.template_text, overrides, what}));
+}
+
+// A figure that compares runs is made from all their scenes, too.
+std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
+    std::string all = inputs_of(scene, figure.name);
+    if (figure.compare.empty()) return all;
+    for (const ComparedRun& run : figure.compare)
+        all += all_of({run.label, inputs_of(*run.scene, figure.name)});
+    return fingerprint(all);
+}
+
+std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
+                                   const FigureWords& words, const std::string& origin,
+                                   const std::string& format) {
+    for (const FigureFormat one : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
+        if (name_of(one) == format)
+            return draw_figure(run, figure, one, {run.scene().title, words.alt, origin}).file();
+    if (format == "csv") {
+        const std::string text = csv(table_of(figure));
+        return {text.begin(), text.end()};
+    }
+    throw std::logic_error("no such format of figures: " + format);
+}
+
+RunsTold shown_runs(const Scene& scene, Progress& progress) {
+    return {
+        .trial = shown_trials(scene, progress),
+        .begin = [&](double time) { progress.begin("simulating", time, "time units"); },
+        .advance = [&](double time) { progress.advance(time); },
+    };
+}
+
+// A film and what stands beside it.
+std::map<std::string, std::string> film_files(const SetPart& part) {
+    std::map<std::string, std::string> files{{"film", part.stem + ".mp4"},
+                                             {"poster", part.stem + ".poster.png"}};
+    for (const auto& [what, ending] : words_endings) files[what] = part.stem + ending;
+    return files;
+}
+
+// Where a film is made that is not part of the figures' folder yet.
+struct HiddenFolder {
+    std::filesystem::path path;
+
+    explicit HiddenFolder(std::filesystem::path where) : path(std::move(where)) { clear(); }
+    ~HiddenFolder() { clear(); }
+    HiddenFolder(const HiddenFolder&) = delete;
+    HiddenFolder& operator=(const HiddenFolder&) = delete;
+
+    void clear() const {
+        std::error_code error;
+        std::filesystem::remove_all(path, error);
+    }
+};
+
+void refuse_unknown(const FigureSet& set, const std::vector<std::string>& only) {
+    std::vector<std::string> names;
+    for (const SetPart& part : set.parts)
+        names.insert(names.end(), part.figures.begin(), part.figures.end());
+    for (const std::string& name : only) {
+        if (std::ranges::find(names, name) != names.end()) continue;
+        const auto near = nearest_spelling(name, names);
+        throw UsageError(fmt::format(
+            "--only {}: {} has no figure of this name; {}", name, set.of,
+            near ? fmt::format("did you mean `{}`?", *near) : "it has " + listed(names)));
+    }
+}
+
+class Maker {
+  public:
+    Maker(const FigureSet& set, const SetOptions& options)
+        : set_(set), options_(options), folder_(set.folder, set.of) {
+        for (const SetPart& part : set.parts)
+            for (const std::string& name : part.figures) plan(part, *figure_spec(part.scene, name));
+    }
+
+    SetReport make() {
+        refuse_foreign();
+        for (const PageTemplate& page : set_.pages)  // its mistakes before the work
+            refuse_page(page);
+        try {
+            for (const SetPart& part : set_.parts) draw(part);
+            for (const SetPart& part : set_.parts) render_film(part);
+            write_words();
+        } catch (...) {
+            folder_.save();  // what is written is known, however the work ended
+            throw;
+        }
+        folder_.save();
+        report_.gone = gone();
+        return report_;
+    }
+
+  private:
+    void plan(const SetPart& part, const FigureSpec& spec) {
+        PlannedFigure figure{&part, &spec, inputs_of(part.scene, spec), {}};
+        const auto& only = options_.only;
+        figure.chosen = only.empty() || std::ranges::find(only, spec.name) != only.end();
+        for (const std::string& format : set_.formats) {
+            if (format == "csv" && spec.panel.kind == "text") continue;  // words are no numbers
+            const std::string file = spec.name + "." + format;
+            const bool current = !options_.force && folder_.is_current(file, figure.inputs);
+            figure.files.push_back({file, format, figure.inputs, current});
+        }
+        figures_.push_back(std::move(figure));
+    }
+
+    // Whether anything of it is to be made.
+    bool is_due(const PlannedFigure& figure) const {
+        const auto words = folder_.manifest().figures.find(figure.spec->name);
+        const bool known =
+            words != folder_.manifest().figures.end() && words->second.inputs == figure.inputs;
+        return figure.chosen &&
+               (!known || !std::ranges::all_of(figure.files, &PlannedFile::current));
+    }
+
+    void refuse_foreign() {
+        std::vector<std::string> files;
+        for (const PlannedFigure& figure : figures_)
+            for (const PlannedFile& planned : figure.files)
+                if (figure.chosen && !planned.current) files.push_back(planned.file);
+        files.push_back(captions_name);
+        for (const PageTemplate& page : set_.pages) files.push_back(set_.stem + page.ending);
+        for (const SetPart& part : set_.parts)
+            if (options_.films && !part.compares && !is_current_film(part))
+                for (const auto& [what, file] : film_files(part)) files.push_back(file);
+        report_.replaced = folder_.foreign(files);
+        if (report_.replaced.empty() || options_.force) return;
+        const bool one = report_.replaced.size() == 1;
+        throw UsageError(fmt::format(
+            "{}: carom did not write {}, or {} changed since; nothing has been written. Move {} "
+            "away, or replace {} with --force",
+            set_.folder.string(), listed(report_.replaced), one ? "it was" : "they were",
+            one ? "it" : "them", one ? "it" : "them"));
+    }
+
+    // What is known before there are figures: mistakes in the template, and pictures that the page
+    // would find neither among those there are nor among those to be made.
+    void refuse_page(const PageTemplate& page) const {
+        page_text(set_, page, {}, {});
+        for (const PlannedFigure& planned : figures_) {
+            SetFigure figure;
+            figure.name = planned.spec->name;
+            figure.files = files_there(planned);
+            if (planned.chosen)
+                for (const PlannedFile& made : planned.files) figure.files.push_back(made.file);
+            if (planned.chosen || !figure.files.empty()) require_picture(set_, figure, page.kind);
+        }
+    }
+
+    // Of those that show a figure as it is now.
+    std::vector<std::string> files_there(const PlannedFigure& planned) const {
+        std::vector<std::string> files;
+        for (const std::string& format : figure_formats)
+            if (const std::string file = planned.spec->name + "." + format;
+                folder_.is_current(file, planned.inputs))
+                files.push_back(file);
+        return files;
+    }
+
+    // Where a picture comes from that has left its folder; `made from` is as in figures.json.
+    std::string origin_of(const PlannedFigure& planned) const {
+        const Scene& scene = planned.part->scene;
+        std::string origin = fmt::format("carom {}; {} {}; seed {}", CAROM_VERSION,
+                                         planned.part->compares ? "figure" : "scene",
+                                         as_utf8(planned.part->stem), scene.seed);
+        if (!scene.source.overrides.empty())
+            origin += fmt::format("; set {}", fmt::join(scene.source.overrides, " "));
+        return origin + "; made from " + planned.inputs;
+    }
+
+    // One run of the physics for all figures of a scene, as many as are to be drawn: their axes
+    // must not depend on what is drawn.
+    void draw(const SetPart& part) {
+        std::vector<const PlannedFigure*> due;
+        for (const PlannedFigure& figure : figures_) {
+            if (figure.part != &part) continue;
+            if (is_due(figure))
+                due.push_back(&figure);
+            else if (figure.chosen)
+                ++report_.up_to_date;
+        }
+        if (due.empty()) return;
+        report_.made += static_cast<int>(due.size());
+        Progress progress(Progress::fitting_form(options_.quiet), part.stem);
+        const Fresh fresh = [](const Scene& scene, const TimeTold& told) {
+            return simulate(scene, told);
+        };
+        const FigureRun run(part.scene, fresh, options_.threads, shown_runs(part.scene, progress));
+        progress.begin("drawing", static_cast<double>(due.size()), "figures");
+        std::vector<NewFile> files;
+        for (const PlannedFigure* figure : due) {
+            draw(run, *figure, files);
+            progress.advance();
+        }
+        folder_.write(files);
+    }
+
+    void draw(const FigureRun& run, const PlannedFigure& planned, std::vector<NewFile>& files) {
+        const std::string& name = planned.spec->name;
+        const Figure& figure = *std::ranges::find_if(
+            run.figures(), [&](const Figure& one) { return one.spec->name == name; });
+        const FigureWords words = words_of(run, figure);
+        for (const PlannedFile& file : planned.files)
+            if (!file.current)
+                files.push_back({file.file,
+                                 bytes_of(run, figure, words, origin_of(planned), file.format),
+                                 name, file.inputs});
+        folder_.remember(name, {planned.inputs, words.caption, words.alt});
+    }
+
+    // The figures that are there as the scenes have them now.
+    std::vector<SetFigure> present() const {
+        std::vector<SetFigure> all;
+        for (const PlannedFigure& planned : figures_) {
+            const std::string& name = planned.spec->name;
+            const auto words = folder_.manifest().figures.find(name);
+            if (words == folder_.manifest().figures.end() || words->second.inputs != planned.inputs)
+                continue;
+            SetFigure figure{name,
+                             words->second.caption,
+                             words->second.alt,
+                             planned.part,
+                             planned.spec,
+                             figure_size(planned.part->scene, *planned.spec),
+                             files_there(planned)};
+            all.push_back(std::move(figure));
+        }
+        return all;
+    }
+
+    bool is_current_film(const SetPart& part) const {
+        const std::string inputs = inputs_of(part.scene, film_);
+        return std::ranges::all_of(film_files(part), [&](const auto& file) {
+            return folder_.is_current(file.second, inputs);
+        });
+    }
+
+    void render_film(const SetPart& part) {
+        if (!options_.films || part.compares || (is_current_film(part) && !options_.force)) return;
+        const auto files = film_files(part);
+        Progress progress(Progress::fitting_form(options_.quiet), part.stem);
+        const HiddenFolder hidden(set_.folder / ".film");
+        render(
+            part.scene,
+            {.output = hidden.path / files.at("film"), .threads = options_.threads, .words = true},
+            progress);
+        render_still(part.scene, poster_at * part.scene.run.until, hidden.path / files.at("poster"),
+                     progress);
+        for (const auto& [what, file] : files)
+            folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));
+        ++report_.films;
+    }
+
+    void write_words() {
+        const std::vector<SetFigure> figures = present();
+        std::vector<SetFilm> films;
+        for (const SetPart& part : set_.parts)
+            if (!part.compares && is_current_film(part)) films.push_back({&part, film_files(part)});
+        std::vector<NewFile> files;
+        const auto add = [&](const std::string& file, const std::string& text) {
+            files.push_back({file, {text.begin(), text.end()}, "", ""});
+        };
+        add(captions_name, captions_json(set_.title, figures));
+        for (const PageTemplate& page : set_.pages) {
+            const std::string text = page_text(set_, page, figures, films);
+            add(set_.stem + page.ending, text);
+            if (page.kind != PageKind::latex) continue;
+            if (auto letters = beyond_pdflatex(text); !letters.empty())
+                report_.unset[set_.stem + page.ending] = std::move(letters);
+        }
+        folder_.write(files);
+    }
+
+    std::vector<std::string> gone() const {
+        std::set<std::string> names;
+        for (const PlannedFigure& figure : figures_) names.insert(figure.spec->name);
+        std::vector<std::string> files;
+        std::error_code error;
+        for (const auto& [file, written] : folder_.manifest().files)
+            if (!written.figure.empty() && !names.contains(written.figure) &&
+                std::filesystem::exists(set_.folder / file, error))
+                files.push_back(file);
+        return files;
+    }
+
+    static constexpr std::string_view film_ = "the film";  // no name of a figure
+    static constexpr double poster_at = 0.3;               // of the run
+
+    const FigureSet& set_;
+    const SetOptions& options_;
+    FigureFolder folder_;
+    std::vector<PlannedFigure> figures_;
+    SetReport report_;
+};
+
+}  // namespace
+
+const FigureSpec* figure_spec(const Scene& scene, const std::string& name) {
+    const auto found = std::ranges::find(scene.figures, name, &FigureSpec::name);
+    return found == scene.figures.end() ? nullptr : &*found;
+}
+
+void refuse_same_names(const FigureSet& set) {
+    std::map<std::string, const SetPart*> names;
+    for (const SetPart& part : set.parts)
+        for (const std::string& name : part.figures)
+            if (const auto [first, added] = names.try_emplace(name, &part); !added)
+                throw UsageError(fmt::format(
+                    "{}: {} and {} both have a figure `{}`, and all go into one folder; give one "
+                    "of them another name",
+                    set.of, first->second->scene.source.path, part.scene.source.path, name));
+    std::set<std::string> stems;
+    for (const SetPart& part : set.parts)
+        if (!part.compares && !stems.insert(part.stem).second)
+            throw UsageError(
+                fmt::format("{}: two of its scenes are called {}, and so would be "
+                            "their films; list it once, or copy it to another name",
+                            set.of, part.stem));
+    std::set<std::string> endings;
+    for (const PageTemplate& page : set.pages)
+        if (!endings.insert(page.ending).second)
+            throw UsageError(fmt::format("{}: two pages would be written to {}{}", set.of, set.stem,
+                                         page.ending));
+}
+
+SetReport make_figures(const FigureSet& set, const SetOptions& options) {
+    refuse_same_names(set);
+    refuse_unknown(set, options.only);
+    return Maker(set, options).make();
+}
+
+}  // namespace carom

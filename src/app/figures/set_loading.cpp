@@ -1,0 +1,160 @@
+#include "app/figures/set_loading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/command.h"
+#include "app/figures/figure_pages.h"
+#include "app/film/letters.h"
+#include "app/resources.h"
+#include "scene/reading/figure_reading.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+std::vector<std::string> figure_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const FigureSpec& figure : scene.figures) names.push_back(figure.name);
+    return names;
+}
+
+[[noreturn]] void fail(Diagnostic place, std::string message, std::string hint) {
+    place.message = std::move(message);
+    place.hint = std::move(hint);
+    throw SceneError({std::move(place)});
+}
+
+SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
+    SetPart part;
+    const std::filesystem::path& path = listed_scene.path;
+    part.scene = load_scene(path, templates_folder(), overrides);
+    require_letters(part.scene);
+    part.stem = scene_stem(path.string());
+    part.title = listed_scene.title.value_or(part.scene.title);
+    part.description = listed_scene.description.value_or(part.scene.description);
+    const std::vector<std::string> names = figure_names(part.scene);
+    if (names.empty())
+        fail(listed_scene.place, fmt::format("the scene {} lists no figures", path.string()), "");
+    for (const auto& [name, place] : listed_scene.figures) {
+        const auto near = nearest_spelling(name, names);
+        if (std::ranges::find(names, name) == names.end())
+            fail(place, fmt::format("{} has no figure `{}`", path.string(), name),
+                 near ? fmt::format("did you mean `{}`?", *near)
+                      : "its figures: " + listed(names, "and", "`"));
+        part.figures.push_back(name);
+    }
+    if (part.figures.empty()) part.figures = names;
+    return part;
+}
+
+ComparedRun run_of(const SetRun& run, Overrides overrides) {
+    for (const std::string& value : run.values) overrides.values.push_back(parted_change(value));
+    Scene scene;
+    try {
+        scene = load_run(run.path, templates_folder(), overrides);
+    } catch (const SceneError& error) {
+        if (run.values.empty()) throw;
+        const Diagnostic& first = error.diagnostics().front();
+        fail(run.place, "with this the scene is not valid: " + first.message, first.hint);
+    }
+    const std::string label = run.label.value_or(scene.title);
+    return {label, run.values, run.place, std::make_shared<Scene>(std::move(scene))};
+}
+
+SetPart part_of(const std::string& path, const SetFile& set, const SetComparison& comparison,
+                const Overrides& overrides) {
+    std::vector<ComparedRun> runs =
+        all_made(comparison.runs, [&](const SetRun& run) { return run_of(run, overrides); });
+    for (ComparedRun& run : runs) {  // its mistakes are mostly those of all: told once
+        Scene scene = *run.scene;
+        scene.figures = {figure_of(comparison, scene)};
+        run.scene = std::make_shared<Scene>(std::move(scene));
+    }
+    for (std::size_t k = 1; k < runs.size(); ++k)
+        for (std::size_t i = 0; i < k; ++i)
+            if (runs[i].label == runs[k].label)
+                fail(runs[k].place, fmt::format("another run has the label `{}`", runs[k].label),
+                     "give it a `label` of its own: they could not be told apart");
+    SetPart part;
+    part.compares = true;
+    part.scene = *runs.front().scene;
+    part.scene.title = set.title;
+    part.scene.subtitle = "";
+    part.scene.description = set.description.empty() ? set.title : set.description;
+    part.scene.source.path = path;
+    part.scene.source.text = set.text;
+    FigureSpec& figure = part.scene.figures.front();
+    figure.compare = std::move(runs);
+    require_letters(part.scene);
+    part.stem = figure.name;
+    part.figures = {figure.name};
+    return part;
+}
+
+std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
+                                  const Overrides& overrides) {
+    struct Piece {
+        const SetScene* scene;
+        const SetComparison* comparison;
+    };
+    std::vector<Piece> pieces;
+    for (const SetScene& scene : set.scenes) pieces.push_back({&scene, nullptr});
+    for (const SetComparison& one : set.comparisons) pieces.push_back({nullptr, &one});
+    std::vector<SetPart> parts = all_made(pieces, [&](const Piece& piece) {
+        return piece.scene != nullptr ? part_of(*piece.scene, overrides)
+                                      : part_of(path, set, *piece.comparison, overrides);
+    });
+    const auto first = std::ranges::find(parts, true, &SetPart::compares);
+    if (first != parts.end()) first->title = "Side by side";
+    return parts;
+}
+
+}  // namespace
+
+SetPart part_of_scene(const std::string& path, const Overrides& overrides) {
+    SetPart part;
+    part.scene = load_scene(path, templates_folder(), overrides);
+    part.stem = scene_stem(path);
+    require_letters(part.scene);
+    if (part.scene.figures.empty())
+        throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
+    part.title = part.scene.title;
+    part.figures = figure_names(part.scene);
+    return part;
+}
+
+std::vector<std::string> in_order(const std::vector<std::string>& formats) {
+    std::vector<std::string> all;
+    for (const std::string& format : figure_formats)
+        if (formats.empty() || std::ranges::find(formats, format) != formats.end())
+            all.push_back(format);
+    return all;
+}
+
+std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
+    std::vector<PageTemplate> pages;
+    for (const std::string& page : asked) pages.push_back(page_template(page));
+    return pages;
+}
+
+FigureSet set_of_file(const std::string& path, const Overrides& overrides,
+                      const std::vector<std::string>& formats,
+                      const std::vector<std::string>& pages) {
+    const SetFile file = load_figure_set(path);
+    FigureSet set{.of = std::filesystem::path(path).filename().string(),
+                  .stem = scene_stem(path),
+                  .folder = {},
+                  .title = file.title,
+                  .description = file.description,
+                  .parts = {},
+                  .formats = in_order(formats.empty() ? file.formats : formats),
+                  .pages = pages_of(pages.empty() ? file.templates : pages)};
+    set.parts = parts_of_set(path, file, overrides);
+    return set;
+}
+
+}  // namespace carom

@@ -1,0 +1,278 @@
+#include "app/film/film_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "app/film/webvtt.h"
+#include "app/progress.h"
+#include "app/simulate.h"
+#include "scene/time/captions.h"
+#include "scene/time/event_words.h"
+#include "scene/time/timeline.h"
+#include "stats/speed_classes.h"
+#include "util/atomic_file.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// A frame at which a chapter begins, or the film ends, and how the gas is then.
+struct Moment {
+    int frame = 0;
+    double time = 0.0;
+    bool reversed = false;                 ///< just now
+    bool ends = false;                     ///< the film
+    bool is_title = false;                 ///< the title card
+    std::vector<std::string> nudges = {};  ///< of just now, in words
+    std::string mark = {};                 ///< the words of places that are marked just now
+    std::string end_card = {};
+    std::string caption = {};  ///< that comes up just now
+    std::int64_t collisions = 0;
+    double mean_speed = 0.0, mean_energy = 0.0;
+    std::vector<double> species_energy = {};
+    std::array<double, 3> shares{};
+};
+
+double seconds_at(int frame, const Scene& scene, const FrameSpan& span) {
+    return static_cast<double>(frame - span.first) / scene.film.fps;
+}
+
+// The first of the frames that show the same time as this one.
+int when_it_stopped(const std::vector<Tick>& ticks, int frame, int first) {
+    const auto time = [&](int i) { return ticks[static_cast<std::size_t>(i)].time; };
+    while (frame > first && time(frame - 1) == time(frame)) --frame;
+    return frame;
+}
+
+// Where something happens, and quarters far from there. The first frame is always among them, and
+// that of the end.
+std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
+                               const std::vector<Tick>& ticks) {
+    std::vector<Moment> found;
+    const auto at = [&](int frame) -> Moment& {
+        const auto known = std::ranges::find(found, frame, &Moment::frame);
+        if (known != found.end()) return *known;
+        found.push_back({.frame = frame});
+        found.back().time = ticks[static_cast<std::size_t>(frame)].time;
+        return found.back();
+    };
+    for (int i = span.first + 1; i < span.end; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (ticks[k].reversals > ticks[k - 1].reversals)
+            at(when_it_stopped(ticks, i, span.first)).reversed = true;
+    }
+    for (const CaptionSpan& caption : caption_schedule(scene))
+        if (!caption.words.empty() && caption.first <= caption.last && caption.last >= span.first &&
+            caption.first < span.end)
+            at(std::max(caption.first, span.first)).caption = caption.words;
+    // The first frame that shows what happens at a time, if it is among these.
+    const auto shown_from = [&](double time) {
+        const auto shown = std::ranges::find_if(ticks, [&](const Tick& tick) {
+            return tick.frame >= span.first && tick.time >= time && !is_card(tick.phase);
+        });
+        return shown != ticks.end() && shown->frame < span.end ? std::optional(shown->frame)
+                                                               : std::nullopt;
+    };
+    for (const Mark& mark : scene.marks)
+        if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
+    const double begins = ticks[static_cast<std::size_t>(span.first)].time;
+    for (const RunEvent& event : scene.run.events)
+        if (const auto* nudge = std::get_if<Nudge>(&event.action); nudge && event.at >= begins)
+            if (const auto frame = shown_from(event.at))
+                at(*frame).nudges.push_back(words_of(*nudge));
+    const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
+    if (card != ticks.end() && card->frame < span.end)
+        at(card->frame).end_card = scene.film.end_card;
+    at(span.first).is_title = is_card(ticks[static_cast<std::size_t>(span.first)].phase);
+    const auto gas = std::ranges::find_if(
+        ticks, [&](const Tick& tick) { return tick.frame >= span.first && !is_card(tick.phase); });
+    if (gas != ticks.end() && gas->frame < span.end) at(gas->frame);
+    at(when_it_stopped(ticks, span.end - 1, span.first)).ends = true;
+    for (int quarter = 1; quarter < 4; ++quarter) {
+        const int frame = span.first + quarter * span.frames() / 4;
+        const auto is_near = [&](const Moment& other) {
+            return std::abs(other.frame - frame) < span.frames() / 8;
+        };
+        if (std::ranges::none_of(found, is_near)) at(frame);
+    }
+    std::ranges::sort(found, {}, &Moment::frame);
+    return found;
+}
+
+void look(Moment& moment, const Scene& scene, Simulation& simulation) {
+    const Passage passage = simulation.advance_to(moment.time);
+    const Sample& sample = simulation.sample();
+    const Eigen::ArrayXd speed = speeds(sample);
+    const Eigen::ArrayXd energy = kinetic_energies(simulation.particles(), sample);
+    moment.collisions = passage.counts.particle;
+    moment.mean_speed = speed.mean();
+    moment.mean_energy = energy.mean();
+    moment.shares = class_shares(speed, moment.mean_speed);
+    for (std::size_t k = 0; k < scene.gas.species.size(); ++k) {
+        const Eigen::Array<bool, Eigen::Dynamic, 1> members =
+            simulation.particles().species == static_cast<int>(k);
+        const double sum = members.select(energy, 0.0).sum();
+        moment.species_energy.push_back(sum / static_cast<double>(members.count()));
+    }
+}
+
+// "Time 6 of 12, 207 collisions so far. Mean speed 1.40, mean energy 2.24: ..."
+std::string numbers_of(const Moment& moment, const Scene& scene) {
+    std::string text = "Time " + three_digits(folded_time(scene.run, moment.time));
+    if (scene.run.events.empty()) text += " of " + three_digits(scene.run.until);
+    text += fmt::format(", {} {} between particles so far.", moment.collisions,
+                        moment.collisions == 1 ? "collision" : "collisions");
+    if (!std::isfinite(moment.mean_energy)) return text;
+    text += fmt::format(" Mean speed {}, mean energy {}", three_digits(moment.mean_speed),
+                        three_digits(moment.mean_energy));
+    std::vector<std::string> shares;
+    for (std::size_t k = 0; k < moment.species_energy.size(); ++k)
+        shares.push_back(fmt::format("{} {}", scene.gas.species[k].name,
+                                     three_digits(moment.species_energy[k])));
+    if (shares.size() > 1) text += " (" + listed(shares) + ")";
+    return text + fmt::format("; {:.0f} % slow, {:.0f} % medium and {:.0f} % fast.",
+                              100.0 * moment.shares[0], 100.0 * moment.shares[1],
+                              100.0 * moment.shares[2]);
+}
+
+std::string coloring(const Scene& scene) {
+    switch (scene.film.color_by) {
+        case ColorBy::species:
+            return "the colour of a particle tells its species";
+        case ColorBy::speed_class:
+            return "the colour of a particle tells whether it is slow, medium or fast";
+        case ColorBy::mass:
+            return "the colour of a particle tells its mass";
+        case ColorBy::energy:
+            return "the colour of a particle tells its energy";
+        case ColorBy::speed:
+            break;
+    }
+    return "the colour of a particle tells its speed";
+}
+
+// What is beside the gas.
+std::string picture_words(const Scene& scene) {
+    std::vector<std::string> panels;
+    for (const PanelSpec& panel : scene.film.panels) {
+        std::string name = panel.title.value_or(panel.kind);
+        if (!panel.title) std::ranges::replace(name, '-', ' ');
+        panels.push_back(name);
+    }
+    std::string text = "In the picture, " + coloring(scene) + ".";
+    if (!panels.empty()) text += " Beside the particles: " + listed(panels) + ".";
+    return text;
+}
+
+// What is seen or happens at a moment, for a description.
+std::string happening(const Moment& moment) {
+    std::string text;
+    if (moment.ends) text += "The film ends. ";
+    if (moment.reversed) text += "All velocities are reversed. ";
+    for (const std::string& nudge : moment.nudges) text += nudge + ". ";
+    if (!moment.mark.empty())
+        text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
+                            moment.mark);
+    if (!moment.end_card.empty()) text += fmt::format("The last words: “{}”. ", moment.end_card);
+    return text;
+}
+
+// What begins at a moment.
+std::string heading(const Moment& moment, const Scene& scene) {
+    if (!moment.caption.empty()) return moment.caption;
+    if (!moment.end_card.empty()) return moment.end_card;
+    if (moment.is_title) return scene.title;
+    if (moment.reversed) return "Velocities reversed";
+    if (!moment.nudges.empty()) return moment.nudges.front();
+    if (!moment.mark.empty()) return moment.mark;
+    if (moment.time == 0.0) return "The start";
+    return "Time " + three_digits(folded_time(scene.run, moment.time));
+}
+
+std::string description_of(const Moment& moment, const Scene& scene, const FrameSpan& span) {
+    std::string text;
+    if (moment.frame == span.first) {
+        text = sentence(scene.title) + " ";
+        if (!scene.subtitle.empty()) text += sentence(scene.subtitle) + " ";
+        text += sentence(scene.description) + " " + picture_words(scene) + " ";
+    }
+    text += happening(moment);
+    if (!moment.end_card.empty()) return text;
+    return text + numbers_of(moment, scene);
+}
+
+std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments,
+                          const FrameSpan& span) {
+    std::string text = scene.title + "\n";
+    if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
+    text += fmt::format("\nA silent film of {}.\n\n{}\n{}\n",
+                        clock_text(static_cast<double>(span.frames()) / scene.film.fps),
+                        sentence(scene.description), picture_words(scene));
+    for (const Moment& moment : moments) {
+        text += fmt::format("\n{}  ", clock_text(seconds_at(moment.frame, scene, span)));
+        text += happening(moment);
+        if (!moment.caption.empty()) text += fmt::format("“{}” ", moment.caption);
+        if (moment.end_card.empty()) text += numbers_of(moment, scene);
+        while (text.ends_with(' ')) text.pop_back();
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+FilmWords words_of_film(const Scene& scene, const FrameSpan& span, Progress& progress) {
+    std::vector<Moment> moments = moments_of(scene, span, timeline(scene));
+    Simulation simulation = simulate(scene, progress);
+    progress.begin("describing", static_cast<double>(moments.size()), "moments");
+    for (Moment& moment : moments) {
+        throw_if_interrupted();
+        look(moment, scene, simulation);
+        progress.advance();
+    }
+    const double begin = static_cast<double>(span.first) / scene.film.fps;
+    const double end = seconds_at(span.end, scene, span);
+    std::vector<Cue> captions, chapters, descriptions;
+    for (const CaptionSpan& caption : caption_schedule(scene))
+        captions.push_back({std::max(0.0, caption.start - begin),
+                            std::min(end, caption.end - begin), caption.words});
+    for (const Moment& moment : moments)
+        if (!moment.end_card.empty())
+            captions.push_back({seconds_at(moment.frame, scene, span), end, moment.end_card});
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const double start = seconds_at(moments[i].frame, scene, span);
+        const bool last = i + 1 == moments.size();
+        const double next = last ? end : seconds_at(moments[i + 1].frame, scene, span);
+        descriptions.push_back({start, next, description_of(moments[i], scene, span)});
+        if (moments[i].ends && !chapters.empty())
+            chapters.back().end = next;
+        else
+            chapters.push_back({start, next, heading(moments[i], scene)});
+    }
+    return {webvtt(captions), webvtt(chapters), webvtt(descriptions),
+            transcript_of(scene, moments, span)};
+}
+
+void write_words(const FilmWords& words, const std::filesystem::path& path) {
+    std::filesystem::path stem = path;
+    if (!stem.has_filename())
+        stem = stem.parent_path();  // frames/
+    else
+        stem.replace_extension();
+    for (const auto& [what, text] : {std::pair{"captions", &words.captions},
+                                     {"chapters", &words.chapters},
+                                     {"descriptions", &words.descriptions},
+                                     {"transcript", &words.transcript}}) {
+        AtomicFile file(stem.string() + words_endings.at(what));
+        file.write(*text);
+        file.commit();
+    }
+}
+
+}  // namespace carom

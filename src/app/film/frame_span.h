@@ -1,0 +1,26 @@
+// A part of a film, by simulated time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/time/timeline.h"
+
+namespace carom {
+
+/// Frames [first, end) of a film.
+struct FrameSpan {
+    int first = 0, end = 0;
+    int frames() const { return end - first; }
+};
+
+/// The first of the frames of the gas whose time is nearest to `time`. `ticks` are a whole
+/// timeline().
+int frame_nearest_to(const std::vector<Tick>& ticks, double time);
+
+/// From the first frame nearest to `from` to the last one nearest to `to`, with the pauses there;
+/// where one is not given, from the film's start or to its end. Needs from < to.
+FrameSpan frames_between(const std::vector<Tick>& ticks, std::optional<double> from,
+                         std::optional<double> to);
+
+}  // namespace carom

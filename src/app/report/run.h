@@ -1,0 +1,57 @@
+// The physics alone: from a scene to its samples and statistics, without a film.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/progress.h"
+#include "physics/exact_positions.h"
+#include "physics/simulation.h"
+#include "scene/scene.h"
+#include "stats/run_statistics.h"
+
+namespace carom {
+
+/// One reversal of all velocities, and how well the gas found its way back.
+struct ReversalReport {
+    double at = 0.0;
+    std::optional<ReturnDistance> distance;   ///< from the start, at 2 at: if the run goes on so
+                                              ///< long and no other reversal lies before
+    std::int64_t events_out = 0;              ///< collisions in [0, at], with walls too
+    std::optional<std::int64_t> events_back;  ///< in (at, 2 at], if the run goes on so long
+};
+
+/// Wall-clock seconds.
+struct RunSeconds {
+    double total = 0.0;
+    double prepare = 0.0;   ///< placement and equilibration
+    double simulate = 0.0;  ///< from time 0
+    double samples = 0.0;   ///< statistics, and what takes the samples
+};
+
+struct RunReport {
+    std::int64_t particles = 0;
+    int bits = bits_of_double;  ///< of the numbers it calculated with
+    std::int64_t samples = 0;
+    RunSummary summary;
+    CollisionCounts collisions;
+    std::vector<ReversalReport> reversals;  ///< in order of time
+    RunSeconds seconds;
+};
+
+/// Takes each sample in order of time; both are valid during the call only.
+using SampleTaker = std::function<void(const Particles&, const Sample&)>;
+
+/// Runs `scene` from time 0 to its end with a sample at every multiple of `run.sample_every` and at
+/// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` throws.
+RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress);
+
+/// The number of samples of a run, at least 2; the last is at `until`.
+std::int64_t sample_count(const Run& run);
+
+/// The time of a sample.
+double sample_time(const Run& run, std::int64_t index);
+
+}  // namespace carom

@@ -1,0 +1,17 @@
+// What a run was like, for people.
+#pragma once
+
+#include <string>
+
+#include "app/report/run.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// A table that fits on a screen of 80 columns if the names do.
+std::string run_table(const Scene& scene, const RunReport& report);
+
+/// The seconds of each stage, and events per second.
+std::string run_timings(const RunReport& report);
+
+}  // namespace carom

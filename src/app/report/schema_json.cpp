@@ -1,0 +1,212 @@
+#include "app/report/schema_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "scene/keys/keys.h"
+#include "scene/yaml/scalar.h"
+
+namespace carom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+    constexpr double exact = 9007199254740992.0;  // 2^53
+    if (value == std::floor(value) && std::abs(value) < exact)
+        return static_cast<std::int64_t>(value);
+    return value;
+}
+
+// A default as JSON knows it: `0.5`, `true` or "solid".
+Json value_of(const std::string& written) {
+    if (const auto value = parse_number(written)) return number(*value);
+    if (written == "true" || written == "false") return written == "true";
+    return written;
+}
+
+Json section_schema(const Section& section);
+Json value_schema(const std::vector<Form>& forms);
+
+Json number_schema(const char* type, const Range& range) {
+    return {{"type", type}, {"minimum", number(range.low)}, {"maximum", number(range.high)}};
+}
+
+// No control characters, and no line breaks unless it may have lines; what a text ends with does
+// not count.
+std::string text_pattern(const Form& form) {
+    const std::string controls =
+        form.lines ? R"(\u0000-\u0009\u000b-\u001f\u007f-\u009f)" : R"(\u0000-\u001f\u007f-\u009f)";
+    const std::string body = "[^" + controls + "]*[^ \\n" + controls + "]";
+    return "^" + (form.shortest > 0 ? body : "(" + body + ")?") + "[ \\t\\n]*$";
+}
+
+// `title: 2026` is a text for carom, though YAML calls it a number.
+Json text_schema(const Form& form) {
+    return {{"type", {"string", "number", "boolean"}},
+            {"maxLength", form.longest},
+            {"pattern", text_pattern(form)}};
+}
+
+Json color_schema(const Form& form) {
+    return {{"anyOf",
+             {{{"enum", form.words}}, {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}}}};
+}
+
+Json list_schema(const Form& form) {
+    return {{"type", "array"},
+            {"items", value_schema(form.items)},
+            {"minItems", form.shortest},
+            {"maxItems", form.longest}};
+}
+
+Json form_schema(const Form& form) {
+    switch (form.shape) {
+        case Shape::number:
+            return number_schema("number", form.range);
+        case Shape::integer:
+            return number_schema("integer", form.range);
+        case Shape::flag:
+            return {{"type", "boolean"}};
+        case Shape::text:
+            return text_schema(form);
+        case Shape::word:
+            return {{"enum", form.words}};
+        case Shape::color:
+            return color_schema(form);
+        case Shape::list:
+            return list_schema(form);
+        case Shape::mapping:
+            return section_schema(*form.section);
+    }
+    return {};
+}
+
+Json value_schema(const std::vector<Form>& forms) {
+    if (forms.size() == 1) return form_schema(forms.front());
+    Json any = Json::array();
+    for (const Form& form : forms) any.push_back(form_schema(form));
+    return {{"anyOf", any}};
+}
+
+Json key_schema(const Key& key) {
+    Json schema = Json::object();
+    schema["description"] =
+        key.preset_note.empty() ? key.meaning : key.meaning + " Default: " + key.preset_note + ".";
+    if (!key.preset.empty()) schema["default"] = value_of(key.preset);
+    schema.update(value_schema(key.forms));
+    return schema;
+}
+
+Json needs(const std::vector<std::string>& names) { return {{"required", names}}; }
+
+void add_choice(Json& rules, const Choice& choice) {
+    const auto& names = choice.names;
+    if (choice.required) {
+        Json one = Json::array();
+        for (const std::string& name : names) one.push_back(needs({name}));
+        rules.push_back({{"oneOf", one}});
+        return;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t j = i + 1; j < names.size(); ++j)
+            rules.push_back({{"not", needs({names[i], names[j]})}});
+}
+
+std::vector<std::string> kinds_without(const Section& section,
+                                       const std::vector<std::string>& with) {
+    std::vector<std::string> kinds = section.keys.at(section.index("kind")).forms.at(0).words;
+    std::erase_if(kinds, [&](const std::string& kind) {
+        return std::find(with.begin(), with.end(), kind) != with.end();
+    });
+    return kinds;
+}
+
+// Keys that stand only beside some kinds: none of them beside the others.
+void add_kinds(Json& rules, const Section& section) {
+    std::map<std::vector<std::string>, Json> refused;
+    for (const Key& key : section.keys)
+        if (!key.with.empty()) refused[key.with][key.name] = false;
+    for (const auto& [with, keys] : refused) {
+        const std::vector<std::string> others = kinds_without(section, with);
+        if (others.empty()) continue;
+        Json condition = needs({"kind"});
+        condition["properties"]["kind"]["enum"] = others;
+        rules.push_back({{"if", condition}, {"then", {{"properties", keys}}}});
+    }
+}
+
+void add_rules(Json& schema, const Section& section) {
+    std::vector<std::string> required;
+    for (const Key& key : section.keys)
+        if (key.required) required.push_back(key.name);
+    Json rules = Json::array();
+    for (const Choice& choice : section.choices) {
+        if (choice.required && choice.names.size() == 1)
+            required.push_back(choice.names.front());
+        else
+            add_choice(rules, choice);
+    }
+    add_kinds(rules, section);
+    if (!required.empty()) schema["required"] = required;
+    if (!rules.empty()) schema["allOf"] = rules;
+}
+
+Json section_schema(const Section& section) {
+    Json schema{{"type", "object"}, {"additionalProperties", false}};
+    schema["properties"] = Json::object();
+    for (const Key& key : section.keys) schema["properties"][key.name] = key_schema(key);
+    add_rules(schema, section);
+    return schema;
+}
+
+// The keys that differ between a wire and a plane stand in the branches of a condition on
+// `box.length`, as the loader decides: so an editor offers the keys of the one that is written,
+// and of the plane where nothing is written yet.
+void part_dimensions(Json& plane, const Json& wire) {
+    Json on_wire = Json::object();
+    Json in_plane = Json::object();
+    for (auto& [name, schema] : plane["properties"].items()) {
+        const Json& other = wire.at("properties").at(name);
+        if (schema == other) continue;
+        on_wire[name] = other;
+        in_plane[name] = schema;
+        schema = {{"description", schema.at("description")}};
+    }
+    const Json box = {{"required", {"length"}}, {"not", needs({"size"})}};
+    Json condition = needs({"box"});
+    condition["properties"]["box"] = box;
+    plane["if"] = condition;
+    plane["then"] = {{"properties", on_wire}};
+    plane["else"] = {{"properties", in_plane}};
+}
+
+Json header(const char* title, const char* description) {
+    return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", title},
+            {"description", description}};
+}
+
+}  // namespace
+
+// Draft 07: the newest draft that yaml-language-server, which editors read YAML with, takes whole;
+// of 2019-09 and 2020-12 it knows only parts.
+std::string scene_schema_json() {
+    Json plane = section_schema(scene_section(2));
+    part_dimensions(plane, section_schema(scene_section(1)));
+    Json schema =
+        header("A scene of carom", "What is in the box, what happens to it, what the viewer sees.");
+    schema.update(plane);
+    return schema.dump(1) + "\n";
+}
+
+std::string set_schema_json() {
+    Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
+    schema.update(section_schema(set_section()));
+    return schema.dump(1) + "\n";
+}
+
+}  // namespace carom

@@ -1,0 +1,110 @@
+#include "panels/collision/pair_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+
+double PairMotion::mass_center_velocity() const {
+    return (inverse_mass[1] * before[0] + inverse_mass[0] * before[1]) / inverse_mass.sum();
+}
+
+double PairMotion::energy() const { return 0.5 * (before.square() / inverse_mass).sum(); }
+
+double PairMotion::momentum() const { return (before / inverse_mass).sum(); }
+
+Eigen::Matrix2d collision_matrix(const Eigen::Array2d& w) {
+    Eigen::Matrix2d map;
+    map << w[1] - w[0], 2.0 * w[0], 2.0 * w[1], w[0] - w[1];
+    return map / w.sum();
+}
+
+WalkWatch::WalkWatch(const Cast& cast, const PanelSpec& spec) : cast_(cast), spec_(spec) {
+    if (!spec.of.empty())
+        pair_ = std::array<Eigen::Index, 2>{*spec.of[0].particle, *spec.of[1].particle};
+}
+
+void WalkWatch::survey(const Observation& observation) {
+    if (start_.size() == 0) start_ = observation.sample.velocity.col(0);
+    for (const Collision& collision : observation.passage.collisions) {
+        if (!pair_ && collision.second < 0) {
+            early_.push_back(collision);
+            continue;
+        }
+        if (!pair_) {
+            pair_ = std::array<Eigen::Index, 2>{std::min(collision.first, collision.second),
+                                                std::max(collision.first, collision.second)};
+            for (const Collision& early : early_) see(early);
+        }
+        see(collision);
+    }
+}
+
+void WalkWatch::see(const Collision& collision) {
+    const auto& pair = *pair_;
+    const auto place = [&](Eigen::Index i) { return std::ranges::find(pair, i) - pair.begin(); };
+    const auto first = place(collision.first);
+    const auto second = collision.second < 0 ? 2 : place(collision.second);
+    if (first == 2 && second == 2) return;
+    const bool of_the_two = first < 2 && second < 2;
+    if (!of_the_two && collision.second >= 0) {
+        if (!foreign_) foreign_ = collision;
+        return;
+    }
+    if (++count_ > most_steps) return;
+    WalkStep step{.time = collision.time,
+                  .cause = of_the_two ? WalkStep::Cause::pair : WalkStep::Cause::wall,
+                  .velocity = {NAN, NAN}};  // of a bead that a wall's collision does not concern
+    step.velocity[first] = collision.first_after[0];
+    if (of_the_two) step.velocity[second] = collision.second_after[0];
+    met_.push_back(step);
+}
+
+std::vector<WalkStep> WalkWatch::steps() const {
+    std::vector<WalkStep> steps;
+    if (!pair_) return steps;
+    const auto& pair = *pair_;
+    const auto fail = [&](const std::string& message, const std::string& hint) {
+        Diagnostic error = spec_.place;
+        error.message = message;
+        error.hint = hint;
+        throw SceneError({error});
+    };
+    if (foreign_) {
+        const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
+        fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
+                         "walk on one ellipse",
+                         first_is_own ? foreign_->second : foreign_->first,
+                         first_is_own ? foreign_->first : foreign_->second, foreign_->time, pair[0],
+                         pair[1]),
+             "`walk` is for two beads that meet only each other and walls; without it the panel "
+             "shows their first collision");
+    }
+    if (count_ > most_steps)
+        fail(fmt::format("particles {} and {} meet each other and walls {} times, and `walk` shows "
+                         "at most {}",
+                         pair[0], pair[1], count_, most_steps),
+             "give a shorter run, or masses that are less unlike");
+    steps.push_back({.velocity = {start_[pair[0]], start_[pair[1]]}});
+    std::size_t next = 0;
+    const auto go_on_until = [&](double time) {
+        for (; next < met_.size() && met_[next].time <= time; ++next) {
+            WalkStep step = met_[next];
+            for (Eigen::Index k = 0; k < 2; ++k)
+                if (std::isnan(step.velocity[k])) step.velocity[k] = steps.back().velocity[k];
+            steps.push_back(step);
+        }
+    };
+    for (const double time : reversal_times(cast_.scene.run)) {
+        go_on_until(time);
+        steps.push_back(
+            {.time = time, .cause = WalkStep::Cause::reversal, .velocity = -steps.back().velocity});
+    }
+    go_on_until(std::numeric_limits<double>::infinity());
+    return steps;
+}
+
+}  // namespace carom

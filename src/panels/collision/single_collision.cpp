@@ -1,0 +1,404 @@
+#include "panels/collision/single_collision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/gas/bead_words.h"
+#include "panels/gas/velocity_arrows.h"
+#include "panels/registry.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double apart = 1.6;          // distance of the centres before and after, over contact's
+constexpr double longest_arrow = 1.0;  // over the distance at contact
+constexpr double words_above = 1.65, words_below = 1.4;  // units, of each stage
+constexpr double lift_of_arrows = 0.75;  // units, from one row of arrows to the next
+
+using Vector = Eigen::Array2d;
+
+// What stands in one stage, in lengths of the scene, from the centre of mass.
+struct Pose {
+    std::array<Vector, 2> center;
+    std::array<Vector, 2> arrow;  // velocities, or their changes
+};
+
+// The meeting with beads of a size, where they are points.
+struct Cause {
+    std::array<Vector, 2> place, before, after;
+    std::array<double, 2> radius, weight;  // weight: share of the mass
+    Vector drift;                          // of the centre of mass
+    double back, on;                       // time before and after the contact
+};
+
+// How long until the centres are as far apart as is shown, in a flight of at most so long.
+double time_apart(const Vector& between, const Vector& moving, double longest) {
+    const double a = moving.square().sum(), b = std::abs((between * moving).sum());
+    const double c = between.square().sum() * (1.0 - apart * apart);
+    return std::clamp((-b + std::sqrt(b * b - a * c)) / a, 0.0, longest);
+}
+
+Cause cause_of(const Meeting& met, const Particles& particles) {
+    Cause cause{.place = met.place,
+                .before = met.before,
+                .after = met.after,
+                .radius = {particles.radius[met.particle[0]], particles.radius[met.particle[1]]},
+                .weight = {},
+                .drift = {},
+                .back = 0.0,
+                .on = 0.0};
+    const Vector moving = met.before[1] - met.before[0];
+    double longest_back = met.time - met.since, longest_on = met.until - met.time;
+    if (cause.radius[0] + cause.radius[1] == 0.0) {  // points: as if they had a size
+        cause.radius = {0.5, 0.5};
+        cause.place[1] = cause.place[0] - moving / std::sqrt(moving.square().sum());
+        longest_back = longest_on = std::numeric_limits<double>::infinity();
+    }
+    const double first = particles.inverse_mass[met.particle[0]],
+                 second = particles.inverse_mass[met.particle[1]];
+    cause.weight = {second / (first + second), first / (first + second)};
+    cause.drift = cause.weight[0] * met.before[0] + cause.weight[1] * met.before[1];
+    const Vector between = cause.place[1] - cause.place[0];
+    cause.back = time_apart(between, moving, longest_back);
+    cause.on = time_apart(between, met.after[1] - met.after[0], longest_on);
+    return cause;
+}
+
+std::array<Pose, 3> poses(const Cause& cause) {
+    std::array<Pose, 3> all;
+    const Vector middle = cause.weight[0] * cause.place[0] + cause.weight[1] * cause.place[1];
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Vector at_contact = cause.place[k] - middle;
+        all[0].center[k] = at_contact - cause.back * (cause.before[k] - cause.drift);
+        all[1].center[k] = at_contact;
+        all[2].center[k] = at_contact + cause.on * (cause.after[k] - cause.drift);
+        all[0].arrow[k] = cause.before[k];
+        all[1].arrow[k] = cause.after[k] - cause.before[k];
+        all[2].arrow[k] = cause.after[k];
+    }
+    return all;
+}
+
+double length(const Vector& v) { return std::sqrt(v.square().sum()); }
+
+// Half of what the stages need each way, in lengths of the scene.
+Vector half_extent(const std::array<Pose, 3>& all, const Cause& cause, double time) {
+    Vector half = (time * cause.drift).abs();
+    for (const Pose& pose : all)
+        for (std::size_t k = 0; k < 2; ++k) {
+            half = half.max(pose.center[k].abs() + cause.radius[k]);
+            half = half.max((pose.center[k] + time * pose.arrow[k]).abs());
+        }
+    return half;
+}
+
+std::array<Rect, 3> places(const Rect& area, double unit) {
+    const bool high = area.height > 1.6 * area.width;
+    const double gap = unit;
+    std::array<Rect, 3> rects;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double n = static_cast<double>(i);
+        const double width = high ? area.width : (area.width - 2.0 * gap) / 3.0;
+        const double height = high ? (area.height - 2.0 * gap) / 3.0 : area.height;
+        rects[i] = {area.x + (high ? 0.0 : n * (width + gap)),
+                    area.y + (high ? n * (height + gap) : 0.0), width, height};
+    }
+    return rects;
+}
+
+}  // namespace
+
+CollisionStages collision_stages(const Meeting& meeting, const Particles& particles,
+                                 const Rect& area, double unit, int dimension) {
+    const Cause cause = cause_of(meeting, particles);
+    const std::array<Pose, 3> all = poses(cause);
+    double fastest = length(cause.drift);
+    for (const Pose& pose : all)
+        for (const Vector& arrow : pose.arrow) fastest = std::max(fastest, length(arrow));
+    const double sigma = cause.radius[0] + cause.radius[1];
+    const double time = longest_arrow * sigma / fastest;
+    const Vector half = half_extent(all, cause, time);
+    const std::array<Rect, 3> rects = places(area, unit);
+    const double margin = 0.15 * unit;
+    const double high = rects[0].height - (words_above + words_below) * unit;
+    double scale = (0.5 * rects[0].width - margin) / half[0];
+    if (dimension == 2) scale = std::min(scale, (0.5 * high - margin) / half[1]);
+    scale =
+        std::min(scale, std::max(unit, 0.3 * high) / std::max(cause.radius[0], cause.radius[1]));
+
+    CollisionStages stages;
+    stages.radius = {scale * cause.radius[0], scale * cause.radius[1]};
+    stages.reach = scale * time;
+    const double largest = std::max(stages.radius[0], stages.radius[1]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CollisionStage& stage = stages.stage[i];
+        stage.area = rects[i];
+        stage.mass_center = {rects[i].x + rects[i].width / 2,
+                             rects[i].y + words_above * unit + high / 2};
+        const auto pixels = [&](const Vector& v) {
+            return Point{stage.mass_center.x + scale * v[0], stage.mass_center.y - scale * v[1]};
+        };
+        const auto arrow = [&](const Vector& from, const Vector& along, int row) {
+            const double lift = row == 0 || dimension == 2
+                                    ? 0.0
+                                    : (row > 0 ? 1 : -1) * largest + row * lift_of_arrows * unit;
+            const Point start = pixels(from), end = pixels(from + time * along);
+            return StageArrow{{start.x, start.y - lift}, {end.x, end.y - lift}};
+        };
+        for (std::size_t k = 0; k < 2; ++k) {
+            stage.center[k] = pixels(all[i].center[k]);
+            stage.velocity[k] = arrow(all[i].center[k], all[i].arrow[k], k == 0 ? 1 : 2);
+        }
+        stage.mass_center_velocity = arrow(Vector::Zero(), cause.drift, -1);
+    }
+    return stages;
+}
+
+namespace {
+
+struct StageState : PanelState {
+    std::size_t present = 0;  // stage; 3: none
+};
+
+class SingleCollisionPanel : public Panel {
+  public:
+    SingleCollisionPanel(const Cast& cast, const PanelSpec& spec)
+        : cast_(cast), spec_(spec), watch_(cast, spec) {}
+
+    void survey(const Observation& observation) override { watch_.survey(observation); }
+    bool surveys_collisions() const override { return true; }
+    void settle() override { met_ = watch_.meeting(); }
+    std::shared_ptr<const PanelState> state(const Observation& observation) override;
+    void draw_ground(Canvas& canvas, const Page& page) const override;
+    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
+
+  private:
+    CollisionStages stages(const Page& page) const;
+    Rect room(const Page& page) const;
+    ArrowStyle style(const Page& page, Color color) const;
+    ArrowStyle change_style(const Page& page) const;
+    void draw_stage(Canvas& canvas, const Page& page, std::size_t index) const;
+    void draw_words(Canvas& canvas, const Page& page, std::size_t index) const;
+    void draw_key(Canvas& canvas, const Page& page) const;
+    std::string amounts(std::size_t index, const Page& page, const std::string& words) const;
+    using Panel::draw_key;
+
+    Cast cast_;
+    PanelSpec spec_;
+    MeetingWatch watch_;
+    Meeting met_;
+};
+
+constexpr double title_height = 1.9, row_height = 1.4;  // units
+constexpr double least_with_law = 14.0;  // units: in lower areas the pictures take its place
+constexpr double tint = 0.3;             // of the disks, so that arrows stand out from them
+
+double key_height(const Page& page) {
+    return (page.area.height < least_with_law * page.unit ? 1.0 : 2.0) * row_height;
+}
+constexpr std::array names{"before", "contact", "after"};
+
+// The middle third of what the stages show belongs to the contact.
+std::shared_ptr<const PanelState> SingleCollisionPanel::state(const Observation& observation) {
+    auto state = std::make_shared<StageState>();
+    state->present = 3;
+    if (!cast_.in_film) return state;
+    const Cause cause = cause_of(met_, cast_.particles);
+    const double since = observation.tick.time - met_.time;
+    state->present = since < -cause.back / 3.0 ? 0 : since < cause.on / 3.0 ? 1 : 2;
+    return state;
+}
+
+Rect SingleCollisionPanel::room(const Page& page) const {
+    const double top = title_height * page.unit, bottom = key_height(page) * page.unit;
+    return {page.area.x, page.area.y + top, page.area.width,
+            std::max(page.unit, page.area.height - top - bottom)};
+}
+
+CollisionStages SingleCollisionPanel::stages(const Page& page) const {
+    return collision_stages(met_, cast_.particles, room(page), page.unit,
+                            cast_.scene.gas.box.dimension);
+}
+
+ArrowStyle SingleCollisionPanel::style(const Page& page, Color color) const {
+    return collision_arrow(page, color, page.theme.page, 0.07);
+}
+
+// Open arrows where there is no other colour to tell them by.
+ArrowStyle SingleCollisionPanel::change_style(const Page& page) const {
+    const Color accent = edge_of(page.theme.accent, page.theme);
+    if (to_pixel(accent) != to_pixel(page.theme.ink)) return style(page, accent);
+    ArrowStyle open = style(page, page.theme.page);
+    open.edge = std::max(1.0, 0.1 * page.unit);
+    open.edge_color = page.theme.ink;
+    return open;
+}
+
+void SingleCollisionPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    const std::string of = names_of(cast_, met_, page.theme);
+    const std::string at = " at time " + three_digits(met_.time);
+    const std::string title =
+        spec_.title ? escape_markup(*spec_.title)
+                    : fitting_title(page, {"The collision of " + of + at, "Collision of " + of + at,
+                                           "Collision of " + of});
+    draw_panel_title(canvas, page, title);
+    for (std::size_t i = 0; i < 3; ++i) draw_stage(canvas, page, i);
+    draw_key(canvas, page);
+}
+
+void SingleCollisionPanel::draw_stage(Canvas& canvas, const Page& page, std::size_t index) const {
+    const CollisionStages all = stages(page);
+    const CollisionStage& stage = all.stage[index];
+    const double u = page.unit;
+    if (index == 1) {  // the line of centres, as far as the changes reach and a little more
+        const Point& a = stage.center[0];
+        const Point& b = stage.center[1];
+        const double apart_by = std::hypot(b.x - a.x, b.y - a.y);
+        double beyond = std::max(all.radius[0], all.radius[1]) + u;
+        for (const StageArrow& arrow : stage.velocity)
+            beyond = std::max(
+                beyond, std::hypot(arrow.to.x - arrow.from.x, arrow.to.y - arrow.from.y) + 0.6 * u);
+        const Point along{(b.x - a.x) / apart_by, (b.y - a.y) / apart_by};
+        canvas.clip_to(stage.area);
+        canvas.stroke_dashed({a.x - beyond * along.x, a.y - beyond * along.y},
+                             {b.x + beyond * along.x, b.y + beyond * along.y}, 0.09 * u, 0.3 * u,
+                             page.theme.muted);
+        canvas.release_clip();
+    }
+    if (cast_.scene.gas.box.dimension == 1 && index != 1)  // the wire
+        canvas.stroke_line({stage.area.x, stage.mass_center.y},
+                           {stage.area.right(), stage.mass_center.y}, 0.08 * u, page.theme.muted);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Color color = color_of(cast_, met_, k, page.theme);
+        const double line = std::max(1.5, 0.14 * u);
+        canvas.fill_circle(stage.center[k], all.radius[k], edge_of(color, page.theme));
+        canvas.fill_circle(stage.center[k], std::max(0.0, all.radius[k] - line),
+                           mix(page.theme.page, color, tint));
+    }
+    if (index == 1)
+        canvas.stroke_dashed(stage.center[0], stage.center[1], 0.09 * u, 0.3 * u, page.theme.muted);
+    const Color grey = page.theme.muted;
+    draw_arrow(canvas, stage.mass_center_velocity.from, stage.mass_center_velocity.to,
+               style(page, grey));
+    canvas.fill_circle(stage.mass_center, 0.3 * u, page.theme.page);
+    canvas.fill_circle(stage.mass_center, 0.22 * u, grey);
+    for (const StageArrow& arrow : stage.velocity)
+        draw_arrow(canvas, arrow.from, arrow.to,
+                   index == 1 ? change_style(page) : style(page, page.theme.ink));
+    draw_words(canvas, page, index);
+}
+
+std::string SingleCollisionPanel::amounts(std::size_t index, const Page& page,
+                                          const std::string& words) const {
+    std::string text = words;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Vector v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
+        text += (k == 0 ? "" : ", ") +
+                colored(three_digits(length(v)), color_of(cast_, met_, k, page.theme), page.theme);
+    }
+    return text;
+}
+
+// The numbers under a stage.
+void SingleCollisionPanel::draw_words(Canvas& canvas, const Page& page, std::size_t index) const {
+    const CollisionStage stage = stages(page).stage[index];
+    TextStyle style = label_style(page);
+    style.align = Align::center;
+    const double middle = stage.area.x + stage.area.width / 2;
+    for (const char* words : {index == 1 ? "changes " : "speeds ", ""}) {
+        const std::string text = amounts(index, page, words);
+        if (*words != '\0' && measure_text(text, style).width > stage.area.width) continue;
+        draw_text(canvas, {middle, stage.area.bottom() - 0.3 * page.unit}, text, style);
+        return;
+    }
+}
+
+// What the arrows are, and the law.
+void SingleCollisionPanel::draw_key(Canvas& canvas, const Page& page) const {
+    const double u = page.unit;
+    double x = page.area.x;
+    const double baseline = page.area.bottom() - (key_height(page) - 1.15) * u;
+    const std::array<std::pair<ArrowStyle, const char*>, 3> key{
+        {{style(page, page.theme.ink), "velocity"},
+         {change_style(page), "its change"},
+         {style(page, page.theme.muted), "centre of mass"}}};
+    for (const auto& [drawn, words] : key) {
+        draw_arrow(canvas, {x, baseline - 0.35 * u}, {x + 1.6 * u, baseline - 0.35 * u}, drawn);
+        x += 1.9 * u;
+        x += draw_text(canvas, {x, baseline}, words, label_style(page)).width + 0.9 * u;
+    }
+    if (key_height(page) == row_height) return;
+    const Eigen::Array2d inverse{cast_.particles.inverse_mass[met_.particle[0]],
+                                 cast_.particles.inverse_mass[met_.particle[1]]};
+    const std::size_t movable = inverse[0] > 0.0 ? 0 : 1;
+    const double momentum =
+        length(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
+    const std::string given = "momentum " + three_digits(momentum);
+    const std::array<std::string, 3> laws{
+        given + " passes from one to the other, along the line of centres",
+        given + " passes along the line of centres", given + " passes"};
+    TextStyle style = label_style(page);
+    for (const std::string& law : laws) {
+        const bool is_last = &law == &laws.back();
+        if (!is_last && measure_text(law, style).width > page.area.width) continue;
+        style.max_width = page.area.width;
+        draw_text(canvas, {page.area.x, page.area.bottom() - 0.15 * u}, law, style);
+        return;
+    }
+}
+
+// The name of the present stage stands out.
+void SingleCollisionPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const std::size_t present = static_cast<const StageState&>(state).present;
+    const CollisionStages all = stages(page);
+    for (std::size_t i = 0; i < 3; ++i) {
+        TextStyle style = label_style(page);
+        style.align = Align::center;
+        if (i == present) style.color = page.theme.ink, style.weight = 600;
+        const Rect& area = all.stage[i].area;
+        const Point at{area.x + area.width / 2, area.y + 1.0 * page.unit};
+        const double width = draw_text(canvas, at, names[i], style).width;
+        if (i == present)
+            canvas.stroke_line({at.x - width / 2, at.y + 0.35 * page.unit},
+                               {at.x + width / 2, at.y + 0.35 * page.unit}, 0.12 * page.unit,
+                               page.theme.ink);
+    }
+}
+
+// Places from the centre of mass; arrows are velocities, at contact their changes.
+Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
+    Table table{{"part", "stage", "of", column_name("x", reduced::length),
+                 column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",
+                 column_name("arrow x", reduced::speed), column_name("arrow y", reduced::speed)}};
+    const Cause cause = cause_of(met_, cast_.particles);
+    const std::array<Pose, 3> all = poses(cause);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 2; ++k)
+            table.rows.push_back({"particle", names[i], std::int64_t{met_.particle[k]},
+                                  all[i].center[k][0], all[i].center[k][1], cause.radius[k],
+                                  i == 1 ? "change of velocity" : "velocity", all[i].arrow[k][0],
+                                  all[i].arrow[k][1]});
+        table.rows.push_back({"centre of mass",
+                              names[i],
+                              {},
+                              0.0,
+                              0.0,
+                              {},
+                              "velocity",
+                              cause.drift[0],
+                              cause.drift[1]});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_single_collision(const Cast& cast, const PanelSpec& spec) {
+    return std::make_unique<SingleCollisionPanel>(cast, spec);
+}
+
+}  // namespace carom

@@ -1,0 +1,112 @@
+#include "panels/gas/flashes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double usual_life = 0.25;  // seconds of film
+constexpr std::size_t most = 3;      // seen in any second
+
+}  // namespace
+
+// A flash is seen in one frame at least. Where there are more contacts than may flash, those that
+// do keep apart: three at once would beat like a pulse.
+Flashes::Flashes(const Cast& cast)
+    : scene_(cast.scene),
+      asked_(cast.scene.film.flashes && cast.in_film),
+      life_(std::max(usual_life, 1.0 / cast.scene.film.fps)),
+      dense_{0.0, {}},
+      even_{(1.0 + life_) / double(most), {}} {}
+
+// One that begins a second and a life after the third before it is not seen in a second with all
+// three.
+bool Flashes::is_free(const Choice& choice, double seconds) const {
+    constexpr double rounding = 1e-9;  // a way back has the very gaps of the way out
+    const std::vector<Start>& starts = choice.starts;
+    if (!starts.empty() && seconds - starts.back().seconds < choice.gap - rounding) return false;
+    return starts.size() < most ||
+           seconds - starts[starts.size() - most].seconds >= 1.0 + life_ - rounding;
+}
+
+// Whether the contact, on a way back, is one that has flashed on the way out.
+bool Flashes::is_seen_again(const Choice& choice, const Start& start, double nearest) const {
+    return std::ranges::any_of(choice.starts, [&](const Start& other) {
+        return other.pair == start.pair && std::abs(other.folded - start.folded) < nearest;
+    });
+}
+
+void Flashes::survey(const Observation& observation,
+                     const std::function<Point(const Collision&)>& place) {
+    if (!asked_) return;
+    const Tick& tick = observation.tick;
+    const double step = tick.time - last_time_;
+    if (tick.reversals != leg_) {
+        leg_ = tick.reversals;
+        low_ = leg_low_;
+        high_ = leg_high_;
+    }
+    for (const Collision& collision : observation.passage.collisions) {
+        if (collision.second < 0) continue;  // a wall
+        ++contacts_;
+        const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
+        Start start{(last_frame_ + share * (tick.frame - last_frame_)) / scene_.film.fps,
+                    folded_time(scene_.run, collision.time),
+                    std::minmax(collision.first, collision.second),
+                    {}};
+        const bool is_way_back = start.folded > low_ && start.folded < high_;
+        for (Choice* choice : {&dense_, &even_}) {
+            if (!is_free(*choice, start.seconds)) continue;
+            if (is_way_back && !is_seen_again(*choice, start, 0.5 * step)) continue;
+            start.place = place(collision);
+            choice->starts.push_back(start);
+        }
+    }
+    const double folded = folded_time(scene_.run, tick.time);
+    leg_low_ = std::min(leg_low_, folded);
+    leg_high_ = std::max(leg_high_, folded);
+    last_time_ = tick.time;
+    last_frame_ = tick.frame;
+}
+
+void Flashes::settle() {
+    if (static_cast<std::int64_t>(dense_.starts.size()) < contacts_) dense_ = std::move(even_);
+    even_.starts = {};
+}
+
+std::vector<Flash> Flashes::at(const Tick& tick) const {
+    const double now = static_cast<double>(tick.frame) / scene_.film.fps;
+    const auto end = std::ranges::upper_bound(dense_.starts, now, {}, &Start::seconds);
+    const auto begin = std::ranges::upper_bound(dense_.starts, now - life_, {}, &Start::seconds);
+    std::vector<Flash> flashes;
+    for (auto start = begin; start < end; ++start)
+        flashes.push_back({start->place, (now - start->seconds) / life_});
+    return flashes;
+}
+
+std::vector<std::string> Flashes::remarks() const {
+    const auto shown = static_cast<std::int64_t>(dense_.starts.size());
+    if (shown == contacts_) return {};
+    const std::string some =
+        fmt::format("{} of {} collisions flash", grouped(shown), grouped(contacts_));
+    return {some + ", three a second at most", some};
+}
+
+void draw_flash(Canvas& canvas, const Page& page, Point at, double share) {
+    const double u = page.unit;
+    const double alpha = 1.0 - share * share;
+    const double line = (0.26 - 0.12 * share) * u;
+    const double radius = (0.7 + 0.8 * share) * u;
+    // A line of the ground on each side, so that it is seen on disks of any colour.
+    canvas.stroke_circle(at, radius, line + 0.2 * u, with_alpha(page.theme.ground, 0.9 * alpha));
+    canvas.stroke_circle(at, radius, line, with_alpha(page.theme.ink, alpha));
+    canvas.fill_circle(at, 0.34 * u, with_alpha(page.theme.ground, 0.9 * alpha));
+    canvas.fill_circle(at, 0.24 * u, with_alpha(page.theme.ink, alpha));
+}
+
+}  // namespace carom

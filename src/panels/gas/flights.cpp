@@ -1,0 +1,59 @@
+#include "panels/gas/flights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+Flights::Flights(const Box& box, Eigen::Index axis, std::vector<Eigen::Index> particles)
+    : axis_(axis),
+      period_(box.walls[static_cast<std::size_t>(axis)] == Wall::periodic ? box.size[axis] : 0.0),
+      particles_(std::move(particles)) {}
+
+double Flights::within(double place) const {
+    return period_ > 0.0 ? place - period_ * std::floor(place / period_) : place;
+}
+
+void Flights::meet(Corner& corner, std::int32_t particle, double place, double after) const {
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+        if (particles_[k] != particle) continue;
+        corner.place[k] = within(place);
+        corner.after[k] = after;
+    }
+}
+
+std::vector<Flights::Corner> Flights::see(const Observation& observation) {
+    std::vector<Corner> corners;
+    const auto is_followed = [&](std::int32_t particle) {
+        return std::ranges::find(particles_, particle) != particles_.end();
+    };
+    for (const Collision& collision : observation.passage.collisions) {
+        if (last_.place.empty()) break;  // there is no frame before
+        if (!is_followed(collision.first) && !is_followed(collision.second)) continue;
+        Corner corner{collision.time, last_.place, last_.after, last_.after};
+        for (std::size_t k = 0; k < particles_.size(); ++k)
+            corner.place[k] =
+                within(last_.place[k] + (collision.time - last_.time) * last_.after[k]);
+        meet(corner, collision.first, collision.first_position[axis_],
+             collision.first_after[axis_]);
+        meet(corner, collision.second, collision.second_position[axis_],
+             collision.second_after[axis_]);
+        last_ = corner;
+        corners.push_back(std::move(corner));
+    }
+    Corner now{observation.tick.time, {}, {}, {}};
+    for (const Eigen::Index i : particles_) {
+        now.place.push_back(observation.sample.position(i, axis_));
+        now.after.push_back(observation.sample.velocity(i, axis_));
+    }
+    now.before = now.after;
+    if (observation.passage.reversals != reversals_) {
+        if (!last_.place.empty()) now.before = last_.after;
+        corners.push_back(now);
+    }
+    reversals_ = observation.passage.reversals;
+    last_ = std::move(now);
+    return corners;
+}
+
+}  // namespace carom

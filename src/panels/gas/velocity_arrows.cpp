@@ -1,0 +1,123 @@
+#include "panels/gas/velocity_arrows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/histogram.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t pool_size = 200'000;
+constexpr Eigen::Index few = 10;       // particles: none of their arrows is cut
+constexpr double fast = 0.98;          // of all speeds are slower, where there are many
+constexpr double beyond_a_wall = 0.7;  // units, that an arrow may reach
+constexpr double key_height = 3.6;     // units
+
+// The largest of 1, 2 and 5 times a power of ten that is not above `most`.
+double round_down(double most) {
+    const double power = std::pow(10.0, std::floor(std::log10(most)));
+    for (const double digit : {5.0, 2.0})
+        if (digit * power <= most) return digit * power;
+    return power;
+}
+
+bool touches(const Rect& rect, Point from, Point to, double margin) {
+    return std::max(from.x, to.x) > rect.x - margin &&
+           std::min(from.x, to.x) < rect.right() + margin &&
+           std::max(from.y, to.y) > rect.y - margin &&
+           std::min(from.y, to.y) < rect.bottom() + margin;
+}
+
+}  // namespace
+
+// Slender where arrows are short: a crowd of heads would hide the disks.
+ArrowStyle VelocityArrows::style(const Page& page, double scale, Color ground) const {
+    const double u = page.unit;
+    const double size = u * std::clamp(fast_ * reach_ * scale / (2.2 * u), 0.45, 1.0);
+    return {.shaft = std::max(1.5, 0.2 * size),
+            .head_length = 0.85 * size,
+            .head_width = 0.8 * size,
+            .edge = std::max(0.8, 0.08 * size),
+            .color = page.theme.ink,
+            .edge_color = ground};
+}
+
+void VelocityArrows::survey(const Observation& observation) {
+    if (!shown()) return;
+    const Eigen::Index n = observation.speed.size();
+    const auto stride = std::max<Eigen::Index>(
+        1, static_cast<Eigen::Index>(static_cast<double>(n) * cast_.frames / pool_size));
+    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride)
+        pool_.push_back(observation.speed[i]);
+    ++surveyed_;
+}
+
+void VelocityArrows::settle(double length) {
+    if (!shown()) return;
+    const bool all = cast_.particles.count() <= few;
+    fast_ = pool_.empty() ? 0.0 : quantile(pool_, all ? 1.0 : fast);
+    pool_ = {};
+    const double wanted = cast_.scene.film.velocity_scale.value_or(length / fast_);
+    reach_ = fast_ > 0.0 ? wanted : 0.0;
+}
+
+Rect VelocityArrows::bounds(const Page& page, const ArrowField& field) {
+    const double more = beyond_a_wall * page.unit;
+    const double across = field.joined[0] ? 0.0 : more, up = field.joined[1] ? 0.0 : more;
+    return {field.box.x - across, field.box.y - up, field.box.width + 2.0 * across,
+            field.box.height + 2.0 * up};
+}
+
+void VelocityArrows::draw(Canvas& canvas, const Page& page, const ArrowField& field, Point center,
+                          double radius, Point velocity, Color ground) const {
+    const double ahead = reach_ * field.scale;
+    const Point way{ahead * velocity.x, ahead * velocity.y};
+    const double length = std::hypot(way.x, way.y);
+    const ArrowStyle drawn = style(page, field.scale, ground);
+    if (!(length >= drawn.shaft)) return;
+    const double start = cast_.scene.film.labels == Labels::none ? 0.0 : radius / length;
+    const Rect within = bounds(page, field);
+    Rect limits = within;  // what leaves by a joined side comes in again, and is not cut
+    constexpr double everywhere = 1e9;
+    if (field.joined[0]) limits.x = -everywhere, limits.width = 2.0 * everywhere;
+    if (field.joined[1]) limits.y = -everywhere, limits.height = 2.0 * everywhere;
+    for (const int across : {0, -1, 1})
+        for (const int up : {0, -1, 1}) {
+            if ((across != 0 && !field.joined[0]) || (up != 0 && !field.joined[1])) continue;
+            const Point from{center.x + start * way.x + across * field.box.width,
+                             center.y + start * way.y + up * field.box.height};
+            const Point to{from.x + way.x, from.y + way.y};
+            if (touches(within, from, to, page.unit))
+                draw_arrow_within(canvas, limits, from, to, drawn);
+        }
+}
+
+Rect VelocityArrows::draw_key(Canvas& canvas, const Page& page, double scale) const {
+    Rect above = page.area;
+    if (!shown() || reach_ <= 0.0) return above;
+    const double u = page.unit;
+    const double speed = round_down(std::min(fast_, page.area.width / (reach_ * scale)));
+    const double y = page.area.bottom() - 0.6 * u;
+    draw_arrow(canvas, {page.area.x, y}, {page.area.x + speed * reach_ * scale, y},
+               style(page, scale, page.theme.page));
+    draw_text(canvas, {page.area.x, y - 0.9 * u}, "speed " + plain_number(speed),
+              label_style(page));
+    above.height = std::max(u, above.height - key_height * u);
+    return above;
+}
+
+ArrowStyle collision_arrow(const Page& page, Color color, Color edge_color, double edge) {
+    const double u = page.unit;
+    return {.shaft = std::max(1.5, 0.17 * u),
+            .head_length = 0.7 * u,
+            .head_width = 0.65 * u,
+            .edge = std::max(0.8, edge * u),
+            .color = color,
+            .edge_color = edge_color};
+}
+
+}  // namespace carom

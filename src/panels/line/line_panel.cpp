@@ -1,0 +1,158 @@
+#include "panels/line/line_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/chosen.h"
+#include "panels/gas/bead_words.h"
+#include "panels/line/line_state.h"
+#include "stats/histogram.h"
+
+namespace carom {
+namespace {
+
+constexpr double most_film_seconds = 12.0;  // that world lines go back
+constexpr double least_film_seconds = 2.5;  // below, they would rush by
+constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds allow
+
+double film_seconds_of(const Scene& scene) {
+    return static_cast<double>(moving_steps(scene.film, scene.run)) / scene.film.fps;
+}
+
+}  // namespace
+
+bool WirePanel::is_ring() const { return cast_.scene.gas.box.walls[0] == Wall::periodic; }
+
+void WirePanel::survey(const Observation& observation) {
+    if (!map_) map_.emplace(cast_, observation.sample);
+    colors_.survey(observation);
+    arrows_.survey(observation);
+    survey_flashes(observation);
+    const CollisionCounts& counts = observation.passage.counts;
+    bends_.push_back(
+        {observation.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
+}
+
+// Between the two beads as they are drawn.
+void WirePanel::survey_flashes(const Observation& observation) {
+    if (!flashes_.asked()) return;
+    if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(observation.sample, {});
+    flashes_.survey(observation, [this](const Collision& collision) {
+        const Eigen::Index i = collision.first;
+        const double toward = collision.second_position[0] - collision.first_position[0];
+        const double now = map_->place(i, collision.first_position[0], surveyed_places_[i]);
+        const bool is_right =
+            toward != 0.0 ? toward > 0.0 : now < surveyed_places_[collision.second];
+        return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
+    });
+    surveyed_places_ = map_->places(observation.sample, surveyed_places_);
+}
+
+// The median over parts of the run, so that a short burst does not count.
+double WirePanel::usual_rate() const {
+    constexpr std::size_t parts = 20;
+    std::vector<double> rates;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const Bends& from = bends_[part * (bends_.size() - 1) / parts];
+        const Bends& to = bends_[(part + 1) * (bends_.size() - 1) / parts];
+        if (to.time > from.time) rates.push_back((to.count - from.count) / (to.time - from.time));
+    }
+    return rates.empty() ? 0.0
+                         : quantile(rates, 0.5) / static_cast<double>(cast_.particles.count());
+}
+
+// So long that each bead has a few collisions in it most of the time, as far as that is neither too
+// fast nor too slow to be followed.
+void WirePanel::settle() {
+    colors_.settle();
+    flashes_.settle();
+    const double length = map_->length();
+    const double spacing = length / static_cast<double>(cast_.particles.count());
+    arrows_.settle(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
+    const double until = cast_.scene.run.until;
+    const double pace = until / film_seconds_of(cast_.scene);
+    const double rate = usual_rate();
+    const double wanted = rate > 0.0 ? bends_in_memory / rate : until;
+    const double bounded = std::clamp(wanted, least_film_seconds * pace, most_film_seconds * pace);
+    memory_ = std::min(until, bounded);
+    if (memory_ < until) memory_ = round_up_for_axis(memory_);
+    lines_.emplace(cast_, *map_, colors_, memory_);
+}
+
+std::shared_ptr<const PanelState> WirePanel::state(const Observation& observation) {
+    auto state = std::make_shared<WireState>();
+    const double now = observation.tick.time;
+    const double mean_speed = observation.speed.mean();
+    if (last_places_.size() == 0) last_places_ = map_->places(observation.sample, {});
+    const Eigen::ArrayXd places = map_->places(observation.sample, last_places_);
+    lines_->see(observation, places, last_places_);
+    last_places_ = places;
+    state->time = now;
+    for (Eigen::Index i = 0; i < places.size(); ++i) {
+        state->places.push_back(static_cast<float>(places[i]));
+        state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
+        if (arrows_.shown())
+            state->velocities.push_back(static_cast<float>(observation.sample.velocity(i, 0)));
+    }
+    for (std::size_t line = 0; line < lines_->count(); ++line) {
+        const Eigen::Index i = lines_->particle(line);
+        state->lines.push_back(
+            lines_->line(line, {now, places[i], state->shades[static_cast<std::size_t>(i)]}));
+    }
+    ghosts_.see(observation.tick, places);
+    state->ghosts = ghosts_.present();
+    state->ghost_words = ghosts_.words_alpha(observation.tick);
+    state->flashes = flashes_.at(observation.tick);
+    state->reversals = lines_->reversals(now);
+    state->label_alpha = name_alpha(cast_, observation.tick);
+    return state;
+}
+
+// Masses that differ are shown unasked.
+Labels WirePanel::shown_labels() const {
+    const Labels asked = cast_.scene.film.labels;
+    const Eigen::ArrayXd& inverse_mass = cast_.particles.inverse_mass;
+    const bool differ = (inverse_mass != inverse_mass[0]).any();
+    return asked == Labels::none && differ ? Labels::mass : asked;
+}
+
+// Places are as drawn: beads pushed apart where they are drawn larger than they are, and on a ring
+// going on beyond its length without jumps.
+Table WirePanel::table(const PanelState& state, const Theme& theme) const {
+    const auto& now = static_cast<const WireState&>(state);
+    Table table{{"part", "particle", "species", column_name("x as drawn", reduced::length),
+                 column_name("time", reduced::time),
+                 column_name("radius as drawn", reduced::length), "colour", "label"}};
+    if (arrows_.shown()) table.columns.push_back(column_name("velocity", reduced::speed));
+    const std::vector<Color> colors = colors_.of_shades(theme);
+    const auto add = [&](const char* part, Eigen::Index i, Cell x, double time, Cell radius,
+                         Cell color, Cell label) {
+        const auto species = static_cast<std::size_t>(cast_.particles.species[i]);
+        table.rows.push_back({part, std::int64_t{i}, cast_.scene.gas.species[species].name,
+                              std::move(x), time, std::move(radius), std::move(color),
+                              std::move(label)});
+        table.rows.back().resize(table.columns.size());
+    };
+    const auto color = [&](std::uint8_t shade) { return hex_of(colors[shade % colors.size()]); };
+    for (std::size_t k = 0; k < now.places.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        std::string label = words_on(cast_, i, shown_labels());
+        if (label.empty() && now.label_alpha > 0.0 && stands_out(cast_, i))
+            label = single_name(cast_, i);
+        add("bead", i, now.places[k], now.time, map_->radius(i), color(now.shades[k]), label);
+        if (!now.velocities.empty()) table.rows.back()[8] = now.velocities[k];
+    }
+    for (std::size_t line = 0; line < now.lines.size(); ++line)
+        for (const WorldLines::Bend& bend : now.lines[line])
+            add("world line", lines_->particle(line), bend.place, bend.time, {}, color(bend.shade),
+                {});
+    if (now.ghosts)
+        for (std::size_t k = 0; k < now.ghosts->x.size(); ++k) {
+            const auto i = static_cast<Eigen::Index>(k);
+            add("mark", i, now.ghosts->x[k], now.time, map_->radius(i), hex_of(theme.muted),
+                now.ghosts->words);
+        }
+    return table;
+}
+
+}  // namespace carom

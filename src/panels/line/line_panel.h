@@ -1,0 +1,81 @@
+// The wire with its beads, and under it their world lines: where each bead was during the last
+// while, time flowing down. The picture a film of one dimension is about.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "panels/gas/flashes.h"
+#include "panels/gas/gas_colors.h"
+#include "panels/gas/ghosts.h"
+#include "panels/gas/velocity_arrows.h"
+#include "panels/line/line_map.h"
+#include "panels/line/world_lines.h"
+#include "panels/panel.h"
+
+namespace carom {
+
+class WirePanel : public Panel {
+  public:
+    explicit WirePanel(const Cast& cast)
+        : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene), flashes_(cast) {}
+
+    void survey(const Observation& observation) override;
+    void settle() override;
+    std::shared_ptr<const PanelState> state(const Observation& observation) override;
+    void draw_ground(Canvas& canvas, const Page& page) const override;
+    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
+    void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
+    bool wants_collisions() const override { return true; }
+    bool surveys_collisions() const override { return flashes_.asked(); }
+
+    /// For tests: the simulated time that the world lines show.
+    double memory() const { return memory_; }
+
+  private:
+    struct View;
+    struct Bends {
+        double time;
+        double count;  ///< of all world lines since the start
+    };
+    void survey_flashes(const Observation& observation);
+    double usual_rate() const;  ///< bends of one world line in a unit of time
+    View view(const Page& page) const;
+    bool is_ring() const;
+    bool is_filled(Eigen::Index particle) const;
+    Labels shown_labels() const;
+    bool words_fit(const Page& page, Labels labels, const View& view) const;
+    std::vector<Point> seen_at(double place, double radius, const View& view) const;
+    double shown_radius(Eigen::Index particle, const View& view) const;
+    bool is_rod(Eigen::Index particle, const View& view) const;
+    double half_height(Eigen::Index particle, const View& view) const;
+    void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,
+                   std::optional<Color> color, double width) const;
+    void draw_band(Canvas& canvas, const Page& page, const PanelState& state,
+                   std::size_t line) const;
+    void draw_end(Canvas& canvas, const Page& page, double side) const;
+    void draw_captions(Canvas& canvas, const Page& page) const;
+    void draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
+                   double alpha) const;
+    void draw_words(Canvas& canvas, const Page& page, const PanelState& state) const;
+
+    Cast cast_;
+    GasColors colors_;
+    VelocityArrows arrows_;
+    GhostKeeper ghosts_;
+    Flashes flashes_;
+    std::optional<WireMap> map_;  ///< from the first frame on
+    std::vector<Bends> bends_;    ///< at each frame of the first pass
+    double memory_ = 1.0;
+    std::optional<WorldLines> lines_;  ///< after settle()
+    Eigen::ArrayXd surveyed_places_, last_places_;
+};
+
+}  // namespace carom

@@ -1,0 +1,90 @@
+#include "panels/line/world_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "panels/chosen.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t most_lines = 150;  // more do not part on a screen
+constexpr double finest = 1.0 / 2000.0;  // of the memory: bends closer than this are one
+
+}  // namespace
+
+bool stands_out(const Cast& cast, Eigen::Index i) {
+    const auto species = static_cast<std::size_t>(cast.particles.species[i]);
+    return asked_trail(cast, i).value_or(0.0) > 0.0 ||
+           (cast.scene.gas.species[species].count == 1 && cast.particles.count() > 4);
+}
+
+WorldLines::WorldLines(const Cast& cast, const WireMap& map, const GasColors& colors, double memory)
+    : cast_(cast), map_(map), colors_(colors), memory_(memory) {
+    choose(map);
+}
+
+// Evenly along the wire, and those that the film is about.
+void WorldLines::choose(const WireMap& map) {
+    const std::size_t beads = map.order().size();
+    const std::size_t stride = (beads + most_lines - 1) / most_lines;
+    line_of_.assign(beads, -1);
+    for (std::size_t k = 0; k < beads; ++k) {
+        const Eigen::Index i = map.order()[k];
+        if (k % stride != stride / 2 && !stands_out(cast_, i)) continue;
+        line_of_[static_cast<std::size_t>(i)] = static_cast<std::ptrdiff_t>(particles_.size());
+        particles_.push_back(i);
+    }
+    bends_.resize(particles_.size());
+}
+
+void WorldLines::bend(std::size_t line, double time, double place, double mean_speed) {
+    std::deque<Bend>& bends = bends_[line];
+    if (!bends.empty() && time - bends.back().time < finest * memory_) return;
+    const double speed =
+        bends.empty() ? 0.0 : std::abs(place - bends.back().place) / (time - bends.back().time);
+    bends.push_back({time, place, colors_.shade(particles_[line], speed, mean_speed)});
+}
+
+void WorldLines::see(const Observation& observation, const Eigen::ArrayXd& places,
+                     const Eigen::ArrayXd& last) {
+    const double now = observation.tick.time;
+    const double mean_speed = observation.speed.mean();
+    const auto bend_at = [&](std::int32_t particle, double time, double x) {
+        const std::ptrdiff_t line = line_of_[static_cast<std::size_t>(particle)];
+        if (line < 0) return;
+        bend(static_cast<std::size_t>(line), time, map_.place(particle, x, last[particle]),
+             mean_speed);
+    };
+    for (std::size_t line = 0; line < count(); ++line)
+        if (bends_[line].empty()) bend(line, now, places[particles_[line]], mean_speed);
+    for (const Collision& collision : observation.passage.collisions) {
+        bend_at(collision.first, collision.time, collision.first_position[0]);
+        if (collision.second >= 0)
+            bend_at(collision.second, collision.time, collision.second_position[0]);
+    }
+    const bool turned = observation.tick.phase == Phase::reversing &&
+                        (reversals_.empty() || reversals_.back() < now);
+    if (turned) reversals_.push_back(now);
+    for (std::size_t line = 0; line < count(); ++line) {
+        if (turned) bend(line, now, places[particles_[line]], mean_speed);
+        while (bends_[line].size() > 1 && bends_[line][1].time < now - memory_)
+            bends_[line].pop_front();
+    }
+}
+
+std::vector<WorldLines::Bend> WorldLines::line(std::size_t line, const Bend& present) const {
+    std::vector<Bend> bends(bends_[line].begin(), bends_[line].end());
+    bends.push_back(present);
+    return bends;
+}
+
+std::vector<double> WorldLines::reversals(double now) const {
+    std::vector<double> recent;
+    std::copy_if(reversals_.begin(), reversals_.end(), std::back_inserter(recent),
+                 [&](double time) { return time >= now - memory_; });
+    return recent;
+}
+
+}  // namespace carom

@@ -1,0 +1,20 @@
+// How many particles have which kinetic energy, beside what this finite gas has at equilibrium.
+#include "panels/plots/histogram_panel.h"
+#include "panels/registry.h"
+#include "physics/theory/theory.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& spec) {
+    HistogramSubject subject{.title = "Particles by energy",
+                             .quantity = "energy",
+                             .beyond = "higher",
+                             .values = [](const Observation& o) { return o.energy; },
+                             .density = energy_density,
+                             .unit = reduced::energy,
+                             .law = Law::energy};
+    if (cast.equilibrium && cast.equilibrium->alpha < 1.0) subject.probability = energy_probability;
+    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+}
+
+}  // namespace carom

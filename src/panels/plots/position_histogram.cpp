@@ -1,0 +1,23 @@
+// How many particles are where along one axis.
+#include "panels/plots/histogram_panel.h"
+#include "panels/registry.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_position_histogram(const Cast& cast, const PanelSpec& spec) {
+    const Box& box = cast.scene.gas.box;
+    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
+    std::string quantity = "position";
+    if (box.dimension == 2) quantity += axis == 1 ? " along y" : " along x";
+    HistogramSubject subject{
+        .title = "P" + quantity.substr(1),
+        .quantity = quantity,
+        .beyond = "",
+        .values = [axis](const Observation& o) { return o.sample.position.col(axis); },
+        .extent = std::pair{0.0, box.size[axis]},
+        .means = false,
+        .unit = reduced::length};
+    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+}
+
+}  // namespace carom

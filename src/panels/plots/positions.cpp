@@ -1,0 +1,60 @@
+// One particle's position against another's along one axis, with the path so far.
+#include "panels/chosen.h"
+#include "panels/gas/flights.h"
+#include "panels/plots/points_panel.h"
+#include "panels/registry.h"
+
+namespace carom {
+
+namespace {
+
+// The name of the only particle of its kind says more than its number.
+std::string name_on_axis(const Cast& cast, const Chosen& chosen) {
+    const std::string single = single_name(cast, static_cast<Eigen::Index>(*chosen.particle));
+    return escape_markup(single.empty() ? name_of(cast, chosen) : single);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
+    const Box& box = cast.scene.gas.box;
+    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
+    const std::string along = box.dimension == 1 ? "" : axis == 1 ? ", along y" : ", along x";
+    const auto first = static_cast<Eigen::Index>(spec.of.at(0).particle.value());
+    const auto second = static_cast<Eigen::Index>(spec.of.at(1).particle.value());
+    const double length = box.size[axis];
+    PointsSubject subject{
+        .titles =
+            [spec, along](const Theme&) {
+                return std::vector<std::string>{spec.title ? escape_markup(*spec.title)
+                                                           : "Positions of two particles" + along};
+            },
+        .across = name_on_axis(cast, spec.of[0]),
+        .up = name_on_axis(cast, spec.of[1]),
+        .width = {0.0, length},
+        .height = std::pair{0.0, length},
+        .sets = 1,
+        .points =
+            [first, second, axis](const Observation& o, std::size_t) {
+                return std::vector<Point>{
+                    {o.sample.position(first, axis), o.sample.position(second, axis)}};
+            },
+        .color = [](std::size_t, const Theme& theme) { return theme.bar; },
+        .corners =
+            [flights = Flights(box, axis, {first, second})](const Observation& o,
+                                                            std::size_t) mutable {
+                std::vector<Point> points;
+                for (const Flights::Corner& corner : flights.see(o))
+                    points.push_back({corner.place[0], corner.place[1]});
+                return points;
+            },
+        .never_equal = box.dimension == 1 && box.walls[0] == Wall::solid,  // they keep their order
+        .breaks_across = 0.5 * length,
+        .breaks_up = 0.5 * length,
+        .columns = {column_name("position of " + name_of(cast, spec.of[0]), reduced::length),
+                    column_name("position of " + name_of(cast, spec.of[1]), reduced::length)},
+        .names = {"both"}};
+    return std::make_unique<PointsPanel>(std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,126 @@
+// The pressure against time, measured by what the walls receive and by the virial of the
+// collisions: two ways that must agree.
+#include "stats/pressure.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <memory>
+
+#include "panels/plots/series_panel.h"
+#include "panels/registry.h"
+#include "stats/mechanics.h"
+
+namespace carom {
+namespace {
+
+// What has changed hands by a time.
+struct Account {
+    double time = 0.0;
+    Transfers transfers;
+};
+
+Transfers between(const Transfers& from, const Transfers& to) {
+    Transfers change = to;
+    for (std::size_t side = 0; side < change.wall.size(); ++side)
+        change.wall[side] -= from.wall[side];
+    change.virial -= from.virial;
+    return change;
+}
+
+// The pressures over the time that the scene asks for, frame by frame.
+class Gauge {
+  public:
+    Gauge(const Cast& cast, Over over) : cast_(cast), over_(over) {}
+
+    std::vector<double> operator()(const Observation& o) {
+        const Box& box = cast_.scene.gas.box;
+        if (accounts_.empty()) accounts_.push_back({});
+        if (o.tick.time > accounts_.back().time)
+            accounts_.push_back({o.tick.time, o.passage.transfers});
+        drop_old();
+        const Account& from = accounts_.front();
+        const Account& to = accounts_.back();
+        if (!(to.time > from.time)) return {nan_, nan_};
+        const Transfers change = between(from.transfers, to.transfers);
+        const double time = to.time - from.time;
+        const double thermal = thermal_energy(box, cast_.particles, o.sample);
+        const bool pushed = infinite_mass_moves(cast_.particles, o.sample);
+        *of_points_ = pushed ? nan_ : pressure_of_points(box, thermal);
+        const auto virial = virial_pressure(box, cast_.particles, thermal, change, time);
+        return {wall_pressure(box, change, time).value_or(nan_),
+                pushed ? nan_ : virial.value_or(nan_)};
+    }
+
+    // Of a gas of points with the energy of this one; NaN where that is not kept or not known yet.
+    std::shared_ptr<const double> of_points() const { return of_points_; }
+
+  private:
+    // The oldest account kept is the last that is a whole window ago.
+    void drop_old() {
+        if (over_.since == Over::Since::start) {
+            while (accounts_.size() > 2) accounts_.erase(accounts_.begin() + 1);
+            return;
+        }
+        const double since = accounts_.back().time - over_.window;
+        const std::size_t least = over_.since == Over::Since::now ? 2 : 1;
+        while (accounts_.size() > least && accounts_[1].time <= since) accounts_.pop_front();
+        while (over_.since == Over::Since::now && accounts_.size() > 2) accounts_.pop_front();
+    }
+
+    static constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
+    Cast cast_;
+    Over over_;
+    std::deque<Account> accounts_;
+    std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
+};
+
+std::string time_words(const Over& over) {
+    if (over.since == Over::Since::start) return "mean since the start";
+    if (over.since == Over::Since::now) return "from frame to frame";
+    return fmt::format("mean over the last {:g}", over.window);
+}
+
+// On the walls in the bars' colour, by the virial in the one of what should be looked at.
+Color line_color(std::size_t line, const Theme& theme) {
+    return line == 0 ? theme.bar : theme.highlight;
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
+    const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
+    const Box& box = cast.scene.gas.box;
+    const bool walls =
+        box.walls[0] == Wall::solid || (box.dimension == 2 && box.walls[1] == Wall::solid);
+    const Gauge gauge(cast, over);
+    SeriesSubject subject{
+        .measure = gauge,
+        .color = line_color,
+        .title =
+            [spec, walls](const Theme& theme) {
+                if (spec.title) return escape_markup(*spec.title);
+                const auto name = [&](std::size_t line, const std::string& words) {
+                    const Color color = line_color(line, theme);
+                    return line_sample(line, color, theme) + colored(words, color, theme);
+                };
+                const std::string virial = name(1, "from collisions");
+                if (!walls) return "Pressure " + virial;
+                return "Pressure " + name(0, "on the walls") + " and " + virial;
+            },
+        .notes = {time_words(over)},
+        .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
+            if (!std::isfinite(*of_points)) return std::nullopt;
+            return ReferenceLevel{"gas of points", *of_points};
+        },
+        .column =
+            column_name("pressure", box.dimension == 2 ? "mass/time^2" : "mass length/time^2"),
+        .names = {"on the walls", "from collisions"},
+        .compared = 1,
+        .compared_title = spec.title ? escape_markup(*spec.title) : "Pressure from collisions"};
+    return std::make_unique<SeriesPanel>(cast, std::move(subject));
+}
+
+}  // namespace carom

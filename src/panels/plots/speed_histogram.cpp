@@ -1,0 +1,18 @@
+// How many particles have which speed, beside what this finite gas has at equilibrium.
+#include "panels/plots/histogram_panel.h"
+#include "panels/registry.h"
+#include "physics/theory/theory.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& spec) {
+    HistogramSubject subject{.title = "Particles by speed",
+                             .quantity = "speed",
+                             .beyond = "faster",
+                             .values = [](const Observation& o) { return o.speed; },
+                             .density = speed_density,
+                             .law = Law::speed};
+    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,366 @@
+#include "panels/words/monitors_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "panels/registry.h"
+#include "stats/speed_classes.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct MonitorsState : PanelState {
+    double time = 0.0;
+    std::int64_t collisions = 0;
+    std::int64_t with_walls = 0;
+    double mean_speed = 0.0;
+    double mean_energy = 0.0;
+    std::array<double, 3> shares{};
+    std::optional<double> return_distance;
+    double log10_return_distance = 0.0;  // where it is known, also beyond doubles
+    Slowness slow;
+    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
+};
+
+struct Column {
+    const char* label;
+    double width;  // units, at the smallest size of text
+};
+
+// In the order of Monitor.
+constexpr std::array columns{
+    Column{"time", 7.08},         Column{"collisions", 7.788},     Column{"mean speed", 7.788},
+    Column{"mean energy", 8.968}, Column{"slow", 5.664},           Column{"medium", 5.9},
+    Column{"fast", 4.012},        Column{"all collisions", 8.968}, Column{"from way out", 8.968}};
+constexpr double widest_column = 8.968;
+constexpr double widest_number = 6.4;
+constexpr double tightest = 0.85;  // the widths of columns have some air
+constexpr double digits_over_label = 1.53;
+constexpr double digit_height = 1.1;   // of the size of their label
+constexpr double least_gap = 0.8;      // units, between the numbers of columns
+constexpr double above_digits = 0.8;   // of the size of their label
+constexpr double largest_label = 1.6;  // units
+constexpr double title_height = 2.0;   // units
+constexpr double arrow_place = 5.29;   // units, to the middle of the arrow that follows the time
+constexpr double arrow_gap = 0.9;      // units, from the end of a long time to its middle
+constexpr double arrow_size = 0.6;     // units, from its middle to its ends
+
+const Column& column(Monitor number) { return columns.at(static_cast<std::size_t>(number)); }
+
+// As many decimals as show three digits of the largest value, so that only digits change.
+std::string fixed_digits(double value, double largest) {
+    if (!std::isfinite(value)) return "–";
+    if (largest <= 0.0) return "0";
+    const int before = static_cast<int>(std::floor(std::log10(largest))) + 1;
+    if (before < -2 || before > 5) return three_digits(value);
+    const std::string digits =
+        fmt::format("{:.{}f}", std::abs(off_the_tie(value)), std::max(0, 3 - before));
+    return value < 0.0 ? "\u2212" + digits : digits;
+}
+
+std::string counted(std::int64_t count) {
+    return count < 1'000'000 ? grouped(count) : three_digits(static_cast<double>(count));
+}
+
+// Whole per cent, one digit padded by a figure space.
+std::string percent(double share) {
+    const auto whole = std::to_string(std::lround(100.0 * share));
+    std::string padding;
+    for (std::size_t i = whole.size(); i < 2; ++i) padding += "\u2007";
+    return padding + whole + "\u2009%";
+}
+
+// The size of text, in units, with which a label over its number fills a height; labels grow less.
+double size_in(double height) {
+    constexpr double air = 0.95;
+    const double size = (height - air) / (1.0 + above_digits + digit_height);
+    if (size <= largest_label) return size;
+    return (height - air - (1.0 + above_digits) * largest_label) / digit_height;
+}
+
+// A triangle that points along the direction of time; `turn` from 0 (right) to 1 (left).
+void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color color) {
+    std::array<Point, 3> corners;
+    const double angle = turn * std::numbers::pi;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double a = angle + 2.0 * std::numbers::pi * static_cast<double>(i) / 3.0;
+        corners[i] = {center.x + size * std::cos(a), center.y + size * std::sin(a)};
+    }
+    canvas.fill_polygon(corners, color);
+}
+
+}  // namespace
+
+// Where each number stands, and how large: as large as the area allows, in one row or several.
+struct MonitorsPanel::Row {
+    Rect area;
+    std::size_t shown, columns;
+    double spacing, size, height;  // of text and rows as multiples of the smallest
+    double unit;
+    double label_size() const { return std::min(size, largest_label); }
+    double digits() const { return digits_over_label * size; }
+    double label_baseline() const { return label_size() * unit; }
+    double baseline() const {
+        return label_baseline() + (above_digits * label_size() + digit_height * size) * unit;
+    }
+};
+
+// Of the first `count` numbers.
+MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) const {
+    Row best{area, count, count, 0.0, 0.0, 0.0, unit};
+    for (std::size_t rows = 1; rows <= count; ++rows) {
+        const std::size_t columns = (count + rows - 1) / rows;
+        double width = column_width(unit) * static_cast<double>(columns);
+        if (count == 1) width = std::max(widest_number, shows_time() ? widest_time(unit) : 0.0);
+        if (rows == 1 && count > 1) {
+            width = 0.0;
+            for (std::size_t i = 0; i < count; ++i) width += this->width(numbers_[i], unit);
+        }
+        const double across = area.width / unit / width;
+        const double height = area.height / unit / static_cast<double>(rows);
+        const double size = std::min(across, size_in(height));
+        if (rows == 1 || (size > best.size && best.size < 1.0))
+            best = {area, count, columns, across, size, height, unit};
+    }
+    return best;
+}
+
+// As many of the numbers as there is room for, from the first on.
+MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
+    Rect area = page.area;
+    if (title_) {
+        area.y += title_height * page.unit;
+        area.height -= title_height * page.unit;
+    }
+    constexpr double loosest = 1.35;
+    std::size_t count = numbers_.size();
+    while (count > 1 && row_of(area, page.unit, count).spacing < tightest) --count;
+    Row best = row_of(area, page.unit, count);
+    best.size = std::max(1.0, best.size);
+    best.spacing = std::min(best.spacing, loosest * best.size);
+    return best;
+}
+
+// Rows differ by one number at most, and the last are the longer ones: none is left over alone.
+Point MonitorsPanel::place(const Row& row, std::size_t index) const {
+    const std::size_t rows = (row.shown + row.columns - 1) / row.columns;
+    const std::size_t shorter = rows * row.columns - row.shown;
+    const std::size_t in_shorter = shorter * (row.columns - 1);
+    const bool in_short = index < in_shorter;
+    const std::size_t length = in_short ? row.columns - 1 : row.columns;
+    const std::size_t before = in_short ? index : index - in_shorter;
+    const std::size_t line = before / length + (in_short ? 0 : shorter);
+    double x = row.area.x;
+    for (std::size_t i = index - before % length; i < index; ++i)
+        x += (row.columns < row.shown ? column_width(row.unit) : width(numbers_[i], row.unit)) *
+             row.spacing * row.unit;
+    return {x, row.area.y + row.height * row.unit * static_cast<double>(line)};
+}
+
+// In units, at the smallest size of text, with the arrow behind it; 0 if it is no longer than
+// usual.
+double MonitorsPanel::widest_time(double unit) const {
+    MonitorsState last;
+    last.time = cast_.scene.run.until;
+    const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
+    const double width = measure_text(text(last, Monitor::time), style).width / unit;
+    if (width < arrow_place - arrow_size) return 0.0;
+    return width + (leg_count(cast_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
+}
+
+// In units, at the smallest size of text: numbers that need a power of ten need more than usual.
+double MonitorsPanel::width(Monitor number, double unit) const {
+    if (number == Monitor::time)
+        return std::max(column(number).width, (widest_time(unit) + least_gap) / tightest);
+    if (number != Monitor::mean_speed && number != Monitor::mean_energy &&
+        number != Monitor::return_distance)
+        return column(number).width;
+    MonitorsState least, most;
+    most.return_distance = 8.88e-16;
+    most.log10_return_distance = std::log10(8.88e-16);
+    least.mean_speed = smallest_speed_;
+    least.mean_energy = smallest_energy_;
+    most.mean_speed = largest_speed_;
+    most.mean_energy = largest_energy_;
+    TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
+    double widest = 0.0;
+    for (const MonitorsState* state : {&least, &most})
+        widest = std::max(widest, measure_text(text(*state, number), style).width / unit);
+    return std::max(column(number).width, (widest + least_gap) / tightest);
+}
+
+// Of all columns where there are several rows.
+double MonitorsPanel::column_width(double unit) const {
+    return std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
+}
+
+MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
+                             std::optional<std::string> title)
+    : cast_(cast), numbers_(std::move(numbers)), title_(std::move(title)) {
+    if (numbers_.empty())
+        numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
+                    Monitor::slow, Monitor::medium,     Monitor::fast};
+    if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
+        way_home_.emplace(cast);
+}
+
+void MonitorsPanel::survey(const Observation& observation) {
+    if (way_home_) way_home_->survey(observation);
+    largest_speed_ = std::max(largest_speed_, observation.speed.mean());
+    largest_energy_ = std::max(largest_energy_, observation.energy.mean());
+    smallest_speed_ = std::min(smallest_speed_, observation.speed.mean());
+    smallest_energy_ = std::min(smallest_energy_, observation.energy.mean());
+}
+
+void MonitorsPanel::settle() {
+    if (way_home_) way_home_->settle();
+}
+
+std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
+    auto state = std::make_shared<MonitorsState>();
+    state->time = folded_time(cast_.scene.run, observation.tick.time);
+    state->collisions = observation.passage.counts.particle;
+    state->with_walls = observation.passage.counts.wall;
+    state->mean_speed = observation.speed.mean();
+    state->mean_energy = observation.energy.mean();
+    state->shares = class_shares(observation.speed, state->mean_speed);
+    if (way_home_)
+        if (const auto apart = way_home_->at(observation.tick.frame)) {
+            state->return_distance = apart->largest;
+            state->log10_return_distance = apart->log10_largest;
+        }
+    state->slow = observation.tick.slow;
+    const bool turning = observation.tick.phase == Phase::reversing;
+    const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
+    const double turned = turning ? observation.tick.progress : 0.0;
+    state->arrow = before + turned * turned * (3.0 - 2.0 * turned);
+    return state;
+}
+
+void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
+    if (title_) draw_panel_title(canvas, page, escape_markup(*title_));
+    const Row rows = row(page);
+    TextStyle style = label_style(page);
+    style.size = 1.035 * rows.label_size() * page.unit;
+    for (std::size_t i = 0; i < rows.shown; ++i) {
+        const Point at = place(rows, i);
+        draw_text(canvas, {at.x, at.y + rows.label_baseline()}, column(numbers_[i]).label, style);
+    }
+}
+
+std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    switch (number) {
+        case Monitor::time:
+            return fixed_digits(now.time, cast_.scene.run.until);
+        case Monitor::collisions:
+            return counted(now.collisions);
+        case Monitor::mean_speed:
+            return fixed_digits(now.mean_speed, largest_speed_);
+        case Monitor::mean_energy:
+            return fixed_digits(now.mean_energy, largest_energy_);
+        case Monitor::slow:
+            return percent(now.shares[0]);
+        case Monitor::medium:
+            return percent(now.shares[1]);
+        case Monitor::fast:
+            return percent(now.shares[2]);
+        case Monitor::all_collisions:
+            return counted(now.collisions + now.with_walls);
+        case Monitor::return_distance:
+            return now.return_distance ? three_digits_of_power(now.log10_return_distance) : "–";
+    }
+    return "";
+}
+
+std::optional<double> MonitorsPanel::enough_height() const {
+    constexpr double enough = 8.2;
+    if (numbers_.size() > 1) return {};
+    return enough + (title_ ? title_height : 0.0);
+}
+
+bool MonitorsPanel::shows_time() const {
+    return std::ranges::find(numbers_, Monitor::time) != numbers_.end();
+}
+
+// Beside the word "time".
+void MonitorsPanel::draw_slowness(Canvas& canvas, const Page& page, const Row& rows,
+                                  const PanelState& state) const {
+    const Slowness& slow = static_cast<const MonitorsState&>(state).slow;
+    if (slow.share <= 0.0) return;
+    const auto index =
+        static_cast<std::size_t>(std::ranges::find(numbers_, Monitor::time) - numbers_.begin());
+    const Point at = place(rows, index);
+    TextStyle style = label_style(page);
+    style.size = 1.035 * rows.label_size() * page.unit;
+    const double right = measure_text(column(Monitor::time).label, style).width;
+    style.weight = 600;
+    style.color = with_alpha(page.theme.highlight, slow.share);
+    draw_text(canvas, {at.x + right + 0.5 * style.size, at.y + rows.label_baseline()},
+              slow_words(slow), style);
+}
+
+void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+    const Row rows = row(page);
+    TextStyle style = title_style(page);
+    style.size = rows.digits() * page.unit;
+    for (std::size_t i = 0; i < rows.shown; ++i) {
+        const Point at = place(rows, i);
+        const double baseline = at.y + rows.baseline();
+        draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);
+        if (numbers_[i] != Monitor::time) continue;
+        draw_slowness(canvas, page, rows, state);
+        if (leg_count(cast_.scene.run) == 1) continue;
+        const double size = rows.size * page.unit;
+        const double x = std::max(arrow_place * rows.spacing,
+                                  (widest_time(page.unit) - arrow_size) * rows.size) *
+                         page.unit;
+        draw_arrow(canvas, {at.x + x, baseline - 0.55 * size}, 0.6 * size,
+                   static_cast<const MonitorsState&>(state).arrow, page.theme.accent);
+    }
+}
+
+Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    const auto number = [&](Monitor which) -> std::pair<Cell, const char*> {
+        switch (which) {
+            case Monitor::time:
+                return {now.time, reduced::time};
+            case Monitor::collisions:
+                return {now.collisions, "count"};
+            case Monitor::mean_speed:
+                return {now.mean_speed, reduced::speed};
+            case Monitor::mean_energy:
+                return {now.mean_energy, reduced::energy};
+            case Monitor::slow:
+                return {100.0 * now.shares[0], "per cent"};
+            case Monitor::medium:
+                return {100.0 * now.shares[1], "per cent"};
+            case Monitor::fast:
+                return {100.0 * now.shares[2], "per cent"};
+            case Monitor::all_collisions:
+                return {now.collisions + now.with_walls, "count"};
+            case Monitor::return_distance:
+                if (!now.return_distance) return {{}, reduced::length};
+                return {*now.return_distance, reduced::length};
+        }
+        return {};
+    };
+    Table table{{"part", "of", "value", "unit"}};
+    for (const Monitor which : numbers_) {
+        const auto [value, its_unit] = number(which);
+        table.rows.push_back({"number", column(which).label, value, its_unit});
+    }
+    return table;
+}
+
+std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec) {
+    return std::make_unique<MonitorsPanel>(cast, spec.numbers, spec.title);
+}
+
+}  // namespace carom

@@ -1,0 +1,140 @@
+#include "panels/words/text_panel.h"
+
+#include <algorithm>
+#include <array>
+
+#include "panels/layout.h"
+#include "panels/registry.h"
+
+namespace carom {
+namespace {
+
+constexpr std::array steps{2.0, 1.7, 1.45, 1.2, 1.0};  // units
+constexpr double line_height = 1.4, paragraph_gap = 0.5;
+constexpr double title_height = 2.4;  // units
+constexpr std::size_t most_lines = 1000;
+
+TextStyle style_of(double size) {
+    return {.size = size, .weight = 400, .color = {}, .tabular = false};
+}
+
+std::vector<std::string> paragraphs(const std::string& words) {
+    std::vector<std::string> found;
+    std::size_t begin = 0;
+    while (begin <= words.size()) {
+        const std::size_t end = std::min(words.find('\n', begin), words.size());
+        found.push_back(words.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return found;
+}
+
+SetWords set_at(const std::string& words, double width, double size) {
+    SetWords set{{}, size};
+    TextStyle style = style_of(size);
+    style.max_width = width;
+    for (const std::string& paragraph : paragraphs(words)) {
+        if (paragraph.empty()) set.lines.emplace_back();
+        for (std::string& line : wrapped(paragraph, style, most_lines))
+            set.lines.push_back(std::move(line));
+    }
+    return set;
+}
+
+bool fits(const SetWords& set, double width, double height) {
+    return height_of(set) <= height && std::ranges::all_of(set.lines, [&](const std::string& line) {
+               return measure_text(escape_markup(line), style_of(set.size)).width <= width;
+           });
+}
+
+// Whether a line ends where the words have no space.
+bool breaks_a_word(const std::string& words, const SetWords& set) {
+    std::size_t at = 0;
+    for (const std::string& line : set.lines) {
+        at += line.size();
+        if (at < words.size() && words[at] != ' ' && words[at] != '\n') return true;
+        while (at < words.size() && words[at] == ' ') ++at;
+        if (at < words.size() && words[at] == '\n') ++at;
+    }
+    return false;
+}
+
+Rect below_title(const Rect& area, double unit, bool has_title) {
+    const double taken = has_title ? title_height * unit : 0.0;
+    return {area.x, area.y + taken, area.width, area.height - taken};
+}
+
+class TextPanel : public Panel {
+  public:
+    explicit TextPanel(const PanelSpec& spec) : spec_(spec) {}
+
+    std::shared_ptr<const PanelState> state(const Observation&) override {
+        return std::make_shared<PanelState>();
+    }
+
+    void draw_ground(Canvas& canvas, const Page& page) const override {
+        if (spec_.title) draw_panel_title(canvas, page, escape_markup(*spec_.title));
+        const Rect area = below_title(page.area, page.unit, spec_.title.has_value());
+        const auto set = set_words(spec_.words, area.width, area.height, page.unit);
+        if (!set) return;  // refuse_long_words() has seen to it
+        TextStyle style = style_of(set->size);
+        style.color = page.theme.ink;
+        double baseline = area.y + set->size;
+        for (const std::string& line : set->lines) {
+            draw_text(canvas, {area.x, baseline}, escape_markup(line), style);
+            baseline += (line.empty() ? paragraph_gap : line_height) * set->size;
+        }
+    }
+
+    void draw(Canvas&, const Page&, const PanelState&) const override {}
+    Table table(const PanelState&, const Theme&) const override { return {}; }
+
+  private:
+    PanelSpec spec_;
+};
+
+}  // namespace
+
+double height_of(const SetWords& set) {
+    double height = 0.0;
+    for (const std::string& line : set.lines)
+        height += (line.empty() ? paragraph_gap : line_height) * set.size;
+    return height;
+}
+
+// Smaller rather than with a word broken; but some scripts have no spaces between words.
+std::optional<SetWords> set_words(const std::string& words, double width, double height,
+                                  double unit) {
+    for (const bool whole : {true, false})
+        for (const double step : steps) {
+            SetWords set = set_at(words, width, step * unit);
+            if (whole && breaks_a_word(words, set)) continue;
+            if (fits(set, width, height)) return set;
+        }
+    return std::nullopt;
+}
+
+void refuse_long_words(const Scene& scene) {
+    const Grid grid(scene.film.layout, scene.film.size);
+    const std::vector<Slot> slots =
+        shared_slots(scene.film.layout.panels, scene.film.panels.size());
+    std::vector<Diagnostic> errors;
+    for (std::size_t i = 0; i < std::min(slots.size(), scene.film.panels.size()); ++i) {
+        const PanelSpec& spec = scene.film.panels[i];
+        if (spec.kind != "text") continue;
+        const Rect area = below_title(grid.place(slots[i]), grid.unit(), spec.title.has_value());
+        if (set_words(spec.words, area.width, area.height, grid.unit())) continue;
+        errors.push_back(spec.place);
+        errors.back().message = "these `words` do not fit into the panel's place at any size";
+        errors.back().hint =
+            "write fewer or shorter words, show fewer panels, or take a template with larger "
+            "places";
+    }
+    if (!errors.empty()) throw SceneError(std::move(errors));
+}
+
+std::unique_ptr<Panel> make_text(const Cast&, const PanelSpec& spec) {
+    return std::make_unique<TextPanel>(spec);
+}
+
+}  // namespace carom

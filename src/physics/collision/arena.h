@@ -1,0 +1,90 @@
+// The words in which the two spaces, the plane of disks (plane.h) and the wire of beads (wire.h),
+// talk with the event loop (event_loop.h), which is one source for both.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "physics/collision/pair_collision.h"
+#include "physics/gas.h"
+#include "physics/particles.h"
+
+namespace carom {
+
+/// How a run calculates: with doubles, or with numbers of more bits (multiprecision.h).
+struct Arithmetic {
+    int bits = 53;
+    bool screened = true;  ///< of many bits: doubles sort out what certainly does not happen; the
+                           ///< events are the same without
+};
+
+/// How two particles met.
+template <int Dimension>
+struct Contact {
+    std::array<double, Dimension> separation;  ///< from the first to the second (in a periodic box
+                                               ///< to its image that touches the first)
+    double virial = 0.0;                       ///< separation . momentum received by the second
+    double overlap = 0.0;                      ///< depth, in units of the contact distance
+};
+
+/// What will happen to a particle: the earlier of a contact with another and of reaching a border.
+struct Prospect {
+    double contact_time = never<double>;  ///< local; of the contact foreseen, which may come after
+                                          ///< the border
+    std::int32_t partner = 0;             ///< in that contact
+    std::uint32_t partner_collisions : 29 = 0;
+    std::uint32_t border : 3 = 0;
+};
+
+/// The same, and when. Of many bits: exact_queue.h.
+struct Event : Prospect {
+    double time = never<double>;  ///< local
+
+    bool is_contact() const { return contact_time <= time; }
+};
+
+/// Borders of an event: the sides of the box are 0 to 3 (left, right, bottom, top), those of a
+/// cell, or of a periodic box, 4 to 7.
+inline constexpr unsigned first_cell_side = 4;
+
+/// Collision counts are compared modulo 2^29: an event has that many bits for them.
+inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
+
+/// What a particle is, apart from where it is.
+struct Properties {
+    double radius;
+    double inverse_mass;  ///< 0 for an infinite mass
+};
+
+/// Bodies that know what they are.
+template <typename Bodies>
+Bodies with_properties(const Particles& particles) {
+    Bodies bodies(static_cast<std::size_t>(particles.count()));
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
+        bodies[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
+    }
+    return bodies;
+}
+
+/// Moves a body on to a time.
+template <typename Body, typename Scalar>
+inline void fly(Body& b, const Scalar& now) {
+    for (std::size_t a = 0; a < b.x.size(); ++a) b.x[a] += b.v[a] * (now - b.time);
+    b.time = now;
+}
+
+/// To be called when a body has been moved or its velocity changed, for those who keep something
+/// that depends on it.
+template <typename Body>
+void body_has_changed(Body&) {}
+
+/// A periodic coordinate, brought into [0, length).
+inline double wrapped(double x, double length) {
+    const double inside = x - length * std::floor(x / length);
+    return inside < length ? inside : 0.0;
+}
+
+}  // namespace carom

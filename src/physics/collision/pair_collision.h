@@ -1,0 +1,168 @@
+// The arithmetic of contact: when two disks meet, when a disk meets a wall, and what velocities a
+// collision leaves. Free functions on numbers, for any scalar with sqrt, abs and a correctly
+// rounded fma. Knows no particles, no box and no clock: times are counted from the present.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "physics/collision/lanes.h"
+
+namespace carom {
+
+/// Position and velocity of the second disk as seen from the first (second minus first).
+template <typename Scalar>
+struct RelativeMotion {
+    Scalar x, y, vx, vy;
+};
+
+/// A number of which the standard library knows the limits, unlike several lanes.
+template <typename T>
+concept HasLimits = std::numeric_limits<T>::is_specialized;
+
+/// The time of what never happens; never<double> also for lanes.
+template <HasLimits Scalar>
+inline constexpr Scalar never = std::numeric_limits<Scalar>::infinity();
+
+/// The distance from 1 to the next number, of a number or of each of several lanes.
+template <HasLimits Scalar>
+constexpr Scalar epsilon_of() {
+    return std::numeric_limits<Scalar>::epsilon();
+}
+template <SomeLanes Lanes>
+constexpr double epsilon_of() {
+    return std::numeric_limits<double>::epsilon();
+}
+
+/// a b - c d to within 1.5 ulp (Kahan; proof: Jeannerod, Louvet and Muller 2013).
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar difference_of_products(const Scalar& a, const Scalar& b,
+                                                            const Scalar& c, const Scalar& d) {
+    using carom::fma;
+    using std::fma;
+    const Scalar cd = c * d;
+    const Scalar error = fma(-c, d, cd);
+    return fma(a, b, -cd) + error;
+}
+
+/// |r|^2 - sigma^2 without the cancellation of the rounded squares: each square is carried as its
+/// rounded value and its exact rounding error (two-product by fma).
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar contact_gap(const RelativeMotion<Scalar>& m,
+                                                 const Scalar& sigma) {
+    using carom::fma;
+    using std::fma;
+    const Scalar xx = m.x * m.x;
+    const Scalar yy = m.y * m.y;
+    const Scalar ss = sigma * sigma;
+    const Scalar sum = xx + yy;
+    const Scalar yy_rounded = sum - xx;
+    const Scalar sum_error = (xx - (sum - yy_rounded)) + (yy - yy_rounded);
+    const Scalar errors = fma(m.x, m.x, -xx) + fma(m.y, m.y, -yy) - fma(sigma, sigma, -ss);
+    return (sum - ss) + (sum_error + errors);
+}
+
+/// Bound on the rounding error of r . (v2 - v1), 4 epsilon sum |r_a| (|v1_a| + |v2_a|): an approach
+/// slower than that cannot be told from none, and its impulse may round to nothing for ever.
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar approach_round_off(const RelativeMotion<Scalar>& m,
+                                                        const Scalar& first_vx,
+                                                        const Scalar& first_vy,
+                                                        const Scalar& second_vx,
+                                                        const Scalar& second_vy) {
+    using carom::abs;
+    using std::abs;
+    return 4 * epsilon_of<Scalar>() *
+           (abs(m.x) * (abs(first_vx) + abs(second_vx)) +
+            abs(m.y) * (abs(first_vy) + abs(second_vy)));
+}
+
+/// A quick look at a pair: plain arithmetic without roots, divisions or branches. The disks
+/// certainly do not touch unless approach > 0 and slack >= 0: they recede, or pass wide even when
+/// one is a little larger, by a margin far above the rounding errors for pairs less than 1e10
+/// diameters apart.
+template <typename Scalar>
+struct QuickLook {
+    Scalar approach;  ///< -r . v
+    Scalar slack;     ///< sigma^2 v^2 - |r x v|^2 and a margin
+};
+template <typename Scalar>
+[[gnu::always_inline]] inline QuickLook<Scalar> quick_look(const RelativeMotion<Scalar>& m,
+                                                           const Scalar& sigma) {
+    const Scalar miss = m.x * m.vy - m.y * m.vx;
+    return {-(m.x * m.vx + m.y * m.vy),
+            1.0001 * (sigma * sigma * (m.vx * m.vx + m.vy * m.vy)) - miss * miss};
+}
+
+/// Whether disks that approach, by `approach` = -r . v > 0, might touch within `time`; for several
+/// lanes a mask. Until they touch, at t, their gap c = |r|^2 - sigma^2 goes by 2 approach t - v^2
+/// t^2, which is less than its first term: so no root or division is needed. The margins are far
+/// above the rounding errors for pairs less than 1e10 diameters apart.
+template <typename Scalar>
+[[gnu::always_inline]] inline auto might_touch_within(const RelativeMotion<Scalar>& m,
+                                                      const Scalar& sigma, const Scalar& approach,
+                                                      const Scalar& time) {
+    const Scalar gap = (m.x * m.x + m.y * m.y) - 1.0001 * (sigma * sigma);
+    return gap <= 2.0001 * (approach * time);
+}
+
+/// Time until two approaching disks with sum of radii `sigma` touch: 0 when they overlap, `never`
+/// when they miss each other. t = c / (-b + sqrt(disc)) with b = r . v < 0 and c = |r|^2 - sigma^2.
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar time_of_contact(const RelativeMotion<Scalar>& m,
+                                                     const Scalar& sigma) {
+    using carom::abs;
+    using carom::sqrt;
+    using std::abs;
+    using std::sqrt;
+    const Scalar gap = contact_gap(m, sigma);
+    if (!(gap > 0)) return Scalar(0);
+    const Scalar miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
+    const Scalar reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
+    if (!(miss < reach)) return never<Scalar>;
+    const Scalar root = sqrt((reach - miss) * (reach + miss));
+    return gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
+}
+
+/// Time until two disks touch: as time_of_contact(), and `never` when they recede or approach by no
+/// more than `round_off` in r . v.
+template <typename Scalar>
+[[gnu::always_inline]] inline Scalar contact_time(const RelativeMotion<Scalar>& m,
+                                                  const Scalar& sigma, const Scalar& round_off) {
+    return m.x * m.vx + m.y * m.vy < -round_off ? time_of_contact(m, sigma) : never<Scalar>;
+}
+
+/// contact_time() of several pairs at once, with the same bits: everything is worked out, and what
+/// does not count is put aside.
+template <SomeLanes Lanes>
+[[gnu::always_inline]] inline Lanes contact_times(const RelativeMotion<Lanes>& m,
+                                                  const Lanes& sigma, const Lanes& round_off) {
+    const Lanes none = Lanes{} + never<double>;
+    const Lanes gap = contact_gap(m, sigma);
+    const Lanes miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
+    const Lanes reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
+    const Lanes root = sqrt((reach - miss) * (reach + miss));
+    const Lanes time = gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
+    const Lanes meeting = select(gap > 0.0, select(miss < reach, time, none), Lanes{});
+    return select(m.x * m.vx + m.y * m.vy < -round_off, meeting, none);
+}
+
+/// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2
+/// at separation r: v1 += w1 J r, v2 -= w2 J r. At least one inverse mass is positive.
+template <typename Scalar>
+Scalar impulse_factor(const RelativeMotion<Scalar>& m, const Scalar& first_inverse_mass,
+                      const Scalar& second_inverse_mass) {
+    return 2 * (m.x * m.vx + m.y * m.vy) /
+           ((m.x * m.x + m.y * m.y) * (first_inverse_mass + second_inverse_mass));
+}
+
+/// Time until a coordinate at x with velocity v reaches `low` (v < 0) or `high` (v > 0): 0 when it
+/// is already beyond, `never` at rest.
+template <typename Scalar>
+Scalar wall_time(const Scalar& x, const Scalar& v, const Scalar& low, const Scalar& high) {
+    if (v == 0) return Scalar(never<double>);
+    const Scalar time = ((v < 0 ? low : high) - x) / v;
+    return time > 0 ? time : Scalar(0);
+}
+
+}  // namespace carom

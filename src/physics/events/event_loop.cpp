@@ -1,0 +1,440 @@
+#include "physics/events/event_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <utility>
+
+#include "physics/multiprecision/disk_overlap.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+// A lap is some eight events of each disk; it takes a few for neighbours to part.
+constexpr int laps_between_sorts = 2;
+
+template <typename Scalar, std::size_t Dimension>
+Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
+    if constexpr (Dimension == 1)
+        return {static_cast<double>(x[0]), 0.0};
+    else
+        return {static_cast<double>(x[0]), static_cast<double>(x[1])};
+}
+
+template <typename Scalar, std::size_t Dimension>
+std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x) {
+    std::array<double, Dimension> values;
+    for (std::size_t a = 0; a < Dimension; ++a) values[a] = static_cast<double>(x[a]);
+    return values;
+}
+
+}  // namespace
+
+template <int Dimension, typename Scalar>
+EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particles,
+                                        const Arithmetic& arithmetic)
+    : box_(box),
+      bodies_(Space::bodies_of(particles)),
+      space_(box, particles, arithmetic),
+      queue_(static_cast<std::int32_t>(particles.count())),
+      bits_(arithmetic.bits) {
+    if constexpr (!of_doubles) clock_ = WholeClock(arithmetic.bits);
+    number_.reserve(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        number_.push_back(static_cast<std::int32_t>(i));
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::forget() {
+    counts_ = {};
+    transfers_ = {};
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::start(const Sample& state) {
+    if constexpr (of_doubles) {
+        clock_ = LocalClock(state.time);
+        now_ = 0.0;
+    } else {
+        now_ = with_bits(state.time);
+    }
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        Body& b = bodies_[k];
+        b.time = now_;
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            const auto axis = static_cast<Eigen::Index>(a);
+            const double x = state.position(number_[k], axis);
+            b.x[a] = with_bits(box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x);
+            b.v[a] = with_bits(state.velocity(number_[k], axis));
+        }
+        body_has_changed(b);
+    }
+    put_in_order();
+    space_.enter(bodies_);
+    foresee_all();
+}
+
+// With doubles a body knows what will happen to it and the queue when; else the queue knows both.
+template <int Dimension, typename Scalar>
+auto EventLoop<Dimension, Scalar>::event_of(std::int32_t i) const
+    -> std::conditional_t<of_doubles, Event, const Event&> {
+    if constexpr (of_doubles)
+        return {bodies_[static_cast<std::size_t>(i)].prospect, queue_.time(i)};
+    else
+        return queue_.event(i);
+}
+
+template <int Dimension, typename Scalar>
+auto EventLoop<Dimension, Scalar>::foresee(std::int32_t i) {
+    if constexpr (std::is_same_v<Space, FinePlane>)
+        return space_.foresee(bodies_, i, now_, queue_);
+    else
+        return space_.foresee(bodies_, i, now_);
+}
+
+// Tells where each body was before.
+template <int Dimension, typename Scalar>
+std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
+    laps_since_sorted_ = 0;
+    std::vector<std::int32_t> order = space_.order(bodies_);
+    typename Space::Bodies bodies(bodies_.size());
+    std::vector<std::int32_t> number(number_.size());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        bodies[k] = body(order[k]);
+        number[k] = number_of(order[k]);
+    }
+    bodies_.swap(bodies);
+    number_.swap(number);
+    return order;
+}
+
+// The same at any time, with the events already foreseen.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::sort_again() {
+    if constexpr (Dimension == 2 && of_doubles) {
+        const std::vector<std::int32_t> before = put_in_order();
+        queue_.renumber(before);
+        space_.renumber(bodies_, before);
+        last_pair_[0] = last_pair_[1] = -1;  // it collided in the lap before
+    }
+}
+
+// All bodies are at the present.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::foresee_all() {
+    last_collision_ = -1.0;
+    at_one_instant_ = 0;
+    for (Body& b : bodies_) b.collisions = 0;
+    const auto count = static_cast<std::int32_t>(bodies_.size());
+    if constexpr (of_doubles) {
+        for (Body& b : bodies_) b.prospect = {};
+        std::vector<Prospect> prospects;
+        std::vector<double> times;
+        for (std::int32_t i = 0; i < count; ++i) {
+            times.push_back(foresee(i));
+            prospects.push_back(std::exchange(body(i).prospect, {}));
+        }
+        for (std::int32_t i = 0; i < count; ++i)
+            body(i).prospect = prospects[static_cast<std::size_t>(i)];
+        queue_.reset(times);
+    } else {
+        std::vector<Event> events(bodies_.size());
+        queue_.reset(events);
+        for (std::int32_t i = 0; i < count; ++i) events[static_cast<std::size_t>(i)] = foresee(i);
+        queue_.reset(events);
+    }
+}
+
+// All bodies fly to a local time, which becomes the epoch.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
+    now_ = local_time;
+    for (Body& b : bodies_) fly(b, now_);
+    now_ = clock_.move_epoch_to(now_);
+    for (Body& b : bodies_) {
+        b.time = now_;
+        body_has_changed(b);
+    }
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::reverse(double time) {
+    move_epoch_to(clock_.local(time));
+    for (Body& b : bodies_) {
+        for (Scalar& v : b.v) v = -v;
+        body_has_changed(b);
+    }
+    foresee_all();
+}
+
+template <int Dimension, typename Scalar>
+std::optional<std::int32_t> EventLoop<Dimension, Scalar>::displace(
+    std::int64_t particle, const std::array<std::string, 2>& by, double time) {
+    move_epoch_to(clock_.local(time));
+    const auto moved = static_cast<std::size_t>(
+        std::find(number_.begin(), number_.end(), static_cast<std::int32_t>(particle)) -
+        number_.begin());
+    Body& b = bodies_.at(moved);
+    for (std::size_t a = 0; a < Dimension; ++a) {
+        if constexpr (of_doubles)
+            b.x[a] += std::strtod(by[a].c_str(), nullptr);
+        else
+            b.x[a] += Real::from_text(by[a], bits_);
+    }
+    const auto obstacle = overlapped(moved);
+    if constexpr (Dimension == 2) {
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            const double size = box_.size[static_cast<Eigen::Index>(a)];
+            if (box_.walls[a] == Wall::solid) continue;
+            if (b.x[a] < 0.0) b.x[a] += size;
+            if (b.x[a] >= size) b.x[a] -= size;
+        }
+        for (Body& one : bodies_) body_has_changed(one);
+        space_.enter(bodies_);
+    }
+    foresee_all();
+    return obstacle;
+}
+
+// Contact is no overlap, and with doubles a little more is not either: it comes of round-off.
+template <int Dimension, typename Scalar>
+std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
+    const double slack = of_doubles ? 1e-12 : 0.0;
+    const Body& b = bodies_[moved];
+    const double radius = space_.properties(bodies_, moved).radius;
+    for (std::size_t a = 0; a < Dimension; ++a) {
+        if (box_.walls[a] == Wall::periodic) continue;
+        const double size = box_.size[static_cast<Eigen::Index>(a)];
+        const auto low = static_cast<std::int32_t>(2 * a);
+        if (b.x[a] < radius - slack * size) return -1 - low;
+        if (b.x[a] > size - radius + slack * size) return -2 - low;
+    }
+    if constexpr (Dimension == 1) {
+        const auto k = space_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
+        return k ? std::optional(number_of(*k)) : std::nullopt;
+    } else {
+        const auto k = disk_overlapped(space_, bodies_, moved, box_, slack);
+        return k ? std::optional(number_[*k]) : std::nullopt;
+    }
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* record,
+                                           const TimeTold& told) {
+    constexpr int events_between_looks = 4096;
+    int until_look = events_between_looks;
+    Collision collision;
+    while (true) {
+        const std::int32_t i = next_particle();
+        if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
+        if constexpr (Dimension == 2 && of_doubles) fetch_ahead_.step(bodies_, space_, queue_);
+        if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
+        if (--until_look == 0) {
+            throw_if_interrupted();
+            if (told) told(clock_.absolute(now_));
+            until_look = events_between_looks;
+        }
+    }
+}
+
+template <int Dimension, typename Scalar>
+bool EventLoop<Dimension, Scalar>::advance_one(double time, Collision& collision) {
+    while (true) {
+        const std::int32_t i = next_particle();
+        if (i < 0 || !(queue_.time(i) <= clock_.local(time))) return false;
+        if (process(i, &collision)) return true;
+    }
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
+    const auto count = static_cast<Eigen::Index>(bodies_.size());
+    state.time = time;
+    state.position.resize(count, Dimension);
+    state.velocity.resize(count, Dimension);
+    const Scalar local = clock_.local(time);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const Body& b = bodies_[k];
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            const auto axis = static_cast<Eigen::Index>(a);
+            const auto x = static_cast<double>(place(b, a, local));
+            state.position(number_[k], axis) =
+                box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x;
+            state.velocity(number_[k], axis) = static_cast<double>(b.v[a]);
+        }
+    }
+}
+
+template <int Dimension, typename Scalar>
+std::vector<Scalar> EventLoop<Dimension, Scalar>::places(double time) const {
+    std::vector<Scalar> all(bodies_.size() * Dimension);
+    const Scalar local = clock_.local(time);
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+        for (std::size_t a = 0; a < Dimension; ++a)
+            all[static_cast<std::size_t>(number_[k]) * Dimension + a] = place(bodies_[k], a, local);
+    return all;
+}
+
+template <int Dimension, typename Scalar>
+Scalar EventLoop<Dimension, Scalar>::place(const Body& b, std::size_t axis,
+                                           const Scalar& local_time) const {
+    return b.x[axis] + b.v[axis] * (local_time - b.time);
+}
+
+// The particle with the earliest event, -1 when nothing will ever happen. Between laps all times
+// are counted from a new epoch, so that they stay small (a whole number of laps: exact).
+template <int Dimension, typename Scalar>
+std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
+    if constexpr (!of_doubles) return queue_.earliest();
+    while (true) {
+        const std::int32_t i = queue_.earliest();
+        if (i >= 0) return i;
+        if constexpr (of_doubles) {
+            const double shift = queue_.next_lap();
+            if (!std::isfinite(shift)) return -1;
+            queue_.begin_lap(shift);
+            clock_.advance(shift);
+            now_ -= shift;
+            last_collision_ -= shift;
+            for (Body& b : bodies_) {
+                b.time -= shift;
+                b.prospect.contact_time -= shift;
+            }
+            if (!Space::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
+                continue;
+            sort_again();
+        }
+    }
+}
+
+// True if it was a collision, which is then told unless `collision` is null.
+template <int Dimension, typename Scalar>
+bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
+    const auto& event = event_of(i);
+    if (static_cast<double>(event.time) > static_cast<double>(now_))
+        at_one_instant_ = 0;
+    else
+        refuse_to_stall();
+    now_ = event.time;
+    if (event.is_contact()) {
+        const std::int32_t j = event.partner;
+        const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
+                         collide(i, j, collision);
+        if constexpr (Dimension == 2 && of_doubles) {
+            std::array<double, 2> when;
+            if (met && space_.foresee_both(bodies_, i, j, now_, when)) {
+                queue_.schedule(i, when[0]);
+                queue_.schedule(j, when[1]);
+                return true;
+            }
+        }
+        queue_.schedule(i, foresee(i));
+        if (met) queue_.schedule(j, foresee(j));
+        return met;
+    }
+    if (event.border < first_cell_side) {
+        bounce(i, static_cast<int>(event.border), collision);
+        queue_.schedule(i, foresee(i));
+        return true;
+    }
+    const int side = static_cast<int>(event.border - first_cell_side);
+    space_.cross(bodies_, i, side, now_);
+    if constexpr (std::is_same_v<Space, FinePlane>)
+        queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, event, now_, queue_));
+    else
+        queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, now_));
+    return false;
+}
+
+// Touching starts take some events at time 0, but far fewer than this. An instant is a double's:
+// with many bits the events of disks that are crushed could go on ever faster for ages.
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::refuse_to_stall() {
+    const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
+    if (++at_one_instant_ <= bound) return;
+    throw std::runtime_error(
+        fmt::format("{} collide without end at t = {:g}: they fill the box along a line, or are "
+                    "crushed between infinite or far heavier masses",
+                    Dimension == 1 ? "beads" : "disks", clock_.absolute(now_)));
+}
+
+template <int Dimension, typename Scalar>
+bool EventLoop<Dimension, Scalar>::collide(std::int32_t first, std::int32_t second,
+                                           Collision* collision) {
+    Body& a = body(first);
+    Body& b = body(second);
+    fly(a, now_);
+    fly(b, now_);
+    Contact<Dimension> contact;
+    const auto first_before = in_doubles(a.v), second_before = in_doubles(b.v);
+    if (!space_.collide(bodies_, first, second, contact)) return false;
+    ++a.collisions;
+    ++b.collisions;
+    ++counts_.particle;
+    transfers_.virial += contact.virial;
+    transfers_.largest_overlap = std::max(transfers_.largest_overlap, contact.overlap);
+    count_tie(first, second);
+    if (collision) {
+        const Eigen::Array2d position = in_plane(a.x);
+        *collision = {clock_.absolute(now_),
+                      number_of(first),
+                      number_of(second),
+                      position,
+                      position + in_plane(contact.separation),
+                      in_plane(first_before),
+                      in_plane(second_before),
+                      in_plane(a.v),
+                      in_plane(b.v)};
+    }
+    return true;
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::count_tie(std::int32_t first, std::int32_t second) {
+    const auto was_in_last = [this](std::int32_t i) {
+        return i == last_pair_[0] || i == last_pair_[1];
+    };
+    if (now_ == last_collision_ && (was_in_last(first) || was_in_last(second))) ++counts_.ties;
+    last_collision_ = now_;
+    last_pair_[0] = first;
+    last_pair_[1] = second;
+}
+
+template <int Dimension, typename Scalar>
+void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* collision) {
+    Body& b = body(i);
+    fly(b, now_);
+    Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
+    transfers_.wall[static_cast<std::size_t>(side)] +=
+        2.0 * std::abs(static_cast<double>(v)) /
+        space_.properties(bodies_, static_cast<std::size_t>(i)).inverse_mass;
+    const auto before = in_doubles(b.v);
+    v = -v;
+    body_has_changed(b);
+    ++b.collisions;
+    ++counts_.wall;
+    if (!collision) return;
+    const Eigen::Array2d position = in_plane(b.x);
+    Eigen::Array2d contact = position;
+    contact[side / 2] = side % 2 == 0 ? 0.0 : box_.size[side / 2];
+    *collision = {clock_.absolute(now_),
+                  number_of(i),
+                  -1 - side,
+                  position,
+                  contact,
+                  in_plane(before),
+                  Eigen::Array2d::Zero(),
+                  in_plane(b.v),
+                  Eigen::Array2d::Zero()};
+}
+
+template class EventLoop<1>;
+template class EventLoop<2>;
+template class EventLoop<1, Real>;
+template class EventLoop<2, Real>;
+
+}  // namespace carom

@@ -1,0 +1,162 @@
+// The event loop of hard particles, disks in the plane or beads on a wire: flies them from one
+// event to the next and nothing else. Each particle has its own time, up to which it has been
+// moved; only those that collide are touched. One source for doubles and for numbers of many bits
+// (multiprecision.h). Does not know runs, reversals at given times or placement (simulation.h), nor
+// who is near whom (plane.h, fine_plane.h, wire.h).
+//
+// A particle's next event is the first of: its contact with another, with a wall, or its leaving a
+// cell. It foresees a contact with a particle whose own next event comes earlier; if that changes
+// the other's path (its collision count tells), the event is stale and the particle looks again.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "physics/advance_result.h"
+#include "physics/events/event_queue.h"
+#include "physics/events/fetch_ahead.h"
+#include "physics/events/local_clock.h"
+#include "physics/gas.h"
+#include "physics/line/line.h"
+#include "physics/multiprecision/mp_event_queue.h"
+#include "physics/multiprecision/mp_plane.h"
+#include "physics/particles.h"
+#include "physics/plane/plane.h"
+
+namespace carom {
+
+/// What the loop is made of, by dimension and kind of number.
+template <int Dimension, typename Scalar>
+struct LoopParts;
+template <>
+struct LoopParts<1, double> {
+    using Space = Wire<double>;
+    using Queue = EventQueue;
+    using Event = carom::Event;
+    using Clock = LocalClock;
+};
+template <>
+struct LoopParts<2, double> {
+    using Space = Plane;
+    using Queue = EventQueue;
+    using Event = carom::Event;
+    using Clock = LocalClock;
+};
+template <>
+struct LoopParts<1, Real> {
+    using Space = Wire<Real>;
+    using Queue = ExactQueue;
+    using Event = ExactEvent;
+    using Clock = WholeClock;
+};
+template <>
+struct LoopParts<2, Real> {
+    using Space = FinePlane;
+    using Queue = ExactQueue;
+    using Event = ExactEvent;
+    using Clock = WholeClock;
+};
+
+template <int Dimension, typename Scalar = double>
+class EventLoop {
+  public:
+    /// Particles without state: start() gives it.
+    EventLoop(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
+
+    /// Puts all particles where `state` says, at its time, and foresees all events anew.
+    void start(const Sample& state);
+
+    /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
+    /// `told` hears the time of the latest event now and then. Throws Interrupted, and
+    /// std::runtime_error when particles collide without end at one instant, or two of infinite
+    /// mass meet on a wire.
+    void advance(double time, std::vector<Collision>* record, const TimeTold& told = {});
+
+    /// Goes on to the next collision at a time <= `time`, false if there is none.
+    bool advance_one(double time, Collision& collision);
+
+    /// Turns all velocities round at `time`, which is not before the last event processed nor after
+    /// the next, and foresees all events anew.
+    void reverse(double time);
+
+    /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and foresees
+    /// all events anew. Returns what it would overlap then, if anything: a particle, or -1 - side
+    /// for a wall.
+    std::optional<std::int32_t> displace(std::int64_t particle,
+                                         const std::array<std::string, 2>& by, double time);
+
+    /// The state at `time`, which is not before the last event processed nor after the next;
+    /// periodic coordinates lie in [0, size). Changes nothing in the particles.
+    void sample(double time, Sample& state) const;
+
+    /// Positions at `time`, as sample() has them but in full, and periodic ones not brought into
+    /// the box: those of each particle one after the other, in the order listed by the user.
+    std::vector<Scalar> places(double time) const;
+
+    /// Collisions, and what they transferred, since the construction or the last call of forget().
+    const CollisionCounts& counts() const { return counts_; }
+    const Transfers& transfers() const { return transfers_; }
+    void forget();
+
+  private:
+    using Parts = LoopParts<Dimension, Scalar>;
+    using Space = typename Parts::Space;
+    using Event = typename Parts::Event;
+    using Body = typename Space::Body;
+    static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
+
+    Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
+    std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
+
+    /// A double in the numbers of the loop.
+    Scalar with_bits(double value) const {
+        if constexpr (of_doubles)
+            return value;
+        else
+            return Scalar(value, bits_);
+    }
+
+    std::optional<std::int32_t> overlapped(std::size_t moved) const;
+    std::conditional_t<of_doubles, Event, const Event&> event_of(std::int32_t i) const;
+    auto foresee(std::int32_t i);
+    std::vector<std::int32_t> put_in_order();
+    void sort_again();
+    void foresee_all();
+    void move_epoch_to(const Scalar& local_time);
+    std::int32_t next_particle();
+    bool process(std::int32_t i, Collision* collision);
+    bool collide(std::int32_t first, std::int32_t second, Collision* collision);
+    void bounce(std::int32_t i, int side, Collision* collision);
+    Scalar place(const Body& b, std::size_t axis, const Scalar& local_time) const;
+    void refuse_to_stall();
+    void count_tie(std::int32_t first, std::int32_t second);
+
+    Box box_;
+    typename Space::Bodies bodies_;
+    std::vector<std::int32_t> number_;  ///< of each body as listed by the user
+    Space space_;
+    typename Parts::Queue queue_;
+    typename Parts::Clock clock_;
+    Scalar now_ = 0.0;  ///< local
+    int bits_;
+    int laps_since_sorted_ = 0;
+    FetchAhead fetch_ahead_;
+    CollisionCounts counts_;
+    Transfers transfers_;
+    Scalar last_collision_ = -1.0;
+    std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
+    std::int32_t last_pair_[2] = {-1, -1};
+};
+
+extern template class EventLoop<1>;
+extern template class EventLoop<2>;
+extern template class EventLoop<1, Real>;
+extern template class EventLoop<2, Real>;
+
+}  // namespace carom

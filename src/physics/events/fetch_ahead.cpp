@@ -1,0 +1,50 @@
+#include "physics/events/fetch_ahead.h"
+
+namespace carom {
+namespace {
+
+// How many hours ahead, each of half an event, disks are asked for; and how many disks later their
+// partners, the cells about both, and the disks in these: each farther apart than memory takes to
+// answer.
+constexpr std::int32_t hours_ahead = 48;
+constexpr std::uint32_t partner_after = 2;
+constexpr std::uint32_t cells_after = 4;
+constexpr std::uint32_t neighbours_after = 6;
+
+// When more wait, two are asked for at a time; and so many at most, with the six before them well
+// within the ring.
+constexpr std::uint32_t many_waiting = 6;
+constexpr std::uint32_t most_waiting = 32;
+
+}  // namespace
+
+void FetchAhead::ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
+    listen(queue);
+    // when a day begins nothing has been told of it
+    if (queue.hours_told() < hours_ahead / 2) listen(queue);
+    if (begin_ == end_) return;
+    if (end_ - begin_ > most_waiting) begin_ = end_ - most_waiting;
+    fetch(bodies, plane, queue);
+    if (end_ - begin_ > many_waiting) fetch(bodies, plane, queue);
+}
+
+void FetchAhead::listen(EventQueue& queue) {
+    std::array<std::int32_t, 3> who;
+    const std::uint32_t more = queue.look_ahead(hours_ahead, who);
+    for (std::uint32_t k = 0; k < who.size(); ++k) coming(end_ + k) = who[k];
+    end_ += more;
+}
+
+void FetchAhead::fetch(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
+    const std::uint32_t k = begin_++;
+    plane.fetch_disk_ahead(bodies, coming(k));
+    const std::int32_t second = coming(k - partner_after);
+    const std::int32_t partner = Plane::partner_ahead(bodies, second, queue.time(second));
+    plane.fetch_disk_ahead(bodies, partner);
+    queue.fetch(partner);
+    const std::int32_t third = coming(k - cells_after), last = coming(k - neighbours_after);
+    plane.fetch_cells_ahead(bodies, third, queue.time(third));
+    plane.fetch_neighbours_ahead(bodies, last, queue.time(last));
+}
+
+}  // namespace carom

@@ -1,0 +1,53 @@
+// Time as an epoch and a short time since: contacts are computed in the short time, which never
+// loses digits however long the run. Does not decide when to move the epoch. And the same for
+// numbers with digits to spare, which need no epoch.
+#pragma once
+
+#include "physics/multiprecision/multiprecision.h"
+#include "physics/run.h"
+
+namespace carom {
+
+class LocalClock {
+  public:
+    explicit LocalClock(double epoch = 0.0) : high_(epoch) {}
+
+    /// Moves the epoch on by `time`; the sum is kept to twice the digits of a double (two-sum).
+    void advance(double time) {
+        const double sum = high_ + time;
+        const double added = sum - high_;
+        low_ += (high_ - (sum - added)) + (time - added);
+        high_ = sum;
+    }
+
+    /// Time since the epoch of a time on the user's clock.
+    double local(double time) const { return (time - high_) - low_; }
+
+    /// Time on the user's clock of a time since the epoch.
+    double absolute(double local_time) const { return high_ + (low_ + local_time); }
+
+    /// Makes a time since the epoch the new epoch; returns it as counted from there.
+    double move_epoch_to(double local_time) {
+        advance(local_time);
+        return 0.0;
+    }
+
+  private:
+    double high_;
+    double low_ = 0.0;
+};
+
+class WholeClock {
+  public:
+    /// Times have as many bits as all numbers: a difference of two with fewer would be rounded.
+    explicit WholeClock(int bits = bits_of_double) : bits_(bits) {}
+
+    Real local(double time) const { return {time, bits_}; }
+    double absolute(const Real& time) const { return static_cast<double>(time); }
+    Real move_epoch_to(const Real& time) const { return time; }
+
+  private:
+    int bits_;
+};
+
+}  // namespace carom

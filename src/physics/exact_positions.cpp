@@ -1,0 +1,49 @@
+#include "physics/exact_positions.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "physics/multiprecision/multiprecision.h"
+
+namespace carom {
+namespace {
+
+double log10_or_less(const Real& length) {
+    return length.is_zero() ? -std::numeric_limits<double>::infinity() : log10(length);
+}
+
+}  // namespace
+
+Whereabouts::Whereabouts(const Box& box, std::vector<Real> coordinates)
+    : box_(box), coordinates_(std::make_shared<const std::vector<Real>>(std::move(coordinates))) {}
+
+ReturnDistance return_distance(const Whereabouts& a, const Whereabouts& b) {
+    const std::vector<Real>&from = *a.coordinates_, &to = *b.coordinates_;
+    assert(from.size() == to.size());
+    if (from.empty()) return {};
+    const auto dimension = static_cast<std::size_t>(a.box_.dimension);
+    Real largest = 0.0, sum = 0.0;
+    for (std::size_t k = 0; k < from.size(); k += dimension) {
+        Real square = 0.0;
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
+            Real apart = to[k + axis] - from[k + axis];
+            if (a.box_.walls[axis] == Wall::periodic) {
+                const double size = a.box_.size[static_cast<Eigen::Index>(axis)];
+                const double turns = std::round(static_cast<double>(apart) / size);
+                apart -= as_precise_as(apart, size) * turns;
+            }
+            square += apart * apart;
+        }
+        largest = std::max(largest, square);
+        sum += square;
+    }
+    largest = sqrt(largest);
+    const Real mean = sqrt(sum / static_cast<double>(from.size() / dimension));
+    return {static_cast<double>(largest), static_cast<double>(mean), log10_or_less(largest),
+            log10_or_less(mean)};
+}
+
+}  // namespace carom

@@ -1,0 +1,162 @@
+#include "physics/line/line.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "physics/collision/pair_collision.h"
+
+namespace carom {
+
+template <typename Scalar>
+Wire<Scalar>::Wire(const Box& box, const Particles& particles, const Arithmetic&)
+    : length_(box.size[0]),
+      periodic_(box.walls[0] == Wall::periodic),
+      count_(static_cast<std::int32_t>(particles.count())) {}
+
+template <typename Scalar>
+auto Wire<Scalar>::bodies_of(const Particles& particles) -> Bodies {
+    return with_properties<Bodies>(particles);
+}
+
+template <typename Scalar>
+std::vector<std::int32_t> Wire<Scalar>::order(const Bodies& bodies) {
+    std::vector<std::int32_t> numbers(bodies.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::stable_sort(numbers.begin(), numbers.end(), [&](std::int32_t a, std::int32_t b) {
+        return bodies[static_cast<std::size_t>(a)].x[0] < bodies[static_cast<std::size_t>(b)].x[0];
+    });
+    return numbers;
+}
+
+template <typename Scalar>
+void Wire<Scalar>::enter(Bodies& bodies) {
+    for (Body& body : bodies) body.turns = 0;
+}
+
+// From the right end of one body to the left end of the next; `around`: across the end of a
+// periodic wire.
+template <typename Scalar>
+Scalar Wire<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
+                         bool around) const {
+    const Scalar there = right.x[0] + right.v[0] * (now - right.time);
+    const Scalar here = left.x[0] + left.v[0] * (now - left.time);
+    const double turns = right.turns - left.turns + (around ? 1 : 0);
+    return ((there - here) + turns * length_) - (left.radius + right.radius);
+}
+
+template <typename Scalar>
+void Wire<Scalar>::foresee_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
+                                const Scalar& now, Event& first) const {
+    const bool at_end = i == (to_the_right ? last() : 0);
+    if (at_end && (!periodic_ || count_ == 1)) return;
+    const std::int32_t j = at_end ? last() - i : to_the_right ? i + 1 : i - 1;
+    const Body& left = bodies[static_cast<std::size_t>(to_the_right ? i : j)];
+    const Body& right = bodies[static_cast<std::size_t>(to_the_right ? j : i)];
+    const Scalar approach = left.v[0] - right.v[0];
+    if (!(approach > 0.0)) return;
+    const Scalar time = now + std::max(Scalar(0.0), gap(left, right, now, at_end)) / approach;
+    if (time > first.time || (time == first.time && j >= first.partner)) return;
+    first.time = time;
+    if constexpr (std::is_same_v<Scalar, double>) first.contact_time = time;
+    first.partner = j;
+    first.partner_collisions = bodies[static_cast<std::size_t>(j)].collisions & most_collisions;
+}
+
+// The wall beside the first or the last bead, or the end of a periodic wire.
+template <typename Scalar>
+void Wire<Scalar>::foresee_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                               Event& first) const {
+    const Body& body = bodies[static_cast<std::size_t>(i)];
+    const bool up = body.v[0] > 0.0;
+    if (!periodic_ && i != (up ? last() : 0)) return;
+    const double margin = periodic_ ? 0.0 : body.radius;
+    const Scalar x = body.x[0] + body.v[0] * (now - body.time);
+    const Scalar time = now + wall_time(x, body.v[0], Scalar(margin), Scalar(length_ - margin));
+    if (time >= first.time) return;
+    first.time = time;
+    if constexpr (!std::is_same_v<Scalar, double>) first.partner = -1;
+    first.border = ((periodic_ ? first_cell_side : 0U) + (up ? 1U : 0U)) & 7U;
+}
+
+template <typename Scalar>
+auto Wire<Scalar>::foresee(Bodies& bodies, std::int32_t i, const Scalar& now) const -> When {
+    Event first;
+    foresee_pair(bodies, i, true, now, first);
+    foresee_pair(bodies, i, false, now, first);
+    foresee_end(bodies, i, now, first);
+    if constexpr (std::is_same_v<Scalar, double>) {
+        bodies[static_cast<std::size_t>(i)].prospect = first;
+        return first.time;
+    } else {
+        return first;
+    }
+}
+
+template <typename Scalar>
+auto Wire<Scalar>::foresee_after_crossing(Bodies& bodies, std::int32_t i, int,
+                                          const Scalar& now) const -> When {
+    return foresee(bodies, i, now);
+}
+
+template <typename Scalar>
+void Wire<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
+    Body& body = bodies[static_cast<std::size_t>(i)];
+    body.x[0] += body.v[0] * (now - body.time);
+    body.time = now;
+    body.x[0] += side == 1 ? -length_ : length_;
+    body.turns += side == 1 ? 1 : -1;
+}
+
+// Beads of equal mass exchange their velocities to the last bit. Of two alone on a ring either may
+// be the left one.
+template <typename Scalar>
+bool Wire<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
+                           Contact<1>& contact) const {
+    Body& a = bodies[static_cast<std::size_t>(i)];
+    Body& b = bodies[static_cast<std::size_t>(j)];
+    const bool ring_of_two = periodic_ && count_ == 2;
+    const bool across_the_end = periodic_ && i == last() && j == 0;
+    const bool a_is_left = ring_of_two ? a.v[0] > b.v[0] : j == i + 1 || across_the_end;
+    const Body& left = a_is_left ? a : b;
+    const Body& right = a_is_left ? b : a;
+    if (!(left.v[0] > right.v[0])) return false;
+    const Scalar w = as_precise_as(a.v[0], a.inverse_mass) + b.inverse_mass;
+    if (!(w > 0.0))
+        throw std::runtime_error(
+            "two beads of infinite mass meet: on a wire they can neither pass nor yield; give one "
+            "of them a finite mass, or let them move apart");
+    const double sigma = a.radius + b.radius;
+    const bool around = &left > &right;
+    const auto depth = static_cast<double>(-gap(left, right, a.time, around));
+    const Scalar impulse = 2.0 * (left.v[0] - right.v[0]) / w;  // 2 v / (w1 + w2)
+    contact.separation = {a_is_left ? sigma : -sigma};
+    contact.virial = sigma * static_cast<double>(impulse);
+    contact.overlap = sigma > 0.0 ? std::max(0.0, depth / sigma) : 0.0;
+    if (a.inverse_mass == b.inverse_mass) {
+        std::swap(a.v[0], b.v[0]);
+        return true;
+    }
+    a.v[0] += (a_is_left ? -impulse : impulse) * a.inverse_mass;
+    b.v[0] += (a_is_left ? impulse : -impulse) * b.inverse_mass;
+    return true;
+}
+
+template <typename Scalar>
+std::optional<std::int32_t> Wire<Scalar>::overlapped(const Bodies& bodies, std::int32_t i,
+                                                     const Scalar& now, double slack) const {
+    const auto at = [&](std::int32_t k) -> const Body& {
+        return bodies[static_cast<std::size_t>(k)];
+    };
+    const bool has_right = i < last() || (periodic_ && count_ > 1);
+    const bool has_left = i > 0 || (periodic_ && count_ > 1);
+    const std::int32_t right = i < last() ? i + 1 : 0, left = i > 0 ? i - 1 : last();
+    if (has_right && gap(at(i), at(right), now, i == last()) < -slack * length_) return right;
+    if (has_left && gap(at(left), at(i), now, i == 0) < -slack * length_) return left;
+    return std::nullopt;
+}
+
+template class Wire<double>;
+template class Wire<Real>;
+
+}  // namespace carom

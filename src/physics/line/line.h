@@ -1,0 +1,87 @@
+// The wire: beads in one dimension. Which bead is next to which never changes, so the order is kept
+// as state and not read from positions, which round-off and contacts of points (of length 0) leave
+// undecided. For doubles, and for numbers of more bits, of which there are so few here that all is
+// worked out in full. Knows no queue and no clock.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include "physics/collision/arena.h"
+#include "physics/multiprecision/mp_event_queue.h"
+#include "physics/particles.h"
+#include "util/large_pages.h"
+
+namespace carom {
+
+template <typename Scalar>
+class Wire {
+  public:
+    struct Body {
+        std::array<Scalar, 1> x;  ///< at the body's own time
+        std::array<Scalar, 1> v;
+        Scalar time;    ///< local
+        double radius;  ///< half its length
+        double inverse_mass;
+        std::uint32_t collisions;
+        std::int32_t turns;  ///< how often it has gone round a periodic wire
+        Prospect prospect;   ///< of doubles; one of many bits is in the queue
+    };
+    using Bodies = LargeVector<Body>;
+
+    Wire(const Box& box, const Particles& particles, const Arithmetic& = {});
+
+    /// The bodies of these particles, and what the one or the other is.
+    static Bodies bodies_of(const Particles& particles);
+    static Properties properties(const Bodies& bodies, std::size_t i) {
+        return {bodies[i].radius, bodies[i].inverse_mass};
+    }
+
+    /// The order in which bodies shall lie in memory: along the wire.
+    static std::vector<std::int32_t> order(const Bodies& bodies);
+
+    /// Whether bodies are put in order again now and then.
+    static bool sorts_again(std::size_t) { return false; }
+
+    /// Takes the bodies as they are, in order, at time 0.
+    void enter(Bodies& bodies);
+
+    /// As those of Plane; of many bits the whole event is returned.
+    using When = std::conditional_t<std::is_same_v<Scalar, double>, double, ExactEvent>;
+    When foresee(Bodies& bodies, std::int32_t i, const Scalar& now) const;
+    When foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now) const;
+
+    /// The body leaves a periodic wire at one end and enters at the other.
+    void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
+
+    /// Changes the velocities of two neighbours that are at one time, false if they do not
+    /// approach. Throws std::runtime_error when both have infinite mass: neither can pass nor
+    /// yield.
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
+
+    /// The neighbour that body i overlaps, when all are at one time, if there is one; not one that
+    /// it touches, or overlaps by less than `slack` times the length.
+    std::optional<std::int32_t> overlapped(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                                           double slack) const;
+
+  private:
+    using Event = std::conditional_t<std::is_same_v<Scalar, double>, carom::Event, ExactEvent>;
+
+    std::int32_t last() const { return count_ - 1; }
+    Scalar gap(const Body& left, const Body& right, const Scalar& now, bool around) const;
+    void foresee_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,
+                      Event& first) const;
+    void foresee_end(const Bodies& bodies, std::int32_t i, const Scalar& now, Event& first) const;
+
+    double length_;
+    bool periodic_;
+    std::int32_t count_;
+};
+
+extern template class Wire<double>;
+extern template class Wire<Real>;
+
+}  // namespace carom

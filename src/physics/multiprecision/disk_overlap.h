@@ -1,0 +1,36 @@
+// Whether a disk overlaps another, looked for among all: for one that has been moved by hand.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "physics/gas.h"
+#include "physics/multiprecision/multiprecision.h"
+
+namespace carom {
+
+/// The first disk that `moved` overlaps by more than `slack` times the distance of contact, in the
+/// nearest image, when all are at one time. For the planes of doubles and of many bits.
+template <typename Space>
+std::optional<std::size_t> disk_overlapped(const Space& space, const typename Space::Bodies& bodies,
+                                           std::size_t moved, const Box& box, double slack) {
+    const auto& x = bodies[moved].x;
+    const double radius = space.properties(bodies, moved).radius;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        if (k == moved) continue;
+        const double sigma = radius + space.properties(bodies, k).radius;
+        auto square = as_precise_as(x[0], 0.0);
+        for (std::size_t a = 0; a < 2; ++a) {
+            auto apart = bodies[k].x[a] - x[a];
+            const double size = box.size[static_cast<Eigen::Index>(a)];
+            if (box.walls[a] == Wall::periodic)
+                apart -= as_precise_as(apart, size) * std::round(static_cast<double>(apart) / size);
+            square += apart * apart;
+        }
+        if (square < as_precise_as(x[0], sigma) * sigma * (1.0 - 2.0 * slack)) return k;
+    }
+    return std::nullopt;
+}
+
+}  // namespace carom

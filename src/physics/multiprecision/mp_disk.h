@@ -1,0 +1,55 @@
+// A disk of many bits as the event loop has it, and as doubles see it.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "physics/multiprecision/multiprecision.h"
+#include "physics/plane/cell_grid.h"
+
+namespace carom {
+
+struct alignas(64) FineDisk {
+    /// Each number rounded to a double: one cache line, all that most pairs are tested by.
+    struct Shadow {
+        std::array<double, 2> x{}, v{};
+        double time = 0.0;
+        double radius = 0.0;
+        double distance = 0.0;  ///< |x| + |y|, and
+        double speed = 0.0;     ///< |vx| + |vy|: scales of the errors made
+    };
+    Shadow shadow;
+    std::array<Real, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
+    std::array<Real, 2> v;
+    Real time;
+    double radius = 0.0;
+    double inverse_mass = 0.0;
+    std::uint32_t collisions = 0;
+    Cell cell{};
+};
+static_assert(sizeof(FineDisk::Shadow) == 64);
+
+inline void fly(FineDisk& d, const Real& now) {
+    const Real age = now - d.time;
+    Real way = age;
+    for (std::size_t a = 0; a < 2; ++a) {
+        way.set_product(d.v[a], age);
+        d.x[a].set_sum(d.x[a], way);
+    }
+    d.time = now;
+}
+
+inline void body_has_changed(FineDisk& d) {
+    FineDisk::Shadow& s = d.shadow;
+    for (std::size_t a = 0; a < 2; ++a) {
+        s.x[a] = static_cast<double>(d.x[a]);
+        s.v[a] = static_cast<double>(d.v[a]);
+    }
+    s.time = static_cast<double>(d.time);
+    s.radius = d.radius;
+    s.distance = std::abs(s.x[0]) + std::abs(s.x[1]);
+    s.speed = std::abs(s.v[0]) + std::abs(s.v[1]);
+}
+
+}  // namespace carom

@@ -1,0 +1,415 @@
+#include "physics/multiprecision/mp_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+// The error of one operation with doubles, relative. Results of the many bits, 64 at least, have
+// errors 2,000 times smaller, for which the bounds below leave room.
+constexpr double ulp = std::numeric_limits<double>::epsilon() / 2;
+// More than the errors of a few operations in working out a bound itself.
+constexpr double more = 1.0 + 1e-12, less = 1.0 - 1e-12;
+
+const FineDisk& at(const FinePlane::Bodies& bodies, std::int32_t i) {
+    return bodies[static_cast<std::size_t>(i)];
+}
+
+}  // namespace
+
+FinePlane::FinePlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic)
+    : box_(box),
+      grid_(box, particles.radius),
+      screened_(arithmetic.screened),
+      bits_(arithmetic.bits) {
+    const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
+    cell_size_ = {grid_.cell_width(), grid_.cell_height()};
+    last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
+    for (std::size_t a = 0; a < 2; ++a)
+        narrow_[a] = box.walls[a] == Wall::periodic &&
+                     4.0 * largest > 0.99 * box.size[static_cast<Eigen::Index>(a)];
+    for (Real* number : {&here_[0], &here_[1], &r_[0], &r_[1], &v_[0], &v_[1], &approach_, &time_,
+                         &a_, &b_, &c_, &sigma_square_})
+        *number = Real(0.0, bits_);
+}
+
+FinePlane::Bodies FinePlane::bodies_of(const Particles& particles) {
+    return with_properties<Bodies>(particles);
+}
+
+std::vector<std::int32_t> FinePlane::order(const Bodies& bodies) {
+    std::vector<std::int32_t> numbers(bodies.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+void FinePlane::enter(Bodies& bodies) {
+    grid_.clear();
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        FineDisk& body = bodies[k];
+        body.cell = grid_.cell_at(body.shadow.x[0], body.shadow.x[1]);
+        grid_.add(static_cast<std::int32_t>(k), body.radius, body.cell);
+    }
+}
+
+// Its age comes from the full times, which doubles may be too coarse for late in a long run.
+FinePlane::Viewer FinePlane::viewer(const FineDisk& disk, const Real& now) {
+    a_.set_difference(now, disk.time);
+    const double age = static_cast<double>(a_);
+    const FineDisk::Shadow& s = disk.shadow;
+    placed_ = false;
+    return {disk,
+            {s.x[0] + s.v[0] * age, s.x[1] + s.v[1] * age},
+            s.distance + s.speed * age,
+            static_cast<double>(now)};
+}
+
+// A time before which two disks surely do not touch; never when they surely miss each other. The
+// letters are those of time_of_contact(), each with a bound on its error.
+double FinePlane::soonest_contact(const Viewer& a, const FineDisk& other,
+                                  const std::array<double, 2>& shift) const {
+    const FineDisk::Shadow &s = a.disk.shadow, &b = other.shadow;
+    const double sigma = s.radius + b.radius;
+    const double age = a.now - b.time;
+    const double x = (b.x[0] + b.v[0] * age - a.x[0]) + shift[0];
+    const double y = (b.x[1] + b.v[1] * age - a.x[1]) + shift[1];
+    const double vx = b.v[0] - s.v[0];
+    const double vy = b.v[1] - s.v[1];
+    // Conversions, the age (whose error is that of both times), the flights, the sums.
+    const double times = std::abs(a.now) + std::abs(b.time);
+    const double x_error =
+        16.0 * ulp *
+        (a.distance + b.distance + b.speed * times + std::abs(shift[0]) + std::abs(shift[1]));
+    const double v_error = 4.0 * ulp * (s.speed + b.speed);
+    const double r1 = std::abs(x) + std::abs(y);
+    const double v1 = std::abs(vx) + std::abs(vy);
+    const double product_error =
+        more * (r1 * v_error + v1 * x_error + 2.0 * x_error * v_error + 4.0 * ulp * r1 * v1);
+    const double approach = x * vx + y * vy;
+    if (approach >= product_error) return never<double>;
+    const double miss = std::max(0.0, std::abs(x * vy - y * vx) - product_error);
+    const double fast_x = std::abs(vx) + v_error, fast_y = std::abs(vy) + v_error;
+    const double reach_square = more * (sigma * sigma * (fast_x * fast_x + fast_y * fast_y));
+    const double miss_square = less * (miss * miss);
+    if (miss_square > reach_square) return never<double>;
+    const double square = x * x + y * y;
+    const double gap_error = more * (2.0 * r1 * x_error + 2.0 * x_error * x_error +
+                                     8.0 * ulp * (square + sigma * sigma));
+    const double gap = (square - sigma * sigma) - gap_error;
+    if (!(gap > 0.0)) return -never<double>;
+    const double root = std::sqrt(reach_square - miss_square);
+    const double time = less * (gap / (root + std::abs(approach) + product_error));
+    return (a.now + time) - 4.0 * ulp * (std::abs(a.now) + time);
+}
+
+void FinePlane::place_viewer(const FineDisk& a, const Real& now) {
+    if (placed_) return;
+    a_.set_difference(now, a.time);
+    for (std::size_t k = 0; k < 2; ++k) {
+        b_.set_product(a.v[k], a_);
+        here_[k].set_sum(a.x[k], b_);
+    }
+    placed_ = true;
+}
+
+// Whether r . v, in approach_, is below zero by more than its round-off (approach_round_off()).
+bool FinePlane::approaches(const FineDisk& a, const FineDisk& b) {
+    if (approach_.sign() >= 0) return false;
+    const FineDisk::Shadow &s = a.shadow, &t = b.shadow;
+    const double scale =
+        std::abs(static_cast<double>(r_[0])) * (std::abs(s.v[0]) + std::abs(t.v[0])) +
+        std::abs(static_cast<double>(r_[1])) * (std::abs(s.v[1]) + std::abs(t.v[1]));
+    if (static_cast<double>(approach_) < -1e-12 * scale) return true;
+    c_.set(-8.0 * scale);
+    c_.scale_by_power_of_two(-bits_);
+    return approach_ < c_;
+}
+
+// Most pairs are of one size.
+const Real& FinePlane::squared(double sigma) {
+    if (sigma != sigma_) {
+        sigma_ = sigma;
+        sigma_square_.set(sigma);
+        sigma_square_.set_square(sigma_square_);
+    }
+    return sigma_square_;
+}
+
+// The time of contact in full, in time_; false if they miss each other. Plain arithmetic: what it
+// loses by cancellation is no more than the places have lost by rounding.
+bool FinePlane::solve_contact(const FineDisk& a, const FineDisk& b,
+                              const std::array<double, 2>& shift, const Real& now) {
+    place_viewer(a, now);
+    a_.set_difference(now, b.time);
+    for (std::size_t k = 0; k < 2; ++k) {
+        b_.set_product(b.v[k], a_);
+        b_.set_sum(b.x[k], b_);
+        r_[k].set_difference(b_, here_[k]);
+        if (shift[k] != 0.0) r_[k].set_sum(r_[k], shift[k]);
+        v_[k].set_difference(b.v[k], a.v[k]);
+    }
+    b_.set_product(r_[0], v_[0]);
+    c_.set_product(r_[1], v_[1]);
+    approach_.set_sum(b_, c_);
+    if (!approaches(a, b)) return false;
+    const double sigma = a.radius + b.radius;
+    a_.set_square(r_[0]);
+    b_.set_square(r_[1]);
+    a_.set_sum(a_, b_);
+    const Real& square = squared(sigma);
+    a_.set_difference(a_, square);  // the gap
+    if (a_.sign() <= 0) {
+        time_.set(now);
+        return true;
+    }
+    b_.set_square(v_[0]);
+    c_.set_square(v_[1]);
+    b_.set_sum(b_, c_);
+    b_.set_product(b_, square);  // the reach, squared
+    v_[1].set_product(r_[0], v_[1]);
+    v_[0].set_product(r_[1], v_[0]);
+    c_.set_difference(v_[1], v_[0]);
+    c_.set_square(c_);
+    b_.set_difference(b_, c_);
+    if (b_.sign() <= 0) return false;
+    b_.set_root(b_);
+    b_.set_difference(b_, approach_);
+    time_.set_quotient(a_, b_);
+    time_.set_sum(now, time_);
+    return true;
+}
+
+// Takes the contact with a candidate if it is the one to wait for: the earliest, and not after the
+// next event of the other, which will look again then.
+void FinePlane::consider(const Bodies& bodies, const FineDisk& a, const Candidate& candidate,
+                         const Real& now, const ExactQueue& queue, ExactEvent& first) {
+    const FineDisk& b = at(bodies, candidate.other);
+    if (!solve_contact(a, b, candidate.shift, now)) return;
+    const auto order = time_ <=> first.time;
+    if (order > 0 || (order == 0 && first.is_contact() && candidate.other >= first.partner)) return;
+    const ExactEvent& its_next = queue.event(candidate.other);
+    if (its_next.is_contact() && time_ > its_next.time) return;
+    first.time.set(time_);
+    first.late = time_.rounded_up();
+    first.partner = candidate.other;
+    first.partner_collisions = b.collisions & most_collisions;
+}
+
+// The candidates are taken as they come into question, until the next surely comes too late. One
+// that waits for this very disk already is left out: its event will do.
+ExactEvent FinePlane::foresee(const Bodies& bodies, std::int32_t i, const Real& now,
+                              const ExactQueue& queue) {
+    const FineDisk& disk = at(bodies, i);
+    const Viewer a = viewer(disk, now);
+    ExactEvent first(bits_);
+    foresee_border(a, now, first);
+    candidates_.clear();
+    grid_.for_each_near(
+        disk.radius, disk.cell, [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
+            std::size_t count = 0;
+            grid_.append(slots, near_, count);
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::int32_t j = near_[k];
+                const FineDisk& other = at(bodies, j);
+                const ExactEvent& its_next = queue.event(j);
+                if (j == i || !(disk.radius + other.radius > 0.0) ||
+                    !(disk.inverse_mass + other.inverse_mass > 0.0))
+                    continue;
+                if (its_next.partner == i &&
+                    its_next.partner_collisions == (disk.collisions & most_collisions))
+                    continue;
+                const std::array<double, 2> shift{shift_x, shift_y};
+                const double soonest =
+                    screened_ ? soonest_contact(a, other, shift) : -never<double>;
+                if (soonest > first.late || (its_next.is_contact() && soonest > its_next.late))
+                    continue;
+                if (soonest < never<double>) candidates_.push_back({soonest, j, shift});
+            }
+        });
+    while (!candidates_.empty()) {
+        const auto next = std::min_element(
+            candidates_.begin(), candidates_.end(),
+            [](const Candidate& p, const Candidate& q) { return p.soonest < q.soonest; });
+        if (next->soonest > first.late) break;
+        consider(bodies, disk, *next, now, queue, first);
+        *next = candidates_.back();
+        candidates_.pop_back();
+    }
+    return first;
+}
+
+ExactEvent FinePlane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int,
+                                             const ExactEvent&, const Real& now,
+                                             const ExactQueue& queue) {
+    return foresee(bodies, i, now, queue);
+}
+
+// A disk that leaves a periodic box is moved by it, and not flown: that loses nothing.
+void FinePlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
+    FineDisk& body = bodies[static_cast<std::size_t>(i)];
+    const Cell from = body.cell;
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const bool up = side % 2 == 1;
+    const int last = last_cell_[axis];
+    const int cell = from[axis] + (up ? 1 : -1);
+    if (cell >= 0 && cell <= last) {
+        body.cell[axis] = static_cast<std::uint16_t>(cell);
+    } else {
+        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        body.x[axis].set_sum(body.x[axis], up ? -size : size);
+        body.cell[axis] = static_cast<std::uint16_t>(up ? 0 : last);
+        body_has_changed(body);
+    }
+    grid_.move(i, body.radius, from, body.cell);
+}
+
+// As in Plane, the wall comes in sight where the disk may touch it.
+FinePlane::Border FinePlane::border_ahead(const Viewer& a, std::size_t axis) const {
+    const FineDisk& d = a.disk;
+    const double v = d.shadow.v[axis];
+    const int in = d.cell[axis];
+    const int up = v > 0.0 ? 1 : 0;
+    const unsigned side = 2U * static_cast<unsigned>(axis) + static_cast<unsigned>(up);
+    Border border{cell_size_[axis] * (in + up), first_cell_side + side, never<double>};
+    if (box_.walls[axis] == Wall::solid) {
+        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        const double wall = up ? size - d.radius : d.radius;
+        if (in == (up ? last_cell_[axis] : 0) ||
+            (up ? wall <= border.place : wall >= border.place)) {
+            border.place = wall;
+            border.kind = side;
+        }
+    }
+    if (v == 0.0) return border;
+    const double way = up ? border.place - a.x[axis] : a.x[axis] - border.place;
+    const bool is_wall = border.kind < first_cell_side;
+    const double error = is_wall ? 16.0 * ulp * (a.distance + std::abs(border.place)) : 0.0;
+    border.soonest = std::max(0.0, way - error) / std::abs(v) * (is_wall ? less : 1.0);
+    return border;
+}
+
+void FinePlane::solve_wall(const FineDisk& a, std::size_t axis, double place, const Real& now) {
+    place_viewer(a, now);
+    a_.set_difference(place, here_[axis]);
+    time_.set_quotient(a_, a.v[axis]);
+    if (time_.sign() <= 0)
+        time_.set(now);
+    else
+        time_.set_sum(now, time_);
+}
+
+// The first of the borders ahead. A border of a cell is as far away as doubles say; a wall is
+// solved in full unless the cell surely ends before.
+void FinePlane::foresee_border(const Viewer& a, const Real& now, ExactEvent& first) {
+    const std::array<Border, 2> borders{border_ahead(a, 0), border_ahead(a, 1)};
+    double cell = never<double>;
+    for (const Border& border : borders) {
+        if (border.kind < first_cell_side || border.soonest >= cell) continue;
+        cell = border.soonest;
+        first.border = border.kind & 7U;
+    }
+    if (cell < never<double>) first.time.set_sum(now, cell);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const Border& border = borders[axis];
+        if (border.kind >= first_cell_side || std::isinf(border.soonest)) continue;
+        if (screened_ && border.soonest > cell) continue;
+        solve_wall(a.disk, axis, border.place, now);
+        if (time_ >= first.time) continue;
+        first.time.set(time_);
+        first.border = border.kind & 7U;
+    }
+    first.late = first.time.rounded_up();
+}
+
+void FinePlane::separate(const FineDisk& a, const FineDisk& b, double shift_x, double shift_y) {
+    const std::array<double, 2> shift{shift_x, shift_y};
+    for (std::size_t k = 0; k < 2; ++k) {
+        r_[k].set_difference(b.x[k], a.x[k]);
+        if (shift[k] != 0.0) r_[k].set_sum(r_[k], shift[k]);
+    }
+    a_.set_product(r_[0], v_[0]);
+    b_.set_product(r_[1], v_[1]);
+    approach_.set_sum(a_, b_);
+}
+
+// As Plane::separation_at_contact(): r_, v_ and approach_ of the image of b in contact with a.
+bool FinePlane::find_image(const FineDisk& a, const FineDisk& b) {
+    std::array<std::array<double, 2>, 2> shifts{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        v_[axis].set_difference(b.v[axis], a.v[axis]);
+        if (box_.walls[axis] == Wall::solid) continue;
+        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        r_[axis].set_difference(b.x[axis], a.x[axis]);
+        const auto plain = static_cast<double>(r_[axis]);
+        const double nearest = plain > 0.5 * size ? -size : plain < -0.5 * size ? size : 0.0;
+        shifts[axis] = {nearest, plain + nearest > 0.0 ? nearest - size : nearest + size};
+    }
+    const std::size_t along_x = narrow_[0] ? 2 : 1, along_y = narrow_[1] ? 2 : 1;
+    std::array<double, 2> best{shifts[0][0], shifts[1][0]};
+    if (along_x + along_y > 2) {
+        const double sigma = a.radius + b.radius;
+        Real least = never<double>;
+        for (std::size_t i = 0; i < along_x; ++i) {
+            for (std::size_t j = 0; j < along_y; ++j) {
+                separate(a, b, shifts[0][i], shifts[1][j]);
+                if (approach_.sign() >= 0) continue;
+                const Real misfit =
+                    abs(r_[0] * r_[0] + r_[1] * r_[1] - as_precise_as(r_[0], sigma) * sigma);
+                if (misfit >= least) continue;
+                least = misfit;
+                best = {shifts[0][i], shifts[1][j]};
+            }
+        }
+        if (!least.is_finite()) return false;
+    }
+    separate(a, b, best[0], best[1]);
+    return approach_.sign() < 0;
+}
+
+bool FinePlane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) {
+    FineDisk& a = bodies[static_cast<std::size_t>(i)];
+    FineDisk& b = bodies[static_cast<std::size_t>(j)];
+    if (!find_image(a, b)) {
+        body_has_changed(a);
+        body_has_changed(b);
+        return false;
+    }
+    a_.set_square(r_[0]);
+    b_.set_square(r_[1]);
+    a_.set_sum(a_, b_);
+    const double sigma = a.radius + b.radius;
+    b_.set_difference(squared(sigma), a_);
+    contact.overlap = 0.5 * static_cast<double>(b_) / (sigma * sigma);
+    contact.separation = {static_cast<double>(r_[0]), static_cast<double>(r_[1])};
+    contact.virial = -2.0 * static_cast<double>(approach_) / (a.inverse_mass + b.inverse_mass);
+    // 2 r.v / (r^2 (w1 + w2)), times w1 and w2, which are 1/2 of their sum when they are equal.
+    if (a.inverse_mass == b.inverse_mass) {
+        c_.set_quotient(approach_, a_);
+        for (std::size_t k = 0; k < 2; ++k) {
+            b_.set_product(c_, r_[k]);
+            a.v[k].set_sum(a.v[k], b_);
+            b.v[k].set_difference(b.v[k], b_);
+        }
+    } else {
+        c_.set(a.inverse_mass);
+        c_.set_sum(c_, b.inverse_mass);
+        a_.set_product(a_, c_);
+        c_.set_quotient(approach_, a_);
+        c_.scale_by_power_of_two(1);
+        for (std::size_t k = 0; k < 2; ++k) {
+            b_.set_product(c_, r_[k]);
+            a_.set_product(b_, a.inverse_mass);
+            a.v[k].set_sum(a.v[k], a_);
+            a_.set_product(b_, b.inverse_mass);
+            b.v[k].set_difference(b.v[k], a_);
+        }
+    }
+    body_has_changed(a);
+    body_has_changed(b);
+    return true;
+}
+
+}  // namespace carom

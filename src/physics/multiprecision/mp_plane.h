@@ -1,0 +1,102 @@
+// The plane of plane.h for disks of many bits: who may touch whom and when. A time in full costs as
+// much as a hundred in doubles, so doubles find a time before which a contact or a wall is surely
+// not reached (the bounds on their errors are rigorous), and only what might be first is solved in
+// full. Which events happen, and every bit of them, is the same as if all were. Borders of cells
+// are no events of physics: they are crossed at times that doubles find, near enough, for a cell is
+// a little wider than it need be.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "physics/collision/arena.h"
+#include "physics/multiprecision/mp_disk.h"
+#include "physics/multiprecision/mp_event_queue.h"
+#include "physics/plane/cell_grid.h"
+
+namespace carom {
+
+class FinePlane {
+  public:
+    using Body = FineDisk;
+    using Bodies = std::vector<FineDisk>;
+
+    FinePlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic);
+
+    // As those of Plane.
+    static Bodies bodies_of(const Particles& particles);
+    static Properties properties(const Bodies& bodies, std::size_t i) {
+        return {bodies[i].radius, bodies[i].inverse_mass};
+    }
+    static std::vector<std::int32_t> order(const Bodies& bodies);
+    static bool sorts_again(std::size_t) { return false; }
+    void enter(Bodies& bodies);
+    ExactEvent foresee(const Bodies& bodies, std::int32_t i, const Real& now,
+                       const ExactQueue& queue);
+    ExactEvent foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
+                                      const ExactEvent& before, const Real& now,
+                                      const ExactQueue& queue);
+    void cross(Bodies& bodies, std::int32_t i, int side, const Real& now);
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
+
+  private:
+    /// The disk that looks, as doubles see it at the present.
+    struct Viewer {
+        const FineDisk& disk;
+        std::array<double, 2> x;
+        double distance;  ///< |x| + |y| and what it flew: a scale of its error
+        double now;
+    };
+    /// Another that it might touch, and a time before which it surely does not.
+    struct Candidate {
+        double soonest;
+        std::int32_t other;
+        std::array<double, 2> shift;
+    };
+    /// A border ahead along an axis.
+    struct Border {
+        double place;
+        unsigned kind;
+        double soonest;  ///< time from now before which it is surely not reached
+    };
+
+    Viewer viewer(const FineDisk& disk, const Real& now);
+    double soonest_contact(const Viewer& a, const FineDisk& other,
+                           const std::array<double, 2>& shift) const;
+    void consider(const Bodies& bodies, const FineDisk& a, const Candidate& candidate,
+                  const Real& now, const ExactQueue& queue, ExactEvent& first);
+    bool solve_contact(const FineDisk& a, const FineDisk& b, const std::array<double, 2>& shift,
+                       const Real& now);
+    const Real& squared(double sigma);
+    void place_viewer(const FineDisk& a, const Real& now);
+    bool approaches(const FineDisk& a, const FineDisk& b);
+    Border border_ahead(const Viewer& a, std::size_t axis) const;
+    void foresee_border(const Viewer& a, const Real& now, ExactEvent& first);
+    void solve_wall(const FineDisk& a, std::size_t axis, double place, const Real& now);
+    bool find_image(const FineDisk& a, const FineDisk& b);
+    void separate(const FineDisk& a, const FineDisk& b, double shift_x, double shift_y);
+
+    Box box_;
+    CellGrid grid_;
+    bool screened_;
+    int bits_;
+    std::array<double, 2> cell_size_{};
+    std::array<int, 2> last_cell_{};
+    std::array<bool, 2> narrow_{};  ///< periodic and so narrow that two images may touch
+    std::vector<std::int32_t> near_ = std::vector<std::int32_t>(2 * CellGrid::spare);
+    std::vector<Candidate> candidates_;
+
+    // Numbers to calculate with, so that none need be made on the way.
+    bool placed_ = false;        ///< whether here_ holds the place of the disk that looks
+    std::array<Real, 2> here_;   ///< its place at the present
+    std::array<Real, 2> r_, v_;  ///< of the second disk as seen from the first
+    Real approach_;              ///< r . v
+    Real time_;                  ///< the result
+    Real a_, b_, c_;
+    double sigma_ = 0.0;  ///< whose square is
+    Real sigma_square_;
+};
+
+}  // namespace carom

@@ -1,0 +1,187 @@
+#include "physics/placement/draws.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string_view>
+
+#include "physics/placement/placement.h"
+#include "util/random.h"
+
+namespace carom {
+namespace {
+
+Random stream(const Gas& gas, std::size_t species, std::string_view what) {
+    return Random(gas.seed, fmt::format("{} of species {}", what, species));
+}
+
+double draw_one(const Quantity& quantity, Eigen::Index i, Random& random) {
+    if (const auto* number = std::get_if<double>(&quantity)) return *number;
+    if (const auto* list = std::get_if<std::vector<double>>(&quantity))
+        return (*list)[static_cast<std::size_t>(i)];
+    if (const auto* law = std::get_if<UniformLaw>(&quantity))
+        return random.uniform(law->low, law->high);
+    const auto& law = std::get<NormalLaw>(quantity);
+    return law.mean + law.deviation * random.normal();
+}
+
+// A normal law is cut off at zero: its other draws are made again, up to a bound.
+Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const Quantity& quantity,
+                             std::string_view what, bool or_zero) {
+    constexpr int most_tries = 1000;
+    Random random = stream(gas, species, what);
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(gas.species[species].count));
+    const auto is_good = [&](double value) { return value > 0.0 || (or_zero && value == 0.0); };
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        values[i] = draw_one(quantity, i, random);
+        for (int tries = 1; !is_good(values[i]); ++tries) {
+            if (tries == most_tries || !std::holds_alternative<NormalLaw>(quantity))
+                throw PlacementError(
+                    species, fmt::format("the rule for the {} gives {:.3g}, which is not above "
+                                         "zero; raise its mean or narrow it",
+                                         what, values[i]));
+            values[i] = draw_one(quantity, i, random);
+        }
+    }
+    return values;
+}
+
+void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
+                     Eigen::ArrayXXd& velocities) {
+    if (inverse_masses.size() < 2 || (inverse_masses == 0.0).any()) return;
+    const Eigen::ArrayXd masses = inverse_masses.inverse();
+    for (int axis = 0; axis < box.dimension; ++axis)
+        if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+            velocities.col(axis) -= (masses * velocities.col(axis)).sum() / masses.sum();
+}
+
+Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const Quantity& speed,
+                                     Eigen::Index count) {
+    Random random = stream(gas, species, "velocity");
+    Eigen::ArrayXXd velocities(count, 2);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double v = draw_one(speed, i, random);
+        const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+        velocities.row(i) << v * std::cos(angle), v * std::sin(angle);
+    }
+    return velocities;
+}
+
+// To the left or to the right with equal odds. On a ring, whose momentum is to be removed, half of
+// the beads go each way: two alone would else come to rest every other time.
+Eigen::ArrayXXd left_or_right(const Gas& gas, std::size_t species, const Quantity& speed,
+                              Eigen::Index count) {
+    Random random = stream(gas, species, "velocity");
+    Eigen::ArrayXXd velocities(count, 1);
+    const bool ring = gas.box.walls[0] == Wall::periodic;
+    Eigen::Index to_the_right = (count + static_cast<Eigen::Index>(random.below(2))) / 2;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double v = draw_one(speed, i, random);
+        const auto left = static_cast<std::uint64_t>(count - i);
+        const bool right = ring ? random.below(left) < static_cast<std::uint64_t>(to_the_right)
+                                : random.below(2) == 1;
+        if (right) --to_the_right;
+        velocities(i, 0) = right ? v : -v;
+    }
+    return velocities;
+}
+
+Eigen::ArrayXXd thermal(const Gas& gas, std::size_t species, double temperature,
+                        const Eigen::ArrayXd& inverse_masses) {
+    Random random = stream(gas, species, "velocity");
+    Eigen::ArrayXXd velocities(inverse_masses.size(), gas.box.dimension);
+    for (Eigen::Index i = 0; i < inverse_masses.size(); ++i)
+        for (int axis = 0; axis < gas.box.dimension; ++axis)
+            velocities(i, axis) = std::sqrt(temperature * inverse_masses[i]) * random.normal();
+    return velocities;
+}
+
+constexpr std::int64_t most_particles = 50'000'000;
+
+Eigen::Index total_count(const Gas& gas) {
+    std::int64_t sum = 0;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        assert(gas.species[s].count >= 0);
+        if (gas.species[s].count > most_particles - sum)
+            throw PlacementError(
+                s, fmt::format("{} {} are more than the {} particles that a gas may have",
+                               gas.species[s].count, particles_of(gas, s), most_particles));
+        sum += gas.species[s].count;
+    }
+    return static_cast<Eigen::Index>(sum);
+}
+
+}  // namespace
+
+std::string particles_of(const Gas& gas, std::size_t species) {
+    const std::string& name = gas.species[species].name;
+    const std::string_view noun = gas.box.dimension == 1 ? "beads" : "disks";
+    return name.empty() ? std::string(noun) : fmt::format("{} of species \"{}\"", noun, name);
+}
+
+std::pair<Particles, Sample> draw_gas(const Gas& gas) {
+    const Eigen::Index count = total_count(gas);
+    Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi(count)};
+    Sample start{0.0, Eigen::ArrayXXd::Zero(count, gas.box.dimension),
+                 Eigen::ArrayXXd::Zero(count, gas.box.dimension)};
+    Eigen::Index first = 0;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        const auto its_count = static_cast<Eigen::Index>(gas.species[s].count);
+        const Eigen::ArrayXd radii = draw_radii(gas, s);
+        const Eigen::ArrayXd inverse_masses = draw_inverse_masses(gas, s, radii);
+        particles.radius.segment(first, its_count) = radii;
+        particles.inverse_mass.segment(first, its_count) = inverse_masses;
+        particles.species.segment(first, its_count).setConstant(static_cast<int>(s));
+        start.velocity.middleRows(first, its_count) = draw_velocities(gas, s, inverse_masses);
+        first += its_count;
+    }
+    return {std::move(particles), std::move(start)};
+}
+
+Eigen::ArrayXd draw_radii(const Gas& gas, std::size_t species) {
+    return draw_positive(gas, species, gas.species[species].radius, "radius", true);
+}
+
+Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
+                                   const Eigen::ArrayXd& radii) {
+    const MassRule& rule = gas.species[species].mass;
+    if (std::holds_alternative<Infinite>(rule)) return Eigen::ArrayXd::Zero(radii.size());
+    if (const auto* density = std::get_if<Density>(&rule)) {
+        const Eigen::ArrayXd value = draw_positive(gas, species, density->value, "density", false);
+        if (!(radii > 0.0).all())
+            throw PlacementError(species,
+                                 "a point has no mass from a density; give it a mass instead");
+        if (gas.box.dimension == 1) return (value * 2.0 * radii).inverse();
+        return (value * std::numbers::pi * radii.square()).inverse();
+    }
+    return draw_positive(gas, species, std::get<Quantity>(rule), "mass", false).inverse();
+}
+
+Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
+                                const Eigen::ArrayXd& inverse_masses) {
+    const VelocityRule& rule = gas.species[species].velocity;
+    const Eigen::Index count = inverse_masses.size();
+    Eigen::ArrayXXd velocities = Eigen::ArrayXXd::Zero(count, gas.box.dimension);
+    if (const auto* fixed = std::get_if<Velocity>(&rule)) {
+        assert(fixed->values.size() == 1 ||
+               fixed->values.size() == static_cast<std::size_t>(count));
+        for (Eigen::Index i = 0; i < count; ++i)
+            velocities.row(i) = fixed->values[fixed->values.size() == 1 ? 0 : std::size_t(i)]
+                                    .head(gas.box.dimension)
+                                    .transpose();
+        return velocities;
+    }
+    if (const auto* speed = std::get_if<Speed>(&rule))
+        velocities = gas.box.dimension == 1
+                         ? left_or_right(gas, species, speed->value, count)
+                         : in_random_directions(gas, species, speed->value, count);
+    if (const auto* temperature = std::get_if<Temperature>(&rule))
+        velocities = thermal(gas, species, temperature->value, inverse_masses);
+    remove_momentum(gas.box, inverse_masses, velocities);
+    return velocities;
+}
+
+}  // namespace carom

@@ -1,0 +1,117 @@
+#include "physics/placement/jam.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "physics/placement/placed_disks.h"
+
+namespace carom {
+namespace {
+
+constexpr Eigen::Index wall = -1;
+
+/// A particle, or a wall, on a line along one axis.
+struct Link {
+    double x, radius, velocity;
+    bool holds;  ///< it yields to no push
+    Eigen::Index particle;
+};
+
+// From its first link to its last, which are walls; or of a periodic box the same one twice: one of
+// infinite mass, if there is one.
+std::vector<Link> closed_chain(std::vector<Link> links, double length, bool periodic) {
+    if (!periodic) {
+        links.insert(links.begin(), {0.0, 0.0, 0.0, true, wall});
+        links.push_back({length, 0.0, 0.0, true, wall});
+        return links;
+    }
+    const auto first = std::ranges::find(links, true, &Link::holds);
+    for (auto link = links.begin(); first != links.end() && link != first; ++link)
+        link->x += length;
+    if (first != links.end()) std::rotate(links.begin(), first, links.end());
+    links.push_back(links.front());
+    links.back().x += length;
+    return links;
+}
+
+// In a row between two links that hold, with no room between any two of it.
+std::optional<Jam> jam_of(std::span<const Link> row) {
+    const double velocity = row.front().velocity;
+    if (velocity < row.back().velocity) return std::nullopt;  // it opens
+    for (const Link& link : row.subspan(1, row.size() - 2))
+        if (link.velocity != velocity || velocity > row.back().velocity)
+            return Jam{link.particle, row.size() == 3 && row.front().particle == wall &&
+                                          row.back().particle == wall};
+    return std::nullopt;
+}
+
+std::optional<Jam> jam_on_line(const std::vector<Link>& links, double length, bool periodic) {
+    const std::vector<Link> chain = closed_chain(links, length, periodic);
+    std::size_t begin = 0;  // of a row of links that touch
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+        const double room = chain[k].x - chain[k - 1].x - chain[k].radius - chain[k - 1].radius;
+        if (room > touching_tolerance * length) begin = k;
+        if (!chain[k].holds && k + 1 < chain.size()) continue;
+        const bool held = chain[begin].holds || begin == 0;
+        if (held && begin < k)
+            if (const auto jam = jam_of(std::span(chain).subspan(begin, k - begin + 1))) return jam;
+        begin = k;
+    }
+    return std::nullopt;
+}
+
+std::optional<Jam> jam_along(int axis, const Box& box, const Particles& particles,
+                             const Sample& start) {
+    const int across = 1 - axis;
+    const auto level = [&](Eigen::Index i) {
+        return box.dimension == 1 ? 0.0 : start.position(i, across);
+    };
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, level);
+    const double same_level = touching_tolerance * box.size[across];
+    const double length = box.size[axis];
+    const bool periodic = box.walls[static_cast<std::size_t>(axis)] == Wall::periodic;
+    for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+        std::vector<Link> links;
+        for (; end != order.end() && level(*end) <= level(*begin) + same_level; ++end) {
+            links.push_back({start.position(*end, axis), particles.radius[*end],
+                             start.velocity(*end, axis), !(particles.inverse_mass[*end] > 0.0),
+                             *end});
+        }
+        std::ranges::stable_sort(links, {}, &Link::x);
+        if (const auto jam = jam_on_line(links, length, periodic)) return jam;
+        // In a whole row without room those of infinite mass cannot move either.
+        for (Link& link : links) link.holds = false;
+        if (const auto jam = jam_on_line(links, length, periodic)) return jam;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Jam> first_jam(const Box& box, const Particles& particles, const Sample& start) {
+    for (int axis = 0; axis < box.dimension; ++axis)
+        if (const auto jam = jam_along(axis, box, particles, start)) return jam;
+    return std::nullopt;
+}
+
+std::string to_text(const Jam& jam, const std::string& particle, int dimension) {
+    const std::string end = "without any room: it would collide without end";
+    if (jam.alone)
+        return fmt::format("{} moves where it stands between two walls {}", particle, end);
+    return fmt::format("{} moves along a row of {} that touch one another from end to end, {}",
+                       particle, dimension == 1 ? "beads" : "disks", end);
+}
+
+std::string way_out_of_jam(int dimension) {
+    return fmt::format("smaller {} or a {} leave them room", dimension == 1 ? "beads" : "disks",
+                       dimension == 1 ? "longer wire" : "larger box");
+}
+
+}  // namespace carom

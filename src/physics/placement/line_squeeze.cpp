@@ -1,0 +1,154 @@
+#include "physics/placement/line_squeeze.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace carom {
+namespace {
+
+constexpr Eigen::Index left_end = -1, right_end = -2;
+constexpr int most_steps = 100'000;  // of a bead that bounces to and fro: then it may go on so
+
+struct Boundary {
+    Eigen::Index bead;  ///< of infinite mass, or an end
+    double velocity;
+};
+
+// What lies between two boundaries.
+struct Chamber {
+    std::size_t left, right;  ///< boundaries
+    double room;              ///< length not covered by beads
+    int beads;                ///< of finite mass inside
+};
+
+class Chambers {
+  public:
+    Chambers(const Box& box, const Particles& particles, const Sample& start)
+        : ring_(box.walls[0] == Wall::periodic) {
+        std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+            return start.position(a, 0) < start.position(b, 0);
+        });
+        double from = 0.0, covered = 0.0;
+        int beads = 0;
+        const auto close = [&](Boundary boundary, double low, double high) {
+            if (!boundaries_.empty())
+                chambers_.push_back(
+                    {boundaries_.size() - 1, boundaries_.size(), low - from - covered, beads});
+            boundaries_.push_back(boundary);
+            from = high;
+            covered = 0.0;
+            beads = 0;
+        };
+        if (!ring_) close({left_end, 0.0}, 0.0, 0.0);
+        for (const Eigen::Index i : order) {
+            const double x = start.position(i, 0), r = particles.radius[i];
+            if (particles.inverse_mass[i] > 0.0) {
+                covered += 2.0 * r;
+                ++beads;
+            } else {
+                close({i, start.velocity(i, 0)}, x - r, x + r);
+            }
+        }
+        if (!ring_) close({right_end, 0.0}, box.size[0], box.size[0]);
+        if (ring_ && boundaries_.size() > 1) close_ring(box, particles, start, order, from);
+    }
+
+    // Goes on by `time` at most; a squeeze ends it early.
+    std::optional<Squeeze> advance(double now, double time) {
+        for (int step = 0; step < most_steps; ++step) {
+            double wait = time;
+            Chamber* closing = nullptr;
+            for (Chamber& chamber : chambers_) {
+                const double approach = speed_of_closing(chamber);
+                const double its = std::max(0.0, chamber.room) / approach;
+                if (!(approach > 0.0) || its > wait) continue;
+                wait = its;
+                closing = &chamber;
+            }
+            for (Chamber& chamber : chambers_) chamber.room -= wait * speed_of_closing(chamber);
+            now += wait;
+            time -= wait;
+            if (closing == nullptr) return std::nullopt;
+            Boundary &left = boundaries_[closing->left], &right = boundaries_[closing->right];
+            const bool bounces = closing->beads == 0 && (left.bead < 0 || right.bead < 0);
+            if (!bounces) return Squeeze{now, left.bead, right.bead};
+            closing->room = 0.0;
+            (left.bead < 0 ? right : left).velocity *= -1.0;
+        }
+        return std::nullopt;
+    }
+
+    void reverse() {
+        for (Boundary& boundary : boundaries_) boundary.velocity = -boundary.velocity;
+    }
+
+  private:
+    double speed_of_closing(const Chamber& chamber) const {
+        return boundaries_[chamber.left].velocity - boundaries_[chamber.right].velocity;
+    }
+
+    // The chamber across the end of the ring, from the last boundary to the first.
+    void close_ring(const Box& box, const Particles& particles, const Sample& start,
+                    const std::vector<Eigen::Index>& order, double last_high) {
+        const Eigen::Index first = boundaries_.front().bead;
+        Chamber across{boundaries_.size() - 1, 0, 0.0, 0};
+        across.room = start.position(first, 0) - particles.radius[first] + box.size[0] - last_high;
+        const auto is_fixed = [&](Eigen::Index i) { return !(particles.inverse_mass[i] > 0.0); };
+        const auto add = [&](auto from, auto to) {
+            for (auto i = from; i != to && !is_fixed(*i); ++i)
+                across.room -= 2.0 * particles.radius[*i];
+        };
+        add(order.begin(), order.end());
+        add(order.rbegin(), order.rend());
+        chambers_.push_back(across);
+    }
+
+    bool ring_;
+    std::vector<Boundary> boundaries_;
+    std::vector<Chamber> chambers_;
+};
+
+std::string called(Eigen::Index boundary) {
+    if (boundary == left_end) return "the left end of the wire";
+    if (boundary == right_end) return "the right end of the wire";
+    return fmt::format("particle {}", boundary);
+}
+
+}  // namespace
+
+std::optional<Squeeze> first_squeeze(const Box& box, const Particles& particles,
+                                     const Sample& start, const Run& run) {
+    Chambers chambers(box, particles, start);
+    double now = -run.equilibrate;
+    const auto go_on_to = [&](double time) {
+        const auto squeeze = chambers.advance(now, time - now);
+        now = time;
+        return squeeze;
+    };
+    for (const double time : reversal_times(run)) {
+        if (const auto squeeze = go_on_to(time)) return squeeze;
+        chambers.reverse();
+    }
+    return go_on_to(run.until);
+}
+
+std::string to_text(const Squeeze& squeeze) {
+    if (squeeze.left < 0 || squeeze.right < 0) {
+        const bool left = squeeze.left >= 0;
+        return fmt::format("{} of infinite mass presses beads against {} at time {:.4g}",
+                           called(left ? squeeze.left : squeeze.right),
+                           called(left ? squeeze.right : squeeze.left), squeeze.time);
+    }
+    const auto [first, second] = std::minmax(squeeze.left, squeeze.right);
+    return fmt::format("{} and {} of infinite mass leave no room between them at time {:.4g}",
+                       called(first), called(second), squeeze.time);
+}
+
+}  // namespace carom

@@ -1,0 +1,105 @@
+#include "physics/placement/placed_disks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace carom {
+
+Eigen::Array2d nearest_image(const Box& box, Eigen::Array2d separation) {
+    for (int a = 0; a < 2; ++a)
+        if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic)
+            separation[a] -= box.size[a] * std::round(separation[a] / box.size[a]);
+    return separation;
+}
+
+PlacedDisks::PlacedDisks(const Box& box, std::int64_t count, double typical_radius) : box_(box) {
+    const double least = std::sqrt(box.size.prod() / (2.0 * static_cast<double>(count) + 8.0));
+    const double cell = std::max(2.0 * typical_radius, least);
+    cells_ = (box.size / cell).floor().cwiseMax(1.0).cwiseMin(1e8).cast<int>();
+    cell_size_ = box.size / cells_.cast<double>();
+    heads_.assign(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]), -1);
+}
+
+template <typename Function>
+void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Function&& f) const {
+    std::array<int, 2> low{}, high{};
+    for (int a = 0; a < 2; ++a) {
+        const auto s = static_cast<std::size_t>(a);
+        const bool periodic = box_.walls[s] == Wall::periodic;
+        low[s] = static_cast<int>(std::floor((centre[a] - radius) / cell_size_[a]));
+        high[s] = static_cast<int>(std::floor((centre[a] + radius) / cell_size_[a]));
+        if (!periodic) {
+            low[s] = std::clamp(low[s], 0, cells_[a] - 1);
+            high[s] = std::clamp(high[s], 0, cells_[a] - 1);
+        }
+        high[s] = std::min(high[s], low[s] + cells_[a] - 1);
+    }
+    const auto wrap = [](int cell, int cells) { return (cell % cells + cells) % cells; };
+    for (int y = low[1]; y <= high[1]; ++y)
+        for (int x = low[0]; x <= high[0]; ++x)
+            f(static_cast<std::size_t>(wrap(y, cells_[1])) * static_cast<std::size_t>(cells_[0]) +
+              static_cast<std::size_t>(wrap(x, cells_[0])));
+}
+
+// Calls f(disk, square of its distance) for those in the same cells until it returns false.
+template <typename Function>
+void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Function&& f) const {
+    bool go_on = true;
+    for_each_cell(centre, radius, [&](std::size_t cell) {
+        for (std::int32_t e = heads_[cell]; go_on && e >= 0;) {
+            const Entry& entry = entries_[static_cast<std::size_t>(e)];
+            const Disk& other = disks_[static_cast<std::size_t>(entry.disk)];
+            go_on = f(other, nearest_image(box_, other.centre - centre).square().sum());
+            e = entry.next;
+        }
+    });
+}
+
+// Calls f(particle) until it returns false.
+template <typename Function>
+void PlacedDisks::for_each_overlapping(const Eigen::Array2d& centre, double radius,
+                                       Function&& f) const {
+    for_each_near(centre, radius, [&](const Disk& other, double square) {
+        const double contact = (radius + other.radius) * (1.0 - touching_tolerance);
+        return square < contact * contact ? f(other.particle) : true;
+    });
+}
+
+std::optional<std::int32_t> PlacedDisks::overlapped(const Eigen::Array2d& centre,
+                                                    double radius) const {
+    std::optional<std::int32_t> lowest;
+    for_each_overlapping(centre, radius, [&](std::int32_t particle) {
+        lowest = std::min(lowest.value_or(particle), particle);
+        return true;
+    });
+    return lowest;
+}
+
+bool PlacedDisks::is_free(const Eigen::Array2d& centre, double radius) const {
+    bool is = true;
+    for_each_overlapping(centre, radius, [&](std::int32_t) { return is = false; });
+    return is;
+}
+
+double PlacedDisks::deepest_overlap(const Eigen::Array2d& centre, double radius) const {
+    double deepest = 0.0;
+    for_each_near(centre, radius, [&](const Disk& other, double square) {
+        const double contact = radius + other.radius;
+        if (square < contact * contact)
+            deepest = std::max(deepest, 1.0 - std::sqrt(square) / contact);
+        return true;
+    });
+    return deepest;
+}
+
+void PlacedDisks::add(std::int32_t particle, const Eigen::Array2d& centre, double radius) {
+    const auto disk = static_cast<std::int32_t>(disks_.size());
+    disks_.push_back({centre, radius, particle});
+    for_each_cell(centre, radius, [&](std::size_t cell) {
+        entries_.push_back({disk, heads_[cell]});
+        heads_[cell] = static_cast<std::int32_t>(entries_.size()) - 1;
+    });
+}
+
+}  // namespace carom

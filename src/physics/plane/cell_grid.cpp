@@ -1,0 +1,242 @@
+#include "physics/plane/cell_grid.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numbers>
+
+namespace carom {
+namespace {
+
+constexpr double wider = 1.0 + 1e-9;  // so that round-off never leaves a cell too narrow
+
+// Smaller cells would mostly be empty and cost crossings. Dilute gases cross more than they
+// collide, and wide cells overlap: there larger ones are better. Found by counting instructions.
+double least_cell(double area, double count, double diameter) {
+    const double one_each = std::sqrt(area / std::max(count, 4.0));
+    const double cells_per_particle = one_each > 1.75 * diameter ? 1.0 : 1.25;
+    return one_each / std::sqrt(cells_per_particle);
+}
+
+// Cells and pairs looked at per unit of time, in arbitrary units, when disks up to `small` are in
+// the fine grid. Larger disks meet more others and cross more cells, in proportion to their size.
+double expected_work(const Eigen::ArrayXd& radii, double small, double area) {
+    const auto larger = (radii > small).cast<double>();
+    const double large_count = larger.sum();
+    const double small_count = static_cast<double>(radii.size()) - large_count;
+    const double cell =
+        std::max(2.0 * small, least_cell(area, static_cast<double>(radii.size()), 2.0 * small));
+    const double coarse = std::max(2.0 * radii.maxCoeff(), cell);
+    const double in_cell = small_count * std::min(1.0, cell * cell / area);
+    const double in_coarse = large_count * std::min(1.0, coarse * coarse / area);
+    const double look_at_large = large_count > 0.0 ? 9.0 + 9.0 * in_coarse : 0.0;
+    const double per_small = 9.0 + 9.0 * in_cell + look_at_large;
+    const Eigen::ArrayXd ratio = radii / cell;
+    const Eigen::ArrayXd ring = 9.0 + 6.0 * std::numbers::pi * ratio;
+    const double large_work =
+        (larger * (1.0 + ratio) * (ring * (1.0 + in_cell) + look_at_large)).sum();
+    return small_count * per_small + large_work;
+}
+
+double choose_small_radius(const Eigen::ArrayXd& radii, double area) {
+    const double largest = radii.maxCoeff();
+    double best = largest;
+    double least_work = expected_work(radii, largest, area);
+    for (double bound = largest / std::numbers::sqrt2; bound > largest * 1e-6;
+         bound /= std::numbers::sqrt2) {
+        if (!(radii <= bound).any()) break;
+        const double small = (radii <= bound).select(radii, 0.0).maxCoeff();
+        const double work = expected_work(radii, small, area);
+        if (work < least_work) {
+            least_work = work;
+            best = small;
+        }
+    }
+    return best;
+}
+
+int cells_along(double length, double least) {
+    const double cells = std::floor(length / (least * wider));
+    return static_cast<int>(std::clamp(cells, 1.0, 65535.0));
+}
+
+// Disks in cells two apart, one between, must not touch although both hang over. Along a periodic
+// axis those in neighbouring cells must also stay less than half of the box apart, so that the
+// nearest image is the one meant.
+double overhang_of(double cell, double widest_pair, double length, bool periodic) {
+    const double free = 0.5 * (cell - widest_pair * wider);
+    const double near = periodic ? 0.25 * length / wider - cell : free;
+    return std::max(0.0, std::min(free, near));
+}
+
+// Coarse cells are whole numbers of fine ones; the last takes what is left over.
+std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
+    const int together = static_cast<int>(
+        std::min(std::ceil(least * wider / fine_length), static_cast<double>(fine)));
+    const int coarse = std::max(1, fine / together);
+    std::vector<std::int32_t> merged(static_cast<std::size_t>(fine));
+    for (int i = 0; i < fine; ++i)
+        merged[static_cast<std::size_t>(i)] = std::min(i / together, coarse - 1);
+    return merged;
+}
+
+// Of two in neighbouring cells, of the fine grid or of the coarse one, the nearest image is the one
+// meant. The overhang is a share of a cell.
+bool nearest_is_meant(const std::vector<std::int32_t>& coarse, double overhang, bool periodic,
+                      bool has_large) {
+    if (!periodic) return true;
+    const auto cells = static_cast<double>(coarse.size());
+    if (cells < 5 || !has_large) return cells >= 5;
+    const auto in_last = std::count(coarse.begin(), coarse.end(), coarse.back());
+    const auto in_first = std::count(coarse.begin(), coarse.end(), 0);
+    return static_cast<double>(in_first + in_last) + 2.0 * overhang < 0.5 / wider * cells;
+}
+
+// Those around which no other image comes into question.
+CellGrid::Inner inner_cells(const std::vector<std::int32_t>& coarse, bool periodic,
+                            bool has_large) {
+    const auto count = static_cast<unsigned>(coarse.size());
+    if (!periodic) return {0, count};
+    if (!has_large) return {1, count > 2 ? count - 2 : 0};
+    const auto first = std::count(coarse.begin(), coarse.end(), 0);
+    const auto last = std::count(coarse.begin(), coarse.end(), coarse.back());
+    return {static_cast<unsigned>(first),
+            static_cast<unsigned>(std::max<std::ptrdiff_t>(0, count - first - last))};
+}
+
+}  // namespace
+
+CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
+    const double area = box.size.prod();
+    const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
+    small_radius_ = radii.size() > 0 ? choose_small_radius(radii, area) : 0.0;
+    has_large_ = small_radius_ < largest;
+    const double diameter = 2.0 * small_radius_;
+    const double least =
+        std::max(diameter, least_cell(area, static_cast<double>(radii.size()), diameter));
+    columns_ = cells_along(box.size[0], least);
+    rows_ = cells_along(box.size[1], least);
+    width_ = box.size[0] / columns_;
+    height_ = box.size[1] / rows_;
+    const bool periodic_x = box.walls[0] == Wall::periodic;
+    const bool periodic_y = box.walls[1] == Wall::periodic;
+    overhang_ = {overhang_of(width_, diameter, box.size[0], periodic_x),
+                 overhang_of(height_, diameter, box.size[1], periodic_y)};
+    coarse_column_ = merge(columns_, width_, std::max(2.0 * (largest + overhang_[0]), width_));
+    coarse_row_ = merge(rows_, height_, std::max(2.0 * (largest + overhang_[1]), height_));
+
+    fine_ = {Axis{columns_, periodic_x, box.size[0]}, Axis{rows_, periodic_y, box.size[1]}};
+    coarse_ = {Axis{coarse_column_.back() + 1, periodic_x, box.size[0]},
+               Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
+    fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
+                       static_cast<std::size_t>(rows_ + 1));
+    plain_ = nearest_is_meant(coarse_column_, overhang_[0] / width_, periodic_x, has_large_) &&
+             nearest_is_meant(coarse_row_, overhang_[1] / height_, periodic_y, has_large_);
+    inner_ = {inner_cells(coarse_column_, periodic_x, has_large_),
+              inner_cells(coarse_row_, periodic_y, has_large_)};
+    const auto around = [](const Axis& axis, std::int32_t stride) {
+        std::vector<std::int64_t> cells;
+        for (std::int32_t k = -1; k <= axis.cells; ++k) {
+            const Wrapped in = wrap(k, axis);
+            cells.push_back(stride * (in.cell < 0 ? axis.cells : in.cell));
+        }
+        return cells;
+    };
+    column_around_ = around(fine_[0], 1);
+    row_around_ = around(fine_[1], columns_ + 1);
+    coarse_slots_.resize(has_large_ ? static_cast<std::size_t>(coarse_[0].cells) *
+                                          static_cast<std::size_t>(coarse_[1].cells)
+                                    : 0);
+    next_.assign(static_cast<std::size_t>(radii.size()), -1);
+}
+
+Cell CellGrid::cell_at(double x, double y) const {
+    const auto along = [](double position, double length, int cells) {
+        const double cell = std::floor(position / length);
+        return static_cast<std::uint16_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+    };
+    return {along(x, width_, columns_), along(y, height_, rows_)};
+}
+
+void CellGrid::clear() {
+    std::fill(fine_slots_.begin(), fine_slots_.end(), Slots{});
+    std::fill(coarse_slots_.begin(), coarse_slots_.end(), Slots{});
+}
+
+void CellGrid::add(std::int32_t particle, double radius, Cell cell) {
+    put_in(particle, slots_of(radius, cell));
+}
+
+void CellGrid::move(std::int32_t particle, double radius, Cell from, Cell to) {
+    Slots& old_slots = slots_of(radius, from);
+    Slots& new_slots = slots_of(radius, to);
+    if (&old_slots == &new_slots) return;
+    take_out(particle, old_slots);
+    put_in(particle, new_slots);
+}
+
+void CellGrid::put_in(std::int32_t particle, Slots& slots) {
+    if (slots.count() < Slots::most) {
+        slots.particle_[static_cast<std::size_t>(slots.count())] = particle;
+        ++slots.rest_;
+        return;
+    }
+    next_[static_cast<std::size_t>(particle)] = slots.chain();
+    slots.set_chain(particle);
+}
+
+// The last, or the chain's first, fills the gap.
+void CellGrid::take_out(std::int32_t particle, Slots& slots) {
+    if (!slots.has_chain()) [[likely]] {
+        // those behind the last may hold anything, so the first to match counts; without branches,
+        // which the processor could not foretell
+        const bool not_first = slots.particle_[0] != particle;
+        const bool not_second = slots.particle_[1] != particle;
+        const std::size_t gap = (not_first ? 1U : 0U) + (not_first & not_second ? 1U : 0U);
+        --slots.rest_;
+        slots.particle_[gap] = slots.particle_[slots.rest_];
+        return;
+    }
+    for (std::int32_t k = 0; k < slots.count(); ++k) {
+        std::int32_t& gap = slots.particle_[static_cast<std::size_t>(k)];
+        if (gap != particle) continue;
+        gap = slots.chain();
+        slots.set_chain(next_[static_cast<std::size_t>(gap)]);
+        return;
+    }
+    if (slots.chain() == particle) {
+        slots.set_chain(next_[static_cast<std::size_t>(particle)]);
+        return;
+    }
+    std::int32_t before = slots.chain();
+    while (next_[static_cast<std::size_t>(before)] != particle)
+        before = next_[static_cast<std::size_t>(before)];
+    next_[static_cast<std::size_t>(before)] = next_[static_cast<std::size_t>(particle)];
+}
+
+void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
+                            std::size_t& size) const {
+    for (std::int32_t i = slots.chain(); i >= 0; i = next_[static_cast<std::size_t>(i)]) {
+        if (size + 2 * spare > list.size()) list.resize(2 * list.size() + 2 * spare);
+        list[size++] = i;
+    }
+}
+
+void CellGrid::append_large_around(Cell cell, std::vector<std::int32_t>& list,
+                                   std::size_t& size) const {
+    for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_column_[cell[0]],
+                    coarse_row_[cell[1]],
+                    [&](const Slots& slots, double, double) { append(slots, list, size); });
+}
+
+// Three cells of a row lie within two lines of memory. Out of line, as all that does nothing but
+// fetch: where GCC sees into such a function it finds no effect, and drops the calls.
+void CellGrid::fetch_around(Cell cell) const {
+    const std::int64_t* const columns = &column_around_[cell[0]];
+    const std::int64_t* const rows = &row_around_[cell[1]];
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const std::int64_t column : {columns[0], columns[2]})
+            __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);
+}
+
+}  // namespace carom

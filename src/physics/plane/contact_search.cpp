@@ -1,0 +1,271 @@
+#include "physics/plane/contact_search.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "physics/collision/arena.h"
+#include "physics/collision/pair_collision.h"
+
+// Only GCC takes the attribute at the definition; its resolver would run before the address
+// sanitizer is ready.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define CAROM_FOR_EACH_PROCESSOR
+#endif
+
+namespace carom {
+namespace {
+
+// A disk as it is now, and until when its contacts matter.
+struct Viewer {
+    double x, y, vx, vy;
+    Properties properties;
+    double latest;
+};
+
+// What a search is about: all disks, the numbers of those looked at, and how they are met.
+struct Scope {
+    const FlyingDisk* disks;
+    const DiskProperties& properties;
+    const Pairing& pairing;
+    const std::int32_t* near;
+    double now;
+    /// Earlier than now by more than a contact's time is rounded.
+    double just_before = now - 8 * std::numeric_limits<double>::epsilon() * std::abs(now);
+
+    [[gnu::always_inline]] const FlyingDisk& disk(std::size_t k) const { return disks[near[k]]; }
+    [[gnu::always_inline]] const Properties& properties_of(std::size_t k) const {
+        return properties[near[k]];
+    }
+
+    [[gnu::always_inline]] Viewer viewer(std::int32_t i, const FirstContact& first) const {
+        const FlyingDisk& d = disks[i];
+        const double age = now - d.time;
+        return {(d.x[0] + d.v[0] * age) - pairing.shift[0],
+                (d.x[1] + d.v[1] * age) - pairing.shift[1],
+                d.v[0],
+                d.v[1],
+                properties[i],
+                first.time};
+    }
+};
+
+[[gnu::always_inline]] inline FourLanes nearest(const FourLanes& x, const Pairing& pairing,
+                                                std::size_t axis) {
+    const FourLanes size = FourLanes{} + pairing.size[axis];
+    const FourLanes lower = select(x > pairing.half[axis], size, FourLanes{});
+    const FourLanes higher = select(x < -pairing.half[axis], size, FourLanes{});
+    return (x - lower) + higher;
+}
+
+// Pairs as they are now.
+struct Pairs {
+    template <typename T>
+    using Each = std::array<T, most_searched>;
+    alignas(sizeof(FourLanes)) Each<double> x, y, vx, vy, sigma;
+};
+
+// Which of four others might be touched: bits 0 to 3 of the lanes together.
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
+                                                    std::size_t k, Pairs& pairs) {
+    const FlyingDisk &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
+                     &b3 = scope.disk(k + 3);
+    // Each disk's x and y lie side by side, and vx and vy: turned over, two pairs at a time.
+    const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
+    const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
+    const FourLanes v02 = load_two_and_two(b0.v.data(), b2.v.data());
+    const FourLanes v13 = load_two_and_two(b1.v.data(), b3.v.data());
+    const FourLanes others_vx = __builtin_shufflevector(v02, v13, 0, 4, 2, 6);
+    const FourLanes others_vy = __builtin_shufflevector(v02, v13, 1, 5, 3, 7);
+    const FourLanes age = scope.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
+    FourLanes x = (__builtin_shufflevector(x02, x13, 0, 4, 2, 6) + others_vx * age) - a.x;
+    FourLanes y = (__builtin_shufflevector(x02, x13, 1, 5, 3, 7) + others_vy * age) - a.y;
+    if (several_images) {
+        x = nearest(x, scope.pairing, 0);
+        y = nearest(y, scope.pairing, 1);
+    }
+    const FourLanes vx = others_vx - a.vx, vy = others_vy - a.vy;
+    FourLanes sigma = FourLanes{} + scope.pairing.sigma;
+    if (!alike) {
+        sigma = FourLanes{scope.properties_of(k).radius, scope.properties_of(k + 1).radius,
+                          scope.properties_of(k + 2).radius, scope.properties_of(k + 3).radius} +
+                a.properties.radius;
+        store_lanes(sigma, &pairs.sigma[k]);
+    }
+    store_lanes(x, &pairs.x[k]);
+    store_lanes(y, &pairs.y[k]);
+    store_lanes(vx, &pairs.vx[k]);
+    store_lanes(vy, &pairs.vy[k]);
+    const RelativeMotion<FourLanes> motion{x, y, vx, vy};
+    const auto look = quick_look(motion, sigma);
+    const FourLanes others_latest{b0.prospect.contact_time, b1.prospect.contact_time,
+                                  b2.prospect.contact_time, b3.prospect.contact_time};
+    const FourLanes latest =
+        select(others_latest < a.latest, others_latest, FourLanes{} + a.latest);
+    return (look.approach > 0.0) & (look.slack >= 0.0) &
+           might_touch_within(motion, sigma, look.approach, latest - scope.just_before);
+}
+
+[[gnu::always_inline]] inline std::uint64_t bits_of(FourMasks mask) {
+    mask |= __builtin_shufflevector(mask, mask, 2, 3, 0, 1);
+    return static_cast<std::uint64_t>(mask[0] | mask[1]);
+}
+
+// Takes a contact at `time`, or never, if it comes first. Without branches, which the processor
+// could not foretell.
+[[gnu::always_inline]] inline void consider(double time, std::int32_t other,
+                                            std::uint32_t collisions, FirstContact& first) {
+    const bool lower = other < first.partner();
+    const bool take = (time < first.time) | ((time <= first.time) & lower);
+    const std::uint64_t mask = -static_cast<std::uint64_t>(take);
+    const auto bits = std::bit_cast<std::uint64_t>(first.time);
+    first.time = std::bit_cast<double>(bits ^ ((bits ^ std::bit_cast<std::uint64_t>(time)) & mask));
+    first.who ^= (first.who ^ FirstContact(time, other, collisions).who) & mask;
+}
+
+// The exact times of two contacts, of a with the disk numbered k in `near` and of b with l; the
+// same twice does no harm.
+template <bool alike>
+[[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
+                                         const Pairs& p, std::size_t k, std::size_t l,
+                                         FirstContact& first_of_a, FirstContact& first_of_b) {
+    const FlyingDisk &c = scope.disk(k), &d = scope.disk(l);
+    RelativeMotion<TwoLanes> motion{
+        {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
+    TwoLanes sigma = both(scope.pairing.sigma);
+    if (!alike) sigma = TwoLanes{p.sigma[k], p.sigma[l]};
+    for (TwoLanes* pair : {&motion.x, &motion.y, &motion.vx, &motion.vy, &sigma})
+        keep_together(*pair);
+    const TwoLanes round_off =
+        approach_round_off(motion, TwoLanes{a.vx, b.vx}, TwoLanes{a.vy, b.vy},
+                           TwoLanes{c.v[0], d.v[0]}, TwoLanes{c.v[1], d.v[1]});
+    const TwoLanes met = scope.now + contact_times(motion, sigma, round_off);
+    TwoMasks possible = met <= TwoLanes{c.prospect.contact_time, d.prospect.contact_time};
+    if (!alike) {
+        const TwoLanes weight =
+            TwoLanes{a.properties.inverse_mass, b.properties.inverse_mass} +
+            TwoLanes{scope.properties_of(k).inverse_mass, scope.properties_of(l).inverse_mass};
+        possible &= (weight > 0.0) & (sigma > 0.0);
+    }
+    const TwoLanes time = select(possible, met, both(never<double>));
+    consider(time[0], scope.near[k], c.collisions, first_of_a);
+    consider(time[1], scope.near[l], d.collisions, first_of_b);
+}
+
+// Takes the lowest bit away, and tells which it was.
+[[gnu::always_inline]] inline std::size_t next_of(std::uint64_t& bits) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    bits &= bits - 1;
+    return k;
+}
+
+// The same, or `other` where there is none.
+[[gnu::always_inline]] inline std::size_t next_of_or(std::size_t other, std::uint64_t& bits) {
+    const std::size_t none = bits == 0 ? ~std::size_t{0} : 0;
+    const std::size_t k = next_of(bits);
+    return (k & ~none) | (other & none);
+}
+
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope& scope, const Viewer& a,
+                                                             std::size_t begin, std::size_t end,
+                                                             Pairs& pairs) {
+    FourMasks found{};
+    FourMasks bits = FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(begin);
+    for (std::size_t k = begin; k < end; k += lanes) {
+        found |= might_touch<several_images, alike>(scope, a, k, pairs) & bits;
+        bits <<= lanes;
+    }
+    return found;
+}
+
+// Of one viewer.
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
+                                          FirstContact& first) {
+    const Viewer a = scope.viewer(i, first);
+    Pairs pairs;
+    std::uint64_t bits =
+        bits_of(all_that_might_touch<several_images, alike>(scope, a, 0, count, pairs));
+    if (bits == 0) return;
+    FirstContact best = first;
+    do {
+        const std::size_t k = next_of(bits), l = next_of_or(k, bits);
+        solve<alike>(scope, a, a, pairs, k, l, best, best);
+    } while (bits != 0);
+    first = best;
+}
+
+// Of two.
+template <bool several_images, bool alike>
+[[gnu::always_inline]] inline void search(const Scope& scope,
+                                          const std::array<std::int32_t, 2>& both,
+                                          std::size_t split, std::size_t count,
+                                          std::array<FirstContact, 2>& firsts) {
+    const std::array viewers{scope.viewer(both[0], firsts[0]), scope.viewer(both[1], firsts[1])};
+    Pairs pairs;
+    std::uint64_t bits = bits_of(
+        all_that_might_touch<several_images, alike>(scope, viewers[0], 0, split, pairs) |
+        all_that_might_touch<several_images, alike>(scope, viewers[1], split, count, pairs));
+    while (bits != 0) {
+        const std::size_t k = next_of(bits), l = next_of_or(k, bits);
+        const std::size_t whose_k = k >= split ? 1 : 0, whose_l = l >= split ? 1 : 0;
+        solve<alike>(scope, viewers[whose_k], viewers[whose_l], pairs, k, l, firsts[whose_k],
+                     firsts[whose_l]);
+    }
+}
+
+// A loop of its own for each kind of pairs.
+template <typename... Arguments>
+[[gnu::always_inline]] inline void search_by_kind(const Scope& scope, Arguments&&... arguments) {
+    const bool alike = scope.pairing.sigma > 0.0;
+    if (alike && scope.pairing.several_images)
+        search<true, true>(scope, arguments...);
+    else if (alike)
+        search<false, true>(scope, arguments...);
+    else if (scope.pairing.several_images)
+        search<true, false>(scope, arguments...);
+    else
+        search<false, false>(scope, arguments...);
+}
+
+}  // namespace
+
+Pairing Pairing::nearest(const Box& box) {
+    Pairing pairing;
+    for (std::size_t a = 0; a < 2; ++a) {
+        const bool periodic = box.walls[a] == Wall::periodic;
+        const double size = box.size[static_cast<Eigen::Index>(a)];
+        pairing.half[a] = periodic ? 0.5 * size : never<double>;
+        pairing.size[a] = periodic ? size : 0.0;
+    }
+    return pairing;
+}
+
+Pairing Pairing::shifted(double x, double y) {
+    return {.shift = {x, y},
+            .half = {never<double>, never<double>},
+            .size = {0.0, 0.0},
+            .several_images = false};
+}
+
+CAROM_FOR_EACH_PROCESSOR
+void search_contact(const FlyingDisks& disks, const DiskProperties& properties, std::int32_t i,
+                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
+                    FirstContact& first) {
+    search_by_kind(Scope{disks.data(), properties, pairing, near, now}, i, count, first);
+}
+
+CAROM_FOR_EACH_PROCESSOR
+void search_two_contacts(const FlyingDisks& disks, const DiskProperties& properties,
+                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
+                         std::size_t split, std::size_t count, const Pairing& pairing,
+                         std::array<FirstContact, 2>& firsts) {
+    search_by_kind(Scope{disks.data(), properties, pairing, near, now}, both, split, count, firsts);
+}
+
+}  // namespace carom

@@ -1,0 +1,350 @@
+#include "physics/plane/plane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "physics/collision/pair_collision.h"
+
+namespace carom {
+namespace {
+
+// Below this number the disks fit into the processor's nearest caches in any order.
+constexpr std::size_t least_sorted = 4096;
+
+// The bits of a number, with a zero between each two.
+constexpr std::uint64_t spread_bits(std::uint64_t bits) {
+    bits = (bits | bits << 8) & 0x00FF00FFU;
+    bits = (bits | bits << 4) & 0x0F0F0F0FU;
+    bits = (bits | bits << 2) & 0x33333333U;
+    return (bits | bits << 1) & 0x55555555U;
+}
+
+template <typename Bodies>
+auto& at(Bodies& bodies, std::int32_t i) {
+    return bodies[static_cast<std::size_t>(i)];
+}
+
+bool crosses_cells(const Prospect& prospect, double time) {
+    return (prospect.contact_time > time) & (prospect.border >= first_cell_side);
+}
+int cell_side(const Prospect& prospect) { return static_cast<int>(prospect.border & 3U); }
+
+}  // namespace
+
+Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
+    : box_(box),
+      grid_(box, particles.radius),
+      properties_(particles),
+      nearest_(Pairing::nearest(box)),
+      only_(Pairing::shifted(0.0, 0.0)) {
+    const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
+    cell_size_ = TwoLanes{grid_.cell_width(), grid_.cell_height()};
+    overhang_ = load_two(grid_.overhang().data());
+    last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
+    if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * largest;
+    for (std::size_t a = 0; a < 2; ++a) {
+        const double size = box.size[static_cast<Eigen::Index>(a)];
+        const bool periodic = box.walls[a] == Wall::periodic;
+        narrow_[a] = periodic && 4.0 * largest > 0.99 * size;
+        last_cells_[a] = last_cell_[a];
+        box_size_[a] = size;
+        solid_[a] = periodic ? 0 : -1;
+        has_walls_ |= !periodic;
+        surely_nearest_[a] = narrow_[a] ? -1.0 : periodic ? 0.5 * size : never<double>;
+    }
+}
+
+Plane::Bodies Plane::bodies_of(const Particles& particles) {
+    return Bodies(static_cast<std::size_t>(particles.count()));
+}
+
+bool Plane::sorts_again(std::size_t count) { return count >= least_sorted; }
+
+std::vector<std::int32_t> Plane::order(const Bodies& bodies) {
+    std::vector<std::int32_t> numbers(bodies.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    if (bodies.size() < least_sorted) return numbers;
+    std::vector<std::uint64_t> keys(bodies.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const Cell cell = grid_.cell_at(bodies[k].x[0], bodies[k].x[1]);
+        keys[k] = (spread_bits(cell[0]) | spread_bits(cell[1]) << 1) << 32 | k;
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        numbers[k] = static_cast<std::int32_t>(keys[k] & 0xFFFFFFFFU);
+    properties_.renumber(numbers);
+    return numbers;
+}
+
+void Plane::enter(Bodies& bodies) {
+    for (Body& body : bodies) body.cell = grid_.cell_at(body.x[0], body.x[1]);
+    fill_grid(bodies);
+}
+
+void Plane::renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
+    std::vector<std::int32_t> now(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+        now[static_cast<std::size_t>(before[k])] = static_cast<std::int32_t>(k);
+    for (Body& body : bodies)
+        body.prospect.partner = now[static_cast<std::size_t>(body.prospect.partner)];
+    fill_grid(bodies);
+}
+
+void Plane::fill_grid(const Bodies& bodies) {
+    grid_.clear();
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        grid_.add(static_cast<std::int32_t>(k), properties_[k].radius, bodies[k].cell);
+}
+
+// Of the images of b the one in contact with a: the nearest, or in a narrow periodic box, where two
+// may touch, the one that a approaches. False if none approaches.
+inline bool Plane::separation_at_contact(const Body& a, const Body& b, double sigma, double& x,
+                                         double& y) const {
+    x = b.x[0] - a.x[0];
+    y = b.x[1] - a.x[1];
+    if (std::abs(x) <= surely_nearest_[0] && std::abs(y) <= surely_nearest_[1]) [[likely]]
+        return x * (b.v[0] - a.v[0]) + y * (b.v[1] - a.v[1]) < 0.0;
+    return separation_of_images(a, b, sigma, x, y);
+}
+
+bool Plane::separation_of_images(const Body& a, const Body& b, double sigma, double& x,
+                                 double& y) const {
+    std::array<std::array<double, 2>, 2> along{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double plain = b.x[axis] - a.x[axis];
+        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        const double half = box_.walls[axis] == Wall::periodic ? 0.5 * size : never<double>;
+        const double nearest = plain > half ? plain - size : plain < -half ? plain + size : plain;
+        along[axis] = {nearest, nearest > 0.0 ? nearest - size : nearest + size};
+    }
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < (narrow_[0] ? 2 : 1); ++i) {
+        for (std::size_t j = 0; j < (narrow_[1] ? 2 : 1); ++j) {
+            const double rx = along[0][i];
+            const double ry = along[1][j];
+            if (!(rx * (b.v[0] - a.v[0]) + ry * (b.v[1] - a.v[1]) < 0.0)) continue;
+            const double misfit = std::abs(rx * rx + ry * ry - sigma * sigma);
+            if (misfit >= best) continue;
+            best = misfit;
+            x = rx;
+            y = ry;
+        }
+    }
+    return std::isfinite(best);
+}
+
+bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const {
+    Body& a = bodies[static_cast<std::size_t>(i)];
+    Body& b = bodies[static_cast<std::size_t>(j)];
+    const Properties &first = properties_[i], &second = properties_[j];
+    const double sigma = first.radius + second.radius;
+    RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
+    if (!separation_at_contact(a, b, sigma, m.x, m.y)) return false;
+    const double factor = impulse_factor(m, first.inverse_mass, second.inverse_mass);
+    const TwoLanes r{m.x, m.y};
+    store_two(load_two(a.v.data()) + first.inverse_mass * factor * r, a.v.data());
+    store_two(load_two(b.v.data()) - second.inverse_mass * factor * r, b.v.data());
+    const double square = m.x * m.x + m.y * m.y;
+    contact = {{m.x, m.y}, -factor * square, 0.5 * (1.0 - square / (sigma * sigma))};
+    return true;
+}
+
+// In a periodic box the first follows the last.
+Cell Plane::next_cell(Cell cell, int side) const {
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const int up = side % 2;
+    const int last = last_cell_[axis];
+    const int next = cell[axis] + 2 * up - 1;
+    const int beyond = (next < 0) | (next > last);
+    cell[axis] = static_cast<std::uint16_t>((next & (beyond - 1)) | (last & (up - 1) & -beyond));
+    return cell;
+}
+
+void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
+    Body& body = bodies[static_cast<std::size_t>(i)];
+    const Cell from = body.cell;
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const int up = side % 2;
+    body.cell = next_cell(from, side);
+    if (from[axis] == (last_cell_[axis] & -up)) [[unlikely]] {
+        // leaves a periodic box, and enters at the other side
+        body.x[0] += body.v[0] * (now - body.time);
+        body.x[1] += body.v[1] * (now - body.time);
+        body.time = now;
+        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        body.x[axis] += up == 1 ? -size : size;
+    }
+    grid_.move(i, properties_[i].radius, from, body.cell);
+}
+
+// The contact, or the first of the borders ahead on each axis, of the cell with its overhang or of
+// the box. A large disk touches the wall from several cells away.
+inline double Plane::next_event(Body& d, double radius, double now,
+                                const FirstContact& contact) const {
+    const TwoLanes none = both(never<double>), zero{};
+    const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
+    const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
+    const TwoMasks up = v > 0.0;
+    TwoLanes border =
+        cell_size_ * (cell + select(up, both(1.0), zero)) + select(up, overhang_, -overhang_);
+    TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
+    if (has_walls_) {
+        const TwoLanes wall = select(up, box_size_ - radius, both(radius));
+        const TwoLanes last = select(up, last_cells_, zero);
+        // both the other way round for those that go down, so that one comparison is enough
+        const TwoLanes before = select(up, wall, border), behind = select(up, border, wall);
+        const TwoMasks at_wall = solid_ & ((cell == last) | (before <= behind));
+        border = select(at_wall, wall, border);
+        kind -= at_wall & first_cell_side;
+    }
+    const TwoLanes ahead = (border - (x + v * (now - d.time))) / v;
+    const TwoLanes time = now + select(v == 0.0, none, select(ahead > 0.0, ahead, zero));
+    // all in lanes: the processor cannot foretell which is first
+    const TwoMasks other_first = swapped(time) < time;
+    const TwoMasks first_kind = other_first ? swapped(kind) : kind;
+    const TwoLanes border_time = select(other_first, swapped(time), time);
+    const TwoLanes contact_time = both(contact.time);
+    d.prospect = {.contact_time = contact.time,
+                  .partner = contact.partner(),
+                  .partner_collisions = contact.collisions() & most_collisions,
+                  .border = static_cast<std::uint32_t>(first_kind[0]) & 7U};
+    return select(contact_time < border_time, contact_time, border_time)[0];
+}
+
+// With the disk itself, which it never meets; never none.
+inline void Plane::fill_up_lanes(std::int32_t i) {
+    for (std::size_t k = 0; k < lanes; ++k) near_[near_count_ + k] = i;
+    near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
+}
+
+// The first contact with one of those listed.
+inline void Plane::search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
+                          FirstContact& first) {
+    fill_up_lanes(i);
+    const std::size_t count = near_count_;
+    near_count_ = 0;
+    std::size_t k = 0;
+    do {
+        search_contact(bodies, properties_, i, now, &near_[k], std::min(count - k, most_searched),
+                       pairing, first);
+        k += most_searched;
+    } while (k < count);
+}
+
+// Of those in the cells around.
+inline const Pairing& Plane::pairing_near(Cell cell) const {
+    const auto inner = [&](std::size_t a) {
+        return cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
+    };
+    return inner(0) & inner(1) ? only_ : nearest_;
+}
+
+// As it is called for every cell, of which most about a large disk are empty.
+inline auto Plane::search_slots(const Bodies& bodies, std::int32_t i, double now,
+                                FirstContact& first) {
+    return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
+        grid_.append(slots, near_, near_count_);
+        if (near_count_ == 0) return;
+        search(bodies, i, now, Pairing::shifted(shift_x, shift_y), first);
+    };
+}
+
+double Plane::foresee(Bodies& bodies, std::int32_t i, double now) {
+    Body& a = at(bodies, i);
+    const double radius = properties_[i].radius;
+    FirstContact first;
+    if (grid_.plain(radius)) {
+        grid_.append_around(a.cell, near_, near_count_);
+        search(bodies, i, now, pairing_near(a.cell), first);
+    } else {
+        grid_.for_each_near(radius, a.cell, search_slots(bodies, i, now, first));
+    }
+    return next_event(a, radius, now, first);
+}
+
+// The nearest image of the other recedes, and no other image comes into question.
+bool Plane::foresee_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                         std::array<double, 2>& when) {
+    Body &a = at(bodies, i), &b = at(bodies, j);
+    const std::array radius{properties_[i].radius, properties_[j].radius};
+    if (!grid_.plain(radius[0]) || !grid_.plain(radius[1])) return false;
+    grid_.append_around(a.cell, near_, near_count_);
+    fill_up_lanes(i);
+    const std::size_t split = near_count_;
+    grid_.append_around(b.cell, near_, near_count_);
+    fill_up_lanes(j);
+    const std::size_t count = near_count_;
+    near_count_ = 0;
+    if (count > most_searched) return false;
+    const bool at_edge = pairing_near(a.cell).several_images || pairing_near(b.cell).several_images;
+    std::array<FirstContact, 2> contacts;
+    search_two_contacts(bodies, properties_, {i, j}, now, near_.data(), split, count,
+                        at_edge ? nearest_ : only_, contacts);
+    when = {next_event(a, radius[0], now, contacts[0]), next_event(b, radius[1], now, contacts[1])};
+    return true;
+}
+
+double Plane::foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, double now) {
+    Body& a = at(bodies, i);
+    const double radius = properties_[i].radius;
+    const Prospect& before = a.prospect;
+    FirstContact first(before.contact_time, before.partner, before.partner_collisions);
+    if (grid_.plain(radius)) {
+        grid_.append_newly_around(a.cell, side, near_, near_count_);
+        search(bodies, i, now, pairing_near(a.cell), first);
+    } else {
+        grid_.for_each_newly_near(radius, a.cell, side, search_slots(bodies, i, now, first));
+    }
+    return next_event(a, radius, now, first);
+}
+
+std::int32_t Plane::partner_ahead(const Bodies& bodies, std::int32_t i, double time) {
+    const Prospect& prospect = at(bodies, i).prospect;
+    const std::int32_t meets = prospect.contact_time <= time ? -1 : 0;
+    return i ^ ((i ^ prospect.partner) & meets);
+}
+
+// How many are listed the processor cannot foretell, so a few more are asked for, which have been
+// listed before; more than `usual` are rare.
+template <std::size_t usual>
+inline void Plane::fetch_listed(const Bodies& bodies) {
+#pragma GCC unroll 32
+    for (std::size_t k = 0; k < usual; ++k) __builtin_prefetch(&at(bodies, near_[k]));
+    for (std::size_t k = usual; k < near_count_; ++k) __builtin_prefetch(&at(bodies, near_[k]));
+    near_count_ = 0;
+}
+
+void Plane::fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
+    __builtin_prefetch(&at(bodies, i));
+}
+
+// Without a branch: which event comes the processor cannot foretell.
+void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const {
+    const Body& a = at(bodies, i);
+    const Cell next = next_cell(a.cell, cell_side(a.prospect));
+    const unsigned crosses = crosses_cells(a.prospect, time) ? ~0U : 0U;
+    Cell about;
+    for (std::size_t k = 0; k < 2; ++k)
+        about[k] = static_cast<std::uint16_t>(a.cell[k] ^ ((a.cell[k] ^ next[k]) & crosses));
+    grid_.fetch_around(about);
+    grid_.fetch_around(at(bodies, partner_ahead(bodies, i, time)).cell);
+}
+
+void Plane::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time) {
+    if (!grid_.plain(properties_[i].radius)) return;
+    const Body& a = at(bodies, i);
+    if (crosses_cells(a.prospect, time)) {
+        const int side = cell_side(a.prospect);
+        grid_.append_newly_around(next_cell(a.cell, side), side, near_, near_count_);
+        fetch_listed<4>(bodies);
+    } else {
+        grid_.append_around(a.cell, near_, near_count_);
+        grid_.append_around(at(bodies, partner_ahead(bodies, i, time)).cell, near_, near_count_);
+        fetch_listed<20>(bodies);
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,171 @@
+#include "physics/theory/collision_rate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <vector>
+
+namespace carom {
+namespace {
+
+using Eigen::Index;
+using std::numbers::pi;
+
+/// Particles that are alike, or nearly.
+struct Alike {
+    double radius, inverse_mass, count;
+};
+
+// The particles in order of size and mass, parted into groups of one kind. Where there are very
+// many kinds, neighbours in this order are taken together: the sum over pairs of groups stays
+// short.
+std::vector<Alike> groups_of(const Particles& particles) {
+    constexpr std::size_t most_groups = 1000;
+    std::vector<Alike> order;
+    for (Index i = 0; i < particles.count(); ++i)
+        order.push_back({particles.radius[i], particles.inverse_mass[i], 1.0});
+    std::sort(order.begin(), order.end(), [](const Alike& a, const Alike& b) {
+        return std::tie(a.radius, a.inverse_mass) < std::tie(b.radius, b.inverse_mass);
+    });
+    std::vector<Alike> groups;
+    for (const Alike& one : order) {
+        const bool same = !groups.empty() && groups.back().radius == one.radius &&
+                          groups.back().inverse_mass == one.inverse_mass;
+        if (same)
+            groups.back().count += 1.0;
+        else
+            groups.push_back(one);
+    }
+    if (groups.size() <= most_groups) return groups;
+    groups.clear();
+    for (std::size_t k = 0; k < most_groups; ++k) {
+        const std::size_t begin = k * order.size() / most_groups;
+        const std::size_t end = (k + 1) * order.size() / most_groups;
+        groups.push_back(order[(begin + end) / 2]);
+        groups.back().count = static_cast<double>(end - begin);
+    }
+    return groups;
+}
+
+bool moves(const Sample& sample, Index i) { return (sample.velocity.row(i) != 0.0).any(); }
+
+bool infinite_mass_moves(const Particles& particles, const Sample& sample) {
+    for (Index i = 0; i < particles.count(); ++i)
+        if (particles.inverse_mass[i] == 0.0 && moves(sample, i)) return true;
+    return false;
+}
+
+// Twice the kinetic energy for each degree of freedom. Along periodic axes momentum is conserved:
+// what drifts as a whole is no heat, and one degree of freedom less shares it.
+double temperature(const Box& box, const Particles& particles, const Sample& sample) {
+    const bool fixed = (particles.inverse_mass == 0.0).any();
+    const auto mobile = static_cast<double>((particles.inverse_mass > 0.0).count());
+    double twice_energy = 0.0;
+    double freedom = 0.0;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        double mass = 0.0, momentum = 0.0, square = 0.0;
+        for (Index i = 0; i < particles.count(); ++i) {
+            if (particles.inverse_mass[i] == 0.0) continue;
+            const double m = 1.0 / particles.inverse_mass[i];
+            const double v = sample.velocity(i, axis);
+            mass += m;
+            momentum += m * v;
+            square += m * v * v;
+        }
+        const bool conserved =
+            box.walls[static_cast<std::size_t>(axis)] == Wall::periodic && !fixed && mobile > 0.0;
+        twice_energy += conserved ? square - momentum * momentum / mass : square;
+        freedom += conserved ? mobile - 1.0 : mobile;
+    }
+    return freedom > 0.0 ? std::max(0.0, twice_energy / freedom) : 0.0;
+}
+
+double pairs(const std::vector<Alike>& groups, std::size_t a, std::size_t b) {
+    return a == b ? 0.5 * groups[a].count * (groups[a].count - 1.0)
+                  : groups[a].count * groups[b].count;
+}
+
+// sum over all pairs of f(one, other), the groups being alike within.
+template <typename Function>
+double sum_of_pairs(const std::vector<Alike>& groups, const Function& f) {
+    double sum = 0.0;
+    for (std::size_t a = 0; a < groups.size(); ++a)
+        for (std::size_t b = a; b < groups.size(); ++b)
+            sum += pairs(groups, a, b) * f(groups[a], groups[b]);
+    return sum;
+}
+
+// 1 / A for a pair that touches: its centres stay a radius off solid walls, and within s of them
+// not all directions of contact are left (on average the share 1/pi is lost).
+double contact_density(const Box& box, double s) {
+    double density = 1.0;
+    double lost = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const bool solid = box.walls[static_cast<std::size_t>(axis)] == Wall::solid;
+        const double room = solid ? box.size[axis] - s : box.size[axis];
+        if (room <= 0.0) return 1.0 / box.size.prod();
+        density /= room;
+        if (solid) lost += 2.0 * s / (pi * room);
+    }
+    return density * std::max(0.0, 1.0 - lost);
+}
+
+double rate_in_plane(const Box& box, const Particles& particles, const Sample& sample) {
+    const std::vector<Alike> groups = groups_of(particles);
+    const double t = temperature(box, particles, sample);
+    const double packing = packing_fraction(box, particles);
+    const double free = 1.0 - packing;
+    const double xi = packing * particles.radius.sum() / (2.0 * particles.radius.square().sum());
+    return sum_of_pairs(groups, [&](const Alike& a, const Alike& b) {
+        const double s = a.radius + b.radius;
+        const double reduced_diameter = 2.0 * a.radius * b.radius / s;
+        const double chi = 1.0 / free + 9.0 / 8.0 * reduced_diameter * xi / (free * free);
+        const double g = std::sqrt(0.5 * pi * t * (a.inverse_mass + b.inverse_mass));
+        return 2.0 * s * chi * g * contact_density(box, s);
+    });
+}
+
+// Sums over all pairs of numbers in rising order: the k-th is the greater one in k pairs.
+double rate_of_exchange(const Box& box, const Sample& sample) {
+    const bool ring = box.walls[0] == Wall::periodic;
+    const Eigen::ArrayXd velocity = sample.velocity.col(0);
+    Eigen::ArrayXd order = ring ? velocity : velocity.abs();
+    std::sort(order.begin(), order.end());
+    const auto last = static_cast<double>(order.size() - 1);
+    double sum = 0.0;
+    for (Index k = 0; k < order.size(); ++k) {
+        const auto below = static_cast<double>(k);
+        sum += order[k] * (ring ? below - (last - below) : below);
+    }
+    return sum;
+}
+
+double rate_on_wire(const Box& box, const Particles& particles, const Sample& sample) {
+    const double room = box.size[0] * (1.0 - packing_fraction(box, particles));
+    const bool equal = (particles.inverse_mass == particles.inverse_mass[0]).all();
+    if (equal) return rate_of_exchange(box, sample) / room;
+    const double t = temperature(box, particles, sample);
+    return sum_of_pairs(groups_of(particles), [&](const Alike& a, const Alike& b) {
+        return std::sqrt(2.0 * t * (a.inverse_mass + b.inverse_mass) / pi) / room;
+    });
+}
+
+}  // namespace
+
+double packing_fraction(const Box& box, const Particles& particles) {
+    return box.dimension == 1 ? 2.0 * particles.radius.sum() / box.size[0]
+                              : pi * particles.radius.square().sum() / box.size.prod();
+}
+
+std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
+                                              const Sample& sample) {
+    if (infinite_mass_moves(particles, sample)) return std::nullopt;
+    if (particles.count() < 2) return 0.0;
+    constexpr double rounding = 1e-12;
+    if (packing_fraction(box, particles) >= 1.0 - rounding) return std::nullopt;
+    return box.dimension == 1 ? rate_on_wire(box, particles, sample)
+                              : rate_in_plane(box, particles, sample);
+}
+
+}  // namespace carom

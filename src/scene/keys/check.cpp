@@ -1,0 +1,325 @@
+#include "scene/keys/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/yaml/scalar.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+/// A value on its way through the check: what it is for, and where to report.
+struct Context {
+    const std::string& what;
+    Errors& errors;
+};
+
+void refuse(Node& node, std::string message, std::string hint, Errors& errors) {
+    node.valid = false;
+    errors.add(node, std::move(message), std::move(hint));
+}
+
+Node::Kind kind_of(const Form& form) {
+    if (form.shape == Shape::list) return Node::Kind::list;
+    return form.shape == Shape::mapping ? Node::Kind::mapping : Node::Kind::scalar;
+}
+
+// Of words each by itself, so that all can stand in one list.
+std::vector<std::string> phrases(const Form& form) {
+    std::vector<std::string> words = form.words;
+    if (form.shape == Shape::flag) words = {"true", "false"};
+    if (!form.phrase.empty() || (form.shape != Shape::flag && form.shape != Shape::word))
+        return {phrase(form)};
+    for (std::string& word : words) word = "`" + word + "`";
+    return words;
+}
+
+// The forms that the value seems to be meant for: those of its kind; all where there are none.
+std::string expected(const Node& node, const std::vector<Form>& forms) {
+    std::vector<std::string> near, all;
+    for (const Form& form : forms)
+        for (const std::string& one : phrases(form)) {
+            all.push_back(one);
+            if (kind_of(form) == node.kind) near.push_back(one);
+        }
+    return listed(near.empty() ? all : near, "or");
+}
+
+void mismatch(Node& node, const std::vector<Form>& forms, std::string hint, Context context) {
+    refuse(node,
+           fmt::format("expected {} for {}, found {}", expected(node, forms), context.what,
+                       described(node)),
+           std::move(hint), context.errors);
+}
+
+const Form* form_of(const std::vector<Form>& forms, Shape shape) {
+    const auto found = std::find_if(forms.begin(), forms.end(),
+                                    [&](const Form& form) { return form.shape == shape; });
+    return found == forms.end() ? nullptr : &*found;
+}
+
+bool in_range(double value, const Form& form) {
+    const bool whole = form.shape != Shape::integer || value == std::floor(value);
+    return whole && value >= form.range.low && value <= form.range.high;
+}
+
+void check_number(Node& node, double value, const Form& form, const std::vector<Form>& forms,
+                  Context context) {
+    if (in_range(value, form)) return;
+    std::string hint;
+    if (value > form.range.high && !form.range.ceiling.empty())
+        hint =
+            fmt::format("the ceiling is {} {}", number_text(form.range.high), form.range.ceiling);
+    else if (value > 0.0 && value < form.range.low && form.range.low == smallest_quantity.value)
+        hint = fmt::format("the smallest is {}", smallest_quantity.value);
+    mismatch(node, forms, hint, context);
+}
+
+// Whether a comment follows where the value of a key should stand.
+bool is_comment_behind(const Node& nothing) {
+    constexpr std::size_t far_enough = 200;
+    std::string_view line =
+        std::string_view{nothing.source->text}.substr(nothing.offset, far_enough);
+    line = line.substr(0, line.find('\n'));
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos) return false;
+    const std::size_t next = line.find_first_not_of(' ', colon + 1);
+    return next != std::string_view::npos && line[next] == '#';
+}
+
+void check_text(Node& node, const Form& form, Context context) {
+    const int length = code_points(node.text);
+    if (static_cast<std::size_t>(length) > form.longest)
+        return refuse(node, fmt::format("{} has {} characters", context.what, length),
+                      fmt::format("the ceiling is {} {}", form.longest, form.ceiling),
+                      context.errors);
+    const std::size_t end = node.text.find_last_not_of(" \t\n") + 1;
+    if (end == 0 && form.shortest > 0) return mismatch(node, {form}, "", context);
+    for (std::size_t i = 0; i < end;) {
+        const std::size_t next = next_code_point(node.text, i);
+        const std::string_view letter = std::string_view{node.text}.substr(i, next - i);
+        if (letter == "\n" && !form.lines)
+            return refuse(node, fmt::format("{} is one line, found several", context.what), "",
+                          context.errors);
+        if (is_control(letter) && letter != "\n")
+            return refuse(node, fmt::format("{} holds a control character", context.what), "",
+                          context.errors);
+        i = next;
+    }
+}
+
+std::vector<std::string> key_names(const Section& section) {
+    std::vector<std::string> names;
+    for (const Key& key : section.keys) names.push_back(key.name);
+    return names;
+}
+
+std::string keys_hint(const Section& section) {
+    const std::vector<std::string> names = key_names(section);
+    return (names.size() == 1 ? "its key is " : "its keys are ") + listed(names, "and");
+}
+
+std::string word_hint(const Node& node, const std::vector<Form>& forms) {
+    for (const Form& form : forms)
+        for (const Elsewhere& other : form.elsewhere)
+            if (other.word == node.text) return other.hint;
+    std::vector<std::string> words;
+    for (const Form& form : forms) words.insert(words.end(), form.words.begin(), form.words.end());
+    const auto near = nearest_spelling(node.text, words);
+    return near ? fmt::format("did you mean `{}`?", *near) : "";
+}
+
+std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
+    if (const std::string hint = word_hint(node, forms); !hint.empty()) return hint;
+    const bool numbers = form_of(forms, Shape::number) || form_of(forms, Shape::integer);
+    if (numbers) return number_hint(node);
+    if (form_of(forms, Shape::flag)) return flag_hint(node);
+    if (form_of(forms, Shape::color)) {
+        std::string names;
+        for (const std::string& word : form_of(forms, Shape::color)->words)
+            names += (names.empty() ? "" : ", ") + word;
+        return "names: " + names;
+    }
+    if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
+    const Form* list = form_of(forms, Shape::list);
+    return list != nullptr && forms.size() > 1 ? "or give " + phrase(*list) : "";
+}
+
+bool is_word(const Node& node, const std::vector<Form>& forms) {
+    return std::any_of(forms.begin(), forms.end(), [&](const Form& form) {
+        return std::find(form.words.begin(), form.words.end(), node.text) != form.words.end();
+    });
+}
+
+void check_scalar(Node& node, const std::vector<Form>& forms, Context context) {
+    if (const Form* form = form_of(forms, Shape::text)) return check_text(node, *form, context);
+    if (is_word(node, forms)) return;
+    if (form_of(forms, Shape::color) && !color_hex(node.text).empty()) return;
+    if (form_of(forms, Shape::flag) && flag_in(node)) return;
+    const Form* form = form_of(forms, Shape::number);
+    if (form == nullptr) form = form_of(forms, Shape::integer);
+    if (const auto value = number_in(node); form && value)
+        return check_number(node, *value, *form, forms, context);
+    mismatch(node, forms, scalar_hint(node, forms), context);
+}
+
+void check_value(Node& node, const std::vector<Form>& forms, Context context);
+
+bool fits_items(const Node& node, const Form& form) {
+    if (form.shape != Shape::list) return false;
+    if (node.items.empty()) return true;
+    const bool lists = form_of(form.items, Shape::list) != nullptr;
+    return node.items.front().is_list() == lists;
+}
+
+void check_length(Node& node, const Form& form, const std::vector<Form>& forms, Context context) {
+    const std::size_t length = node.items.size();
+    if (length >= form.shortest && length <= form.longest) return;
+    std::string hint;
+    if (length > form.longest && !form.ceiling.empty())
+        hint = fmt::format("the ceiling is {} {}", form.longest, form.ceiling);
+    mismatch(node, forms, hint, context);
+}
+
+void check_list(Node& node, const std::vector<Form>& forms, Context context) {
+    auto form = std::find_if(forms.begin(), forms.end(),
+                             [&](const Form& candidate) { return fits_items(node, candidate); });
+    if (form == forms.end()) form = forms.begin();
+    while (form != forms.end() && form->shape != Shape::list) ++form;
+    if (form == forms.end())
+        return mismatch(node, forms, forms.empty() ? "" : forms.front().instead_of_list, context);
+    check_length(node, *form, forms, context);
+    if (!node.valid) return;
+    const bool independent = form_of(form->items, Shape::mapping) != nullptr;
+    const std::string what = "an item of " + context.what;
+    for (Node& item : node.items) {
+        check_value(item, form->items, {what, context.errors});
+        if (!item.valid && !independent) node.valid = false;
+    }
+}
+
+std::string structure_hint(const Node& node, const std::vector<Form>& forms) {
+    if (node.kind == Node::Kind::null && is_comment_behind(node))
+        return "`#` begins a comment; put the value in quotes";
+    const Form* list = form_of(forms, Shape::list);
+    if (node.is_mapping() && list && form_of(list->items, Shape::mapping))
+        return "begin each item of the list with `- `";
+    return "";
+}
+
+void check_value(Node& node, const std::vector<Form>& forms, Context context) {
+    switch (node.kind) {
+        case Node::Kind::scalar:
+            return check_scalar(node, forms, context);
+        case Node::Kind::list:
+            return check_list(node, forms, context);
+        case Node::Kind::mapping:
+            if (const Form* form = form_of(forms, Shape::mapping))
+                return check_mapping(node, *form->section, context.errors);
+            return mismatch(node, forms, structure_hint(node, forms), context);
+        case Node::Kind::null:
+            return mismatch(node, forms, structure_hint(node, forms), context);
+    }
+}
+
+void unknown_key(const Node& key, const Section& section, Errors& errors) {
+    for (const Refused& refused : section.refused)
+        if (refused.name == key.text) return errors.add(key, refused.reason, refused.hint);
+    const std::vector<std::string> names = key_names(section);
+    const auto near = nearest_spelling(key.text, names);
+    std::string hint = near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section);
+    if (key.text.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
+        hint = "a comma parts keys; numbers have a point: 0.5";
+    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name), hint);
+}
+
+bool knows_all(const Section& section, const Node& mapping) {
+    return std::all_of(mapping.keys.begin(), mapping.keys.end(), [&](const Node& key) {
+        return section.index(key.text) < section.keys.size();
+    });
+}
+
+// Where several are given, those of the latest origin count; two of these are one too many.
+void check_choice(Node& node, const Choice& choice, const Section& section, Errors& errors) {
+    Node* kept = nullptr;
+    for (std::size_t i = 0; i < node.keys.size(); ++i) {
+        const auto& names = choice.names;
+        if (std::find(names.begin(), names.end(), node.keys[i].text) == names.end()) continue;
+        Node& value = node.items[i];
+        const Origin origin = node.keys[i].source->origin;
+        if (kept == nullptr) {
+            kept = &value;
+        } else if (origin > kept->source->origin) {
+            std::exchange(kept, &value)->valid = false;
+        } else {
+            if (origin == kept->source->origin)
+                errors.add(node.keys[i],
+                           fmt::format("{} exclude one another", listed(choice.names, "and", "`")),
+                           "keep one of them");
+            value.valid = false;
+        }
+    }
+    if (choice.required && kept == nullptr && knows_all(section, node))
+        errors.add(node, fmt::format("{} needs {}", section.name, listed(choice.names, "or", "`")));
+}
+
+// A key that seems to be meant by an unknown one, which has been reported.
+bool is_meant(const Node& node, const Section& section, const std::string& name) {
+    const std::vector<std::string> names = key_names(section);
+    return std::any_of(node.keys.begin(), node.keys.end(), [&](const Node& key) {
+        if (section.index(key.text) < names.size()) return false;
+        const bool refused =
+            std::any_of(section.refused.begin(), section.refused.end(),
+                        [&](const Refused& entry) { return entry.name == key.text; });
+        return refused || names.size() == 1 || nearest_spelling(key.text, names) == name;
+    });
+}
+
+void check_presence(const Node& node, const Section& section, Errors& errors) {
+    for (const Key& key : section.keys) {
+        const bool missing = key.required && find(node, key.name) == nullptr;
+        if (missing && !is_meant(node, section, key.name))
+            errors.add(node, fmt::format("{} needs `{}`", section.name, key.name),
+                       fmt::format("`{}`: {}", key.name, key.meaning));
+    }
+}
+
+// A key that only some kinds of panel have.
+void check_kind(Node& node, const Section& section, Errors& errors) {
+    const Node* kind = find(node, "kind");
+    if (kind == nullptr || !kind->valid) return;
+    for (std::size_t i = 0; i < node.keys.size(); ++i) {
+        const std::size_t index = section.index(node.keys[i].text);
+        if (index == section.keys.size()) continue;
+        const std::vector<std::string>& with = section.keys[index].with;
+        if (with.empty() || std::find(with.begin(), with.end(), kind->text) != with.end()) continue;
+        errors.add(node.keys[i],
+                   fmt::format("`{}` has no meaning for a panel of kind `{}`", node.keys[i].text,
+                               kind->text),
+                   "it goes with " + listed(with, "or", "`"));
+        node.items[i].valid = false;
+    }
+}
+
+}  // namespace
+
+void check_mapping(Node& node, const Section& section, Errors& errors) {
+    for (std::size_t i = 0; i < node.keys.size(); ++i) {
+        const std::size_t index = section.index(node.keys[i].text);
+        if (index == section.keys.size()) {
+            unknown_key(node.keys[i], section, errors);
+            continue;
+        }
+        const Key& key = section.keys[index];
+        check_value(node.items[i], key.forms, {"`" + key.name + "`", errors});
+    }
+    for (const Choice& choice : section.choices) check_choice(node, choice, section, errors);
+    check_presence(node, section, errors);
+    check_kind(node, section, errors);
+}
+
+}  // namespace carom

@@ -1,0 +1,14 @@
+// Whether values have the forms that the key table allows. What they mean together is for others
+// (gas_check.h, film.h).
+#pragma once
+
+#include "scene/keys/keys.h"
+#include "scene/yaml/node.h"
+
+namespace carom {
+
+/// Checks a mapping against its section, marks what is wrong in it as invalid and reports all of
+/// it.
+void check_mapping(Node& node, const Section& section, Errors& errors);
+
+}  // namespace carom

@@ -1,0 +1,81 @@
+#include "scene/keys/key_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+std::string example(const Form& form);
+
+// 1 where it is allowed, else the least.
+std::string example_number(const Range& range) {
+    return number_text(range.low <= 1.0 && range.high >= 1.0 ? 1.0 : range.low);
+}
+
+std::string example_list(const Form& form) {
+    const std::size_t length = std::max<std::size_t>(1, form.shortest);
+    std::string text;
+    for (std::size_t i = 0; i < length; ++i)
+        text += (i > 0 ? ", " : "") + example(form.items.front());
+    return "[" + text + "]";
+}
+
+bool is_first_of_needed(const Section& section, const std::string& name) {
+    return std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
+        return choice.required && choice.names.front() == name;
+    });
+}
+
+std::string example_mapping(const Section& section) {
+    std::string text;
+    for (const Key& key : section.keys)
+        if (key.required || is_first_of_needed(section, key.name))
+            text += (text.empty() ? "" : ", ") + key.name + ": " + example_text(key);
+    return "{" + text + "}";
+}
+
+std::string example(const Form& form) {
+    switch (form.shape) {
+        case Shape::number:
+        case Shape::integer:
+            return example_number(form.range);
+        case Shape::flag:
+            return "true";
+        case Shape::text:
+            return "words";
+        case Shape::word:
+        case Shape::color:
+            return form.words.front();
+        case Shape::list:
+            return example_list(form);
+        case Shape::mapping:
+            return example_mapping(*form.section);
+    }
+    return "";
+}
+
+std::string form_text(const Form& form) {
+    const bool is_number = form.shape == Shape::number || form.shape == Shape::integer;
+    if (is_number && form.range.low == form.range.high) return number_text(form.range.low);
+    const std::string words = phrase(form);
+    return form.section && words == "a mapping" ? "a mapping, see " + form.section->name : words;
+}
+
+}  // namespace
+
+std::string forms_text(const Key& key) {
+    std::string text;
+    for (std::size_t i = 0; i < key.forms.size(); ++i) {
+        if (i > 0) text += i + 1 == key.forms.size() ? "; or " : "; ";
+        text += form_text(key.forms[i]);
+    }
+    return text;
+}
+
+std::string example_text(const Key& key) {
+    return key.preset.empty() ? example(key.forms.front()) : key.preset;
+}
+
+}  // namespace carom

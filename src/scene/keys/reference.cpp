@@ -1,0 +1,168 @@
+#include "scene/keys/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "scene/keys/key_text.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr const char* opening = R"(# The scene language
+
+<!-- Made from the key table, src/scene/keys.cpp, by `./dev docs`: change that, not this. -->
+
+A scene is one YAML file: what is in the box, what happens to it, what the viewer sees. Every key, with what it may be and what stands in for it when it is not given.
+
+)";
+
+constexpr const char* example = R"(title: Light and heavy disks
+box: {size: [64, 48], walls: periodic}
+gas:
+  - {name: light, count: 160, radius: 0.5, speed: 2}
+  - {name: heavy, count: 30, radius: {uniform: [1, 2]}, density: 1.5, temperature: 2}
+run: {until: 60, equilibrate: 5}
+film:
+  seconds: 30
+  color_by: species
+  panels:
+    - energy-by-species
+    - {kind: speed-histogram, bins: 40, title: How fast they are}
+)";
+
+constexpr const char* rules =
+    R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, told with its place and all others of the file.
+- Quantities are in reduced units: a length, a mass and a time of your choice, Boltzmann's constant 1.
+- A number is written in decimal (`0.5`, `1e9`), without quotes. Texts need quotes where YAML would read something else, such as `": "` or `#`.
+- A box with `size` is a plane that holds disks, one with `length` is a wire that holds beads. Where keys differ on a wire, a second table says so.
+- An editor with a YAML language server completes and checks all this: `carom schema > scene.schema.json`, and as the first line of a scene `# yaml-language-server: $schema=scene.schema.json`. `carom new` writes that line.
+- `carom check SCENE` tells whether a scene is valid.
+
+)";
+
+std::string capital(std::string text) {
+    if (!text.empty())
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+std::string cell(std::string text) {
+    for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
+        text.insert(i, "\\");
+    return text;
+}
+
+bool is_one_of_needed(const Section& section, const std::string& name) {
+    return std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
+        return choice.required &&
+               std::find(choice.names.begin(), choice.names.end(), name) != choice.names.end();
+    });
+}
+
+std::string stand_in(const Section& section, const Key& key) {
+    const bool alone =
+        std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
+            return choice.required && choice.names == std::vector<std::string>{key.name};
+        });
+    if (key.required || alone) return "required";
+    if (!key.preset.empty()) return "`" + key.preset + "`";
+    if (!key.preset_note.empty()) return key.preset_note;
+    return is_one_of_needed(section, key.name) ? "see below" : "none";
+}
+
+std::string row(const Section& section, const Key& key) {
+    std::string meaning = key.meaning;
+    if (!key.with.empty()) meaning += " Goes with " + listed(key.with, "and", "`") + ".";
+    return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(forms_text(key)),
+                       cell(stand_in(section, key)));
+}
+
+std::string table(const std::string& rows) {
+    return "| key | meaning | values | default |\n| --- | --- | --- | --- |\n" + rows + "\n";
+}
+
+std::string choices(const Section& section) {
+    std::string text;
+    for (const Choice& choice : section.choices) {
+        const std::string names = listed(choice.names, "and", "`");
+        if (choice.names.size() > 1)
+            text += fmt::format("{} of {}.\n\n", choice.required ? "Exactly one" : "At most one",
+                                names);
+    }
+    return text;
+}
+
+// The keys that a wire has otherwise, and those that it has not.
+std::string on_wire(const Section& plane, const Section& wire) {
+    std::string rows;
+    std::vector<std::string> missing;
+    for (const Key& key : wire.keys) {
+        const std::size_t index = plane.index(key.name);
+        const bool same =
+            index < plane.keys.size() && row(plane, plane.keys[index]) == row(wire, key);
+        if (!same) rows += row(wire, key);
+    }
+    for (const Key& key : plane.keys)
+        if (wire.index(key.name) == wire.keys.size()) missing.push_back(key.name);
+    std::string text = rows.empty() ? "" : "On a wire:\n\n" + table(rows);
+    if (!missing.empty())
+        text += fmt::format("Not on a wire: {}.\n\n", listed(missing, "and", "`"));
+    return text;
+}
+
+class Page {
+  public:
+    explicit Page(std::string text) : text_(std::move(text)) {}
+
+    // A section of the plane beside that of the wire, then those inside it; each name once.
+    void add(const Section& plane, const Section& wire) {
+        if (!told_.insert(plane.name).second) return;
+        std::string rows;
+        for (const Key& key : plane.keys) rows += row(plane, key);
+        text_ += fmt::format("## {}\n\n", capital(plane.name)) + table(rows) + choices(plane) +
+                 on_wire(plane, wire);
+        for (const Key& key : plane.keys) {
+            const std::size_t index = wire.index(key.name);
+            const std::vector<const Section*> inner = sections_in(key.forms);
+            const std::vector<const Section*> others =
+                index < wire.keys.size() ? sections_in(wire.keys[index].forms) : inner;
+            for (std::size_t k = 0; k < inner.size(); ++k)
+                add(*inner[k], k < others.size() ? *others[k] : *inner[k]);
+        }
+    }
+
+    void add(const std::string& text) { text_ += text; }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+    std::set<std::string> told_;
+};
+
+}  // namespace
+
+std::string reference_example() { return example; }
+
+std::string scene_reference() {
+    Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules);
+    page.add(scene_section(2), scene_section(1));
+    page.add(
+        "A film template, a file in `templates/films/` or beside the scene, has the keys of "
+        "`film` but `template`, and a `layout`:\n\n");
+    const Section& layout = section_of(template_section(), "layout");
+    page.add(layout, layout);
+    page.add(
+        "A figure set, a file given to `carom figures`, lists scenes whose figures belong "
+        "together ([figures.md](figures.md)):\n\n");
+    page.add(set_section(), set_section());
+    page.add(
+        "## Ceilings\n\nWhat is over a ceiling is refused before memory is taken: "
+        "[limits.md](limits.md) lists them all.\n");
+    return page.text();
+}
+
+}  // namespace carom

@@ -1,0 +1,118 @@
+#include "scene/keys/starter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "scene/keys/key_text.h"
+
+namespace carom {
+namespace {
+
+constexpr std::string_view schema_mark = "# yaml-language-server:";
+
+std::string first_line(const std::string& schema) {
+    return fmt::format("{} $schema={}\n", schema_mark, schema);
+}
+
+/// Keys that the scene gives, with their values.
+using Given = std::map<std::string, std::string>;
+
+// Words in lines of comment, at most so wide.
+std::string comment(const std::string& words, const std::string& indent) {
+    constexpr std::size_t width = 96;
+    std::string text, line;
+    for (std::size_t begin = 0; begin < words.size();) {
+        const std::size_t end = std::min(words.find(' ', begin), words.size());
+        const std::string word = words.substr(begin, end - begin);
+        if (!line.empty() && indent.size() + line.size() + word.size() + 3 > width) {
+            text += indent + "#" + line + "\n";
+            line.clear();
+        }
+        line += " " + word;
+        begin = end + 1;
+    }
+    return text + indent + "#" + line + "\n";
+}
+
+std::string words_of(const Key& key) {
+    std::string words = key.meaning;
+    if (!key.required && key.preset.empty() && !key.preset_note.empty())
+        words += " Default: " + key.preset_note + ".";
+    return words + " Values: " + forms_text(key) + ".";
+}
+
+std::string lines_of(const Key& key, const Given& given, const std::string& indent) {
+    const auto value = given.find(key.name);
+    const bool is_given = value != given.end();
+    return comment(words_of(key), indent) +
+           fmt::format("{}{}{}: {}\n", indent, is_given ? "" : "# ", key.name,
+                       is_given ? value->second : example_text(key));
+}
+
+std::string section_lines(const Section& section, const Given& given, const std::string& indent) {
+    std::string text;
+    for (const Key& key : section.keys) text += lines_of(key, given, indent);
+    return text;
+}
+
+std::string heading(const Section& scene, const std::string& name) {
+    const Key& key = scene.keys.at(scene.index(name));
+    return "\n" + comment(key.meaning, "") + name + ":\n";
+}
+
+// The keys of the top level that hold no others.
+std::string top_lines(const Section& scene) {
+    const Given given{{"title", "Light and heavy disks share energy, not speed"}, {"seed", "1"}};
+    std::string text;
+    for (const Key& key : scene.keys)
+        if (section_in(key.forms) == nullptr) text += "\n" + lines_of(key, given, "");
+    return text;
+}
+
+std::string species_lines(const Section& item) {
+    const Given light{
+        {"name", "light"}, {"count", "160"}, {"radius", "0.5"}, {"mass", "1"}, {"speed", "2"}};
+    std::string text = "  -\n" + section_lines(item, light, "    ");
+    return text + "  - {name: heavy, count: 30, radius: 1.6, mass: 12, speed: 2}\n";
+}
+
+}  // namespace
+
+std::string starter_scene(const std::string& schema, const std::string& name) {
+    const Section& scene = scene_section(2);
+    const auto inner = [&](const char* key) -> const Section& { return section_of(scene, key); };
+    std::string text = first_line(schema);
+    text +=
+        comment(fmt::format("A scene: `carom render {0}` makes its film, `carom check {0}` tells "
+                            "whether it is valid, and what it is.",
+                            name),
+                "");
+    text += comment(
+        "Take the # away from a key to use it: what stands there is its default, or "
+        "an example.",
+        "");
+    text += top_lines(scene);
+    text += heading(scene, "box") + section_lines(inner("box"), {{"size", "[64, 48]"}}, "  ");
+    text += heading(scene, "gas") + species_lines(inner("gas"));
+    text += heading(scene, "run") + section_lines(inner("run"), {{"until", "75"}}, "  ");
+    text += heading(scene, "film") +
+            section_lines(inner("film"),
+                          {{"seconds", "30"},
+                           {"color_by", "species"},
+                           {"panels", "[energy-by-species, speed-histogram, energy-histogram]"}},
+                          "  ");
+    return text;
+}
+
+std::string starter_from(const std::string& scene, const std::string& schema) {
+    std::string text = scene;
+    if (text.starts_with(schema_mark))
+        text.erase(0, std::min(text.find('\n'), text.size() - 1) + 1);
+    return first_line(schema) + text;
+}
+
+}  // namespace carom

@@ -1,0 +1,36 @@
+// Templates of films: where they are found, and how they lie under a scene's `film`.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/keys/fields.h"
+#include "scene/yaml/node.h"
+
+namespace carom {
+
+/// A file that holds a template, and the name under which a scene knows it.
+struct TemplateFile {
+    std::string name;
+    std::filesystem::path path;
+};
+
+/// Looks for the template that `film` asks for: in the scene's folder, then in `templates`/films.
+/// `asked` is where the name is written, or its default. Reports an unknown one with those there
+/// are; nothing then.
+std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
+                                          const std::filesystem::path& templates, Errors& errors,
+                                          const Source& fallback);
+
+/// The names of the templates in `templates`/films with places for at least `panels` panels, those
+/// with the fewest first.
+std::vector<std::string> templates_with_places(const std::filesystem::path& templates,
+                                               std::size_t panels);
+
+/// `film` with what only the template says added to it, but its layout.
+Node lay_over(const Node& film, const Node& template_file);
+
+}  // namespace carom

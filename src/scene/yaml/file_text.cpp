@@ -1,0 +1,59 @@
+#include "scene/yaml/file_text.h"
+
+#include <cerrno>
+#include <memory>
+#include <system_error>
+
+#include "scene/limits.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::string cause(int error) { return std::generic_category().message(error); }
+
+}  // namespace
+
+// Up to one byte over the ceiling, which the reader then refuses.
+std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
+    std::string text(most_file_bytes.count() + 1, '\0');
+    std::size_t size = 0;
+    while (true) {
+        size += std::fread(text.data() + size, 1, text.size() - size, &file);
+        if (std::ferror(&file) == 0 || errno != EINTR) break;
+        throw_if_interrupted();  // a terminal or pipe that sends nothing must not hold Ctrl-C
+        std::clearerr(&file);
+    }
+    text.resize(size);
+    if (std::ferror(&file) == 0) return text;
+    errors.add(name, "cannot be read: " + cause(errno));
+    return std::nullopt;
+}
+
+// Devices and pipes that are named are no scenes: they may never end.
+std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (fs::is_directory(status)) {
+        errors.add(name, "cannot be read: it is a folder");
+        return std::nullopt;
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        errors.add(name, "cannot be read: it is no ordinary file");
+        return std::nullopt;
+    }
+    const std::unique_ptr<std::FILE, CloseFile> file{std::fopen(path.c_str(), "rb")};
+    if (!file) {
+        errors.add(name, "cannot be read: " + cause(errno));
+        return std::nullopt;
+    }
+    return text_of(*file, name, errors);
+}
+
+}  // namespace carom

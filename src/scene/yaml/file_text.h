@@ -1,0 +1,21 @@
+// The text of a scene, a template or a set, as it lies in a file.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scene/yaml/node.h"
+
+namespace carom {
+
+/// All of a stream up to one byte over the ceiling of a file, which the reader then refuses;
+/// nothing, with an error, if it cannot be read. Throws Interrupted.
+std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors);
+
+/// The same of the file at `path`, if it is an ordinary one.
+std::optional<std::string> file_text(const std::filesystem::path& path, const Source& name,
+                                     Errors& errors);
+
+}  // namespace carom

@@ -1,0 +1,186 @@
+#include "scene/yaml/node.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "scene/limits.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// More are counted, not kept: a list of a hundred thousand wrong numbers is one mistake.
+constexpr std::size_t most_listed = 1000;
+
+std::size_t end_of_line(std::string_view text, std::size_t offset) {
+    const std::size_t end = std::min(text.find('\n', offset), text.size());
+    return end > offset && text[end - 1] == '\r' ? end - 1 : end;
+}
+
+std::size_t start_of_line(std::string_view text, std::size_t offset) {
+    return offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;  // npos + 1 is 0
+}
+
+// A bracketed or quoted piece of one line, brackets and quotes included.
+std::size_t enclosed_bytes(std::string_view line) {
+    int depth = 0;
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quote != 0) {
+            if (c == '\\' && quote == '"') ++i;
+            if (c == quote && c == '\'' && line.substr(i + 1).starts_with('\''))
+                ++i;
+            else if (c == quote)
+                quote = 0;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+        if (depth == 0 && quote == 0) return i + 1;
+    }
+    return 1;
+}
+
+std::size_t marked_bytes(const Node& node) {
+    const std::string_view text = node.source->text;
+    if (node.offset >= text.size()) return 1;
+    const std::string_view line =
+        text.substr(node.offset, end_of_line(text, node.offset) - node.offset);
+    if (line.empty()) return 1;
+    if (std::string_view{"[{\"'"}.find(line[0]) != std::string_view::npos)
+        return enclosed_bytes(line);
+    if (line[0] == '|' || line[0] == '>') return 1;
+    if (node.is_scalar() && line.starts_with(node.text)) return node.text.size();
+    return std::max<std::size_t>(1, std::min(line.find_first_of(":,]}# \t"), line.size()));
+}
+
+// What a terminal would obey, or could not show, replaced.
+std::string harmless(std::string_view text) {
+    std::string shown;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t next = next_code_point(text, i);
+        const std::string_view letter = text.substr(i, next - i);
+        const bool good = letter == "\t" || (is_utf8(letter) && !is_control(letter));
+        shown += good ? letter : std::string_view{"\uFFFD"};
+        i = next;
+    }
+    return shown;
+}
+
+// `offset` npos is the whole source. A text from the command line has no lines.
+Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes) {
+    Diagnostic place;
+    place.span.file = source.name;
+    if (offset == std::string::npos) return place;
+    const std::string_view text = source.text;
+    offset = std::min(offset, text.size());
+    const std::size_t start = start_of_line(text, offset);
+    if (source.origin != Origin::command_line) {
+        const std::string_view before = text.substr(0, start);
+        place.span.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+    }
+    place.span.column = 1 + code_points(text.substr(start, offset - start));
+    place.span.length = std::max(1, code_points(text.substr(offset, bytes)));
+    place.source_line = harmless(text.substr(start, end_of_line(text, start) - start));
+    return place;
+}
+
+// The scene's own errors first, then the template's, then the command line's.
+int rank(Origin origin) {
+    return origin == Origin::scene ? 0 : origin == Origin::template_file ? 1 : 2;
+}
+
+}  // namespace
+
+const Node* find(const Node& mapping, std::string_view key) {
+    for (std::size_t i = 0; i < mapping.keys.size(); ++i)
+        if (mapping.keys[i].text == key) return &mapping.items[i];
+    return nullptr;
+}
+
+Node* find(Node& mapping, std::string_view key) {
+    return const_cast<Node*>(find(std::as_const(mapping), key));
+}
+
+std::string in_quotes(std::string_view text) {
+    constexpr int most_shown = 40;
+    std::size_t end = 0;
+    for (int length = 0; end < text.size() && length < most_shown; ++length)
+        end = next_code_point(text, end);
+    return "`" + harmless(text.substr(0, end)) + (end < text.size() ? "…`" : "`");
+}
+
+std::string described(const Node& node) {
+    switch (node.kind) {
+        case Node::Kind::null:
+            return "nothing";
+        case Node::Kind::scalar:
+            return node.quoted ? "the text " + in_quotes(node.text) : in_quotes(node.text);
+        case Node::Kind::list:
+            return node.items.empty() ? "an empty list"
+                                      : fmt::format("a list of {}", node.items.size());
+        case Node::Kind::mapping:
+            return "a mapping";
+    }
+    return "nothing";
+}
+
+void Errors::add(const Node& node, std::string message, std::string hint) {
+    const std::size_t bytes = found_.size() < most_listed ? marked_bytes(node) : 1;
+    add({node.source, node.offset, bytes, std::move(message), std::move(hint)});
+}
+
+void Errors::add(const Source& source, std::size_t offset, std::string message, std::string hint) {
+    add({&source, offset, 1, std::move(message), std::move(hint)});
+}
+
+void Errors::add(Found found) {
+    if (found_.size() < most_listed)
+        found_.push_back(std::move(found));
+    else
+        ++unlisted_;
+}
+
+void Errors::add(const Source& source, std::string message, std::string hint) {
+    add(source, std::string::npos, std::move(message), std::move(hint));
+}
+
+void Errors::throw_if_any() const {
+    if (found_.empty()) return;
+    std::vector<Found> ordered = found_;
+    const auto place = [](const Found& found) {
+        return std::tuple{rank(found.source->origin), found.source->name, found.offset};
+    };
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [&](const Found& a, const Found& b) { return place(a) < place(b); });
+    const std::size_t shown = std::min(ordered.size(), most_errors_shown.count());
+    std::vector<Diagnostic> diagnostics;
+    for (std::size_t i = 0; i < shown; ++i) {
+        const Found& found = ordered[i];
+        Diagnostic diagnostic = place_in(*found.source, found.offset, found.bytes);
+        diagnostic.message = found.message;
+        diagnostic.hint = found.hint;
+        diagnostics.push_back(std::move(diagnostic));
+    }
+    const std::size_t left_out = found_.size() + unlisted_ - shown;
+    if (left_out > 0) {
+        Diagnostic& rest = diagnostics.emplace_back();
+        rest.span.file = ordered.front().source->name;
+        rest.message = fmt::format("and {} more errors", left_out);
+    }
+    throw SceneError(std::move(diagnostics));
+}
+
+Diagnostic place_of(const Node& node) {
+    return place_in(*node.source, node.offset, marked_bytes(node));
+}
+
+}  // namespace carom

@@ -1,0 +1,120 @@
+#include "scene/yaml/scalar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::size_t skip_digits(std::string_view text, std::size_t i) {
+    while (i < text.size() && is_digit(text[i])) ++i;
+    return i;
+}
+
+bool is_decimal(std::string_view text) {
+    const std::size_t whole = skip_digits(text, 0);
+    if (whole > 1 && text[0] == '0') return false;
+    std::size_t i = whole;
+    std::size_t digits = whole;
+    if (i < text.size() && text[i] == '.') {
+        const std::size_t end = skip_digits(text, i + 1);
+        digits += end - i - 1;
+        i = end;
+    }
+    if (digits == 0) return false;
+    if (i == text.size()) return true;
+    if (text[i] != 'e' && text[i] != 'E') return false;
+    ++i;
+    if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+    return i < text.size() && skip_digits(text, i) == text.size();
+}
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+std::string without(std::string text, std::string_view letters) {
+    std::erase_if(text, [&](char c) { return letters.find(c) != std::string_view::npos; });
+    return text;
+}
+
+// A comma is a decimal point to some, and parts thousands for others.
+std::string separator_hint(const std::string& text) {
+    const std::string plain = without(text, "_,' ");
+    if (plain == text) return "";
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && text.find_first_of(",.", comma + 1) == std::string::npos) {
+        const std::string whole = without(text.substr(0, comma), "_.' ");
+        const std::string pointed = whole + "." + text.substr(comma + 1);
+        const bool may_be_thousands =
+            whole.size() == comma && text.size() - comma == 4 && parse_number(plain);
+        if (may_be_thousands)
+            return fmt::format("write `{}`, or `{}` with a decimal point", plain, pointed);
+        if (parse_number(pointed)) return fmt::format("write `{}`, with a point", pointed);
+    }
+    return parse_number(plain) ? fmt::format("write `{}`, without separators", plain) : "";
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) text.remove_prefix(1);
+    if (!is_decimal(text)) return std::nullopt;
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return negative ? -value : value;
+}
+
+std::optional<double> number_in(const Node& node) {
+    if (!node.is_scalar() || node.quoted) return std::nullopt;
+    return parse_number(node.text);
+}
+
+std::optional<bool> flag_in(const Node& node) {
+    if (!node.is_scalar() || node.quoted) return std::nullopt;
+    if (node.text == "true") return true;
+    if (node.text == "false") return false;
+    return std::nullopt;
+}
+
+std::string number_hint(const Node& node) {
+    if (!node.is_scalar()) return "";
+    const std::string word = lower(node.text);
+    if (node.quoted) return parse_number(node.text) ? "write the number without quotes" : "";
+    if (is_one_of(without(word, "+-."), {"nan", "inf", "infinity"})) return "numbers are finite";
+    if (word.starts_with("0x") || word.starts_with("0o") || word.starts_with("0b"))
+        return "write the number in decimal";
+    if (const std::string hint = separator_hint(node.text); !hint.empty()) return hint;
+    const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+    const std::size_t zeros = word.find_first_not_of('0', sign);
+    if (zeros != std::string::npos && zeros > sign && parse_number(node.text.substr(zeros)))
+        return fmt::format("write `{}{}`, without leading zeros", node.text.substr(0, sign),
+                           node.text.substr(zeros));
+    if (!word.empty() && is_decimal(std::string_view{word}.substr(sign)))
+        return "too large or too small for a number of double precision";
+    return "";
+}
+
+std::string flag_hint(const Node& node) {
+    if (!node.is_scalar()) return "";
+    const std::string word = lower(node.text);
+    if (is_one_of(word, {"true", "yes", "on", "y", "1"})) return "write `true`";
+    if (is_one_of(word, {"false", "no", "off", "n", "0"})) return "write `false`";
+    return "";
+}
+
+}  // namespace carom

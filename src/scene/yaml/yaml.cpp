@@ -1,0 +1,316 @@
+#include "scene/yaml/yaml.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+#include "scene/limits.h"
+#include "scene/yaml/yaml_text.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// Ends the reading at the first error that leaves no tree to go on with.
+struct Stop {
+    std::size_t offset;
+    std::string message;
+    std::string hint;
+};
+
+std::size_t count_nodes(const Node& node) {
+    std::size_t count = 1 + node.keys.size();
+    for (const Node& item : node.items) count += count_nodes(item);
+    return count;
+}
+
+class TreeBuilder : public YAML::EventHandler {
+  public:
+    TreeBuilder(const Source& source, Errors& errors, std::size_t begin)
+        : source_(source), errors_(errors), begin_(begin) {
+        root_.source = &source;
+    }
+
+    Node take() { return std::move(root_); }
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (documents_++ > 0)
+            throw Stop{at(mark), "a second document begins here", "one file holds one scene"};
+    }
+    void OnDocumentEnd() override {}
+
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        Node node = make(Node::Kind::null, mark);
+        const std::string_view rest = std::string_view{source_.text}.substr(node.offset);
+        if (!rest.starts_with("~") && !rest.starts_with("null") && !rest.starts_with("Null") &&
+            !rest.starts_with("NULL"))
+            node.offset = place_of_nothing(node.offset);
+        finish(std::move(node), anchor);
+    }
+
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
+        refuse_tag(mark, tag);
+        Node node = make(Node::Kind::scalar, mark);
+        node.quoted = tag == "!";
+        node.text = value;
+        refuse_open_quote(node);
+        finish(std::move(node), anchor);
+    }
+
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        const auto found = anchored_.find(anchor);
+        if (found == anchored_.end())
+            throw Stop{at(mark), "an alias inside the value that it stands for", ""};
+        count(count_nodes(found->second), at(mark));
+        finish(Node{found->second}, 0);
+    }
+
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value) override {
+        open(Node::Kind::list, mark, tag, anchor);
+    }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value) override {
+        open(Node::Kind::mapping, mark, tag, anchor);
+    }
+    void OnSequenceEnd() override { close(); }
+    void OnMapEnd() override {
+        refuse_duplicates(open_.back().node);
+        close();
+    }
+
+  private:
+    struct Open {
+        Node node;
+        YAML::anchor_t anchor;
+    };
+
+    // yaml-cpp counts bytes; an anchor or a tag stands before the value that is meant.
+    std::size_t at(const YAML::Mark& mark) const {
+        const std::string_view text = source_.text;
+        std::size_t offset =
+            std::min(begin_ + static_cast<std::size_t>(std::max(0, mark.pos)), text.size());
+        while (offset < text.size() && text[offset] == '&') {
+            offset = std::min(text.find_first_of(" \t\r\n", offset), text.size());
+            offset = std::min(text.find_first_not_of(" \t\r\n", offset), text.size());
+        }
+        return offset;
+    }
+
+    Node make(Node::Kind kind, const YAML::Mark& mark) {
+        Node node;
+        node.kind = kind;
+        node.source = &source_;
+        node.offset = at(mark);
+        count(1, node.offset);
+        return node;
+    }
+
+    void count(std::size_t nodes, std::size_t offset) {
+        values_ += nodes;
+        if (values_ > most_values.count())
+            throw Stop{offset, fmt::format("the file holds more than {} values", most_values.value),
+                       fmt::format("the ceiling is {} {}", most_values.value, most_values.meaning)};
+    }
+
+    // An empty value has no place of its own: it takes its key's, or that of its dash.
+    std::size_t place_of_nothing(std::size_t offset) const {
+        if (open_.empty()) return offset;
+        const Node& parent = open_.back().node;
+        if (parent.keys.size() > parent.items.size()) return parent.keys.back().offset;
+        const std::size_t before = source_.text.find_last_of("-,[", offset > 0 ? offset - 1 : 0);
+        return before == std::string::npos ? parent.offset : before;
+    }
+
+    // yaml-cpp takes the end of the file for the end of a quotation.
+    void refuse_open_quote(const Node& node) const {
+        const std::string_view text = source_.text;
+        const char quote = node.offset < text.size() ? text[node.offset] : ' ';
+        if (!node.quoted || (quote != '"' && quote != '\'')) return;
+        if (end_of_quotation(text, node.offset) != text.npos) return;
+        throw Stop{node.offset, "not valid YAML: this quotation mark is not closed", ""};
+    }
+
+    void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+        if (tag.empty() || tag == "?" || tag == "!") return;
+        throw Stop{begin_ + static_cast<std::size_t>(std::max(0, mark.pos)),
+                   "a YAML tag (" + in_quotes(tag) + ") has no meaning in a scene", "leave it out"};
+    }
+
+    void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
+              YAML::anchor_t anchor) {
+        refuse_tag(mark, tag);
+        if (open_.size() >= most_nesting.count())
+            throw Stop{
+                at(mark), fmt::format("nested deeper than {}", most_nesting.value),
+                fmt::format("the ceiling is {} {}", most_nesting.value, most_nesting.meaning)};
+        open_.push_back({make(kind, mark), anchor});
+    }
+
+    void close() {
+        Open last = std::move(open_.back());
+        open_.pop_back();
+        finish(std::move(last.node), last.anchor);
+    }
+
+    void finish(Node node, YAML::anchor_t anchor) {
+        if (anchor != 0) {
+            count(count_nodes(node), node.offset);
+            anchored_[anchor] = node;
+        }
+        if (open_.empty()) {
+            root_ = std::move(node);
+            return;
+        }
+        Node& parent = open_.back().node;
+        const bool is_key = parent.is_mapping() && parent.keys.size() == parent.items.size();
+        if (is_key && !node.is_scalar())
+            throw Stop{node.offset, "a key is a word, found " + described(node), ""};
+        (is_key ? parent.keys : parent.items).push_back(std::move(node));
+    }
+
+    // The first of its name stays.
+    void refuse_duplicates(Node& mapping) {
+        std::vector<std::size_t> order(mapping.keys.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return mapping.keys[a].text < mapping.keys[b].text;
+        });
+        std::vector<bool> doubled(order.size(), false);
+        std::size_t reported = 0;
+        for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
+            if (mapping.keys[order[i]].text != mapping.keys[order[first]].text) {
+                first = i;
+                continue;
+            }
+            doubled[order[i]] = true;
+            if (++reported <= most_errors_shown.count())
+                report_duplicate(mapping.keys[order[first]], mapping.keys[order[i]]);
+        }
+        if (reported > 0) drop(mapping, doubled);
+    }
+
+    void report_duplicate(const Node& first, const Node& second) {
+        const auto from = source_.text.begin();
+        const auto line =
+            1 + std::count(from, from + static_cast<std::ptrdiff_t>(first.offset), '\n');
+        errors_.add(
+            second,
+            fmt::format("{} is given twice, first in line {}", in_quotes(second.text), line),
+            "remove one of them");
+    }
+
+    static void drop(Node& mapping, const std::vector<bool>& doubled) {
+        Node kept = mapping;
+        kept.keys.clear();
+        kept.items.clear();
+        for (std::size_t i = 0; i < doubled.size(); ++i) {
+            if (doubled[i]) continue;
+            kept.keys.push_back(std::move(mapping.keys[i]));
+            kept.items.push_back(std::move(mapping.items[i]));
+        }
+        mapping = std::move(kept);
+    }
+
+    const Source& source_;
+    Errors& errors_;
+    std::size_t begin_;
+    std::vector<Open> open_;
+    std::map<YAML::anchor_t, Node> anchored_;
+    std::size_t values_ = 0;
+    int documents_ = 0;
+    Node root_;
+};
+
+// Bytes that no text holds: broken UTF-8 and control characters but tab and line ends.
+std::optional<Stop> unreadable_byte(std::string_view text, std::size_t begin) {
+    for (std::size_t i = begin; i < text.size();) {
+        const std::size_t next = next_code_point(text, i);
+        const std::string_view letter = text.substr(i, next - i);
+        if (!is_utf8(letter))
+            return Stop{
+                i, fmt::format("byte 0x{:02X} is not UTF-8", static_cast<unsigned char>(text[i])),
+                "save the file as UTF-8"};
+        const bool line_end = letter == "\n" || text.substr(i, 2) == "\r\n";
+        if (is_control(letter) && letter != "\t" && !line_end)
+            return Stop{i,
+                        fmt::format("a control character (U+{:04X}) stands here",
+                                    static_cast<unsigned char>(letter.back())),
+                        "remove it"};
+        i = next;
+    }
+    return std::nullopt;
+}
+
+std::string way_out(const std::string& problem, std::string_view before, std::string_view line) {
+    using namespace YAML::ErrorMsg;
+    if (has_bare_color(before)) return "`#` begins a comment; put the colour in quotes";
+    if (line.starts_with('\t') || problem == TAB_IN_INDENTATION)
+        return "indent with spaces, not with tabs";
+    if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY)
+        return "lines that belong together begin in the same column";
+    if (problem == MAP_VALUE) return "a text with `: ` in it needs quotes";
+    return "";
+}
+
+void report_syntax(const Source& source, const YAML::Exception& error, std::size_t begin,
+                   Errors& errors) {
+    const std::string_view text = source.text;
+    const std::size_t offset =
+        std::min(begin + static_cast<std::size_t>(std::max(0, error.mark.pos)), text.size());
+    const std::string_view before = text.substr(0, offset);
+    const std::string hint = way_out(error.msg, before, text.substr(before.rfind('\n') + 1));
+    const bool open_end = error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ||
+                          error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW ||
+                          error.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
+    const std::size_t mark = open_end ? open_mark(before) : std::string_view::npos;
+    if (mark == std::string_view::npos)
+        return errors.add(source, offset, "not valid YAML: " + error.msg, hint);
+    const bool quote = text[mark] == '"' || text[mark] == '\'';
+    if (quote) return errors.add(source, mark, "not valid YAML: this quotation mark is not closed");
+    errors.add(source, mark,
+               fmt::format("not valid YAML: this `{}` is not closed, or a comma is missing in it",
+                           text[mark]),
+               hint);
+}
+
+Node parse(const Source& source, Errors& errors, std::size_t begin) {
+    std::istringstream stream{source.text.substr(begin)};
+    TreeBuilder builder{source, errors, begin};
+    YAML::Parser parser{stream};
+    while (parser.HandleNextDocument(builder)) {
+    }
+    return builder.take();
+}
+
+}  // namespace
+
+std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t begin) {
+    if (std::string_view{source.text}.substr(begin).starts_with("\xEF\xBB\xBF")) begin += 3;
+    try {
+        if (source.text.size() > most_file_bytes.count()) {
+            errors.add(source,
+                       fmt::format("the file has more than {} bytes", most_file_bytes.count()),
+                       fmt::format("the ceiling is {} {}", most_file_bytes.value,
+                                   most_file_bytes.meaning));
+            return std::nullopt;
+        }
+        if (const auto stop = unreadable_byte(source.text, begin)) throw *stop;
+        return parse(source, errors, begin);
+    } catch (const Stop& stop) {
+        errors.add(source, stop.offset, stop.message, stop.hint);
+    } catch (const YAML::Exception& error) {
+        report_syntax(source, error, begin, errors);
+    }
+    return std::nullopt;
+}
+
+}  // namespace carom

@@ -1,0 +1,210 @@
+// The library of scenes and templates: every scene has a description and makes a picture with every
+// template, and is what it says it is.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include "app/film/letters.h"
+#include "app/film/pipeline.h"
+#include "physics/theory/theory.h"
+#include "scene/load.h"
+#include "support/process.h"
+#include "support/relative.h"
+
+using namespace carom;
+using test::relative;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root{CAROM_TEST_ROOT};
+
+Scene scene(const std::string& name, const Overrides& overrides = {}) {
+    return load_scene(root / "scenes" / (name + ".yaml"), root / "templates", overrides);
+}
+
+CollisionCounts collisions_in(const Scene& loaded) {
+    Simulation simulation(loaded.gas, loaded.run);
+    return simulation.advance_to(loaded.run.until).counts;
+}
+
+}  // namespace
+
+TEST_CASE("every scene of the library says what is seen, and makes a picture") {
+    const carom::test::TemporaryFolder folder;
+    const std::vector<fs::path> files = test::yaml_files(root / "scenes");
+    CHECK(files.size() >= 17);
+    for (const fs::path& file : files) {
+        CAPTURE(file.string());
+        const Scene loaded = load_scene(file, root / "templates",
+                                        {{{"film.size", "[320, 180]"}, {"film.fps", "5"}}});
+        CHECK(loaded.description.size() > 80);
+        CHECK(loaded.subtitle.size() > 20);
+        CHECK_NOTHROW(require_letters(loaded));
+        const fs::path picture = folder.path() / (file.stem().string() + ".png");
+        Progress silent(Progress::Form::silent, "");
+        render_still(loaded, 0.3 * loaded.run.until, picture, silent);
+        CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
+    }
+}
+
+TEST_CASE("every scene of the library tells editors where its schema is") {
+    const std::string mark = "# yaml-language-server: $schema=";
+    for (const fs::path& file : test::yaml_files(root / "scenes")) {
+        CAPTURE(file.string());
+        const std::string text = carom::test::contents(file);
+        const std::string line = text.substr(0, text.find('\n'));
+        REQUIRE(line.starts_with(mark));
+        // Relative to the scene, and there, so that it is found wherever the folder is.
+        CHECK(fs::equivalent(file.parent_path() / line.substr(mark.size()),
+                             root / "scenes/scene.schema.json"));
+        CHECK(fs::path(line.substr(mark.size())).is_relative());
+    }
+}
+
+TEST_CASE("scenes that say they come to equilibrium show the curve") {
+    for (const std::string name :
+         {"periodic-gas", "maxwell-boltzmann", "mixed-masses", "one-hot-particle", "slow-crowd",
+          "circular-particles", "time-reversal", "bonkers", "bonkers-mixture"}) {
+        CAPTURE(name);
+        Scene loaded = scene(name);
+        loaded.run.bits = bits_of_double;  // the start alone is looked at
+        Simulation simulation(loaded.gas, loaded.run);
+        CHECK(equilibrium(loaded.gas.box, simulation.particles(), simulation.sample()).has_value());
+    }
+}
+
+TEST_CASE("every template makes a picture of a plane and of a wire, in every theme") {
+    const carom::test::TemporaryFolder folder;
+    const std::vector<fs::path> files = test::yaml_files(root / "templates/films");
+    CHECK(files.size() == 6);
+    for (const fs::path& file : files)
+        for (const std::string name : {"two-to-one", "cradle"})
+            for (const std::string theme : {"light", "dark", "print"}) {
+                CAPTURE(file.string() + ", " + name);
+                const std::string panels = "[]";
+                const Scene loaded = scene(name, {{{"film.template", file.stem().string()},
+                                                   {"film.panels", panels},
+                                                   {"film.theme", theme},
+                                                   {"film.fps", "2"},
+                                                   {"film.size", "[256, 256]"}}});
+                const fs::path picture = folder.path() / "picture.png";
+                Progress silent(Progress::Form::silent, "");
+                render_still(loaded, 1.0, picture, silent);
+                CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
+            }
+}
+
+// tests/reference/galperin.csv
+TEST_CASE("a bead a hundred times as heavy gives 31 collisions, one of 10,000 times 314") {
+    const CollisionCounts hundred = collisions_in(scene("pi-from-collisions"));
+    CHECK(hundred.particle + hundred.wall == 31);
+    const CollisionCounts more = collisions_in(
+        scene("pi-from-collisions",
+              {{{"gas.1.mass", "10000"}, {"run.until", "50"}, {"box.length", "90"}}}));
+    CHECK(more.particle + more.wall == 314);
+}
+
+TEST_CASE("two disks meet once, and the lighter one changes its velocity by twice as much") {
+    const Scene loaded = scene("two-to-one");
+    Simulation simulation(loaded.gas, loaded.run);
+    simulation.advance_to(0.0);
+    const Sample before = simulation.sample();
+    const Passage passage = simulation.advance_to(loaded.run.until);
+    CHECK(passage.counts.particle == 1);
+    CHECK(passage.counts.wall == 0);
+    const Sample after = simulation.sample();
+    for (const int axis : {0, 1}) {
+        const double heavy = after.velocity(0, axis) - before.velocity(0, axis);
+        const double light = after.velocity(1, axis) - before.velocity(1, axis);
+        CHECK(std::abs(heavy) > 0.1);
+        CHECK(light == relative(-2.0 * heavy, 1e-12));
+    }
+}
+
+TEST_CASE("the hot particle is seen to fly, and gives its energy away blow by blow") {
+    const Scene loaded = scene("one-hot-particle");
+    Simulation simulation(loaded.gas, loaded.run);
+    const auto hot = static_cast<std::int32_t>(simulation.particles().count() - 1);
+    simulation.record_collisions(true);
+    const Passage passage = simulation.advance_to(0.7);
+    std::vector<double> blows;
+    for (const Collision& collision : passage.collisions)
+        if (collision.first == hot || collision.second == hot) blows.push_back(collision.time);
+    REQUIRE(blows.size() >= 4);
+    CHECK(blows[0] * 30.0 > 8.0 * 0.7);  // a way of eight radii at least, at speed 30
+    const auto energy = [&] {
+        return kinetic_energies(simulation.particles(), simulation.sample())[hot];
+    };
+    CHECK(energy() < 0.05 * 450.0);  // as the caption says from now on
+    simulation.advance_to(1.5);
+    CHECK(energy() < 0.01 * 450.0);  // as the figure says
+}
+
+TEST_CASE("the disks of the single collision meet once, off centre, and part at right angles") {
+    const Scene loaded = scene("single-collision");
+    Simulation simulation(loaded.gas, loaded.run);
+    const Passage passage = simulation.advance_to(loaded.run.until);
+    CHECK(passage.counts.particle == 1);
+    CHECK(passage.counts.wall == 0);
+    const Eigen::ArrayXXd& velocity = simulation.sample().velocity;
+    CHECK(std::abs((velocity.row(0) * velocity.row(1)).sum()) < 1e-14);
+    CHECK(velocity.square().rowwise().sum().minCoeff() > 0.2);
+}
+
+TEST_CASE("equal beads keep their speeds for ever, as a set") {
+    const Scene loaded = scene("equal-masses-in-one-dimension");
+    Simulation simulation(loaded.gas, loaded.run);
+    simulation.advance_to(0.0);
+    const auto sorted_speeds = [&] {
+        const Eigen::ArrayXd speed = speeds(simulation.sample());
+        std::vector<double> sorted(speed.data(), speed.data() + speed.size());
+        std::sort(sorted.begin(), sorted.end());
+        return sorted;
+    };
+    const std::vector<double> start = sorted_speeds();
+    CHECK(simulation.advance_to(loaded.run.until).counts.particle > 100);
+    CHECK(sorted_speeds() == start);
+}
+
+TEST_CASE("masses of the scenes by density are the squares that they say") {
+    for (const auto& [name, of_radius] :
+         {std::pair{"circular-particles", 2.0}, std::pair{"fifty-in-a-unit-box", 1.0}}) {
+        const Scene loaded = scene(name);
+        const Simulation simulation(loaded.gas, loaded.run);
+        const Eigen::ArrayXd length = of_radius * simulation.particles().radius;
+        CHECK((1.0 / simulation.particles().inverse_mass - length.square()).abs().maxCoeff() <
+              1e-13);
+    }
+}
+
+TEST_CASE("a hundred disks never overlap, and steps of a hundredth would have missed it") {
+    const Scene loaded = scene("a-hundred-never-overlap");
+    Simulation simulation(loaded.gas, loaded.run);
+    const Eigen::ArrayXd& radius = simulation.particles().radius;
+    const auto deepest = [&](const Sample& sample, double later) {
+        double overlap = 0.0;
+        for (Eigen::Index i = 0; i < radius.size(); ++i)
+            for (Eigen::Index j = 0; j < i; ++j) {
+                const double x = sample.position(i, 0) - sample.position(j, 0) +
+                                 later * (sample.velocity(i, 0) - sample.velocity(j, 0));
+                const double y = sample.position(i, 1) - sample.position(j, 1) +
+                                 later * (sample.velocity(i, 1) - sample.velocity(j, 1));
+                overlap = std::max(overlap, 1.0 - std::hypot(x, y) / (radius[i] + radius[j]));
+            }
+        return overlap;
+    };
+    double exact = 0.0, stepped = 0.0;
+    for (int frame = 0; frame <= 100; ++frame) {
+        simulation.advance_to(0.06 * frame);
+        exact = std::max(exact, deepest(simulation.sample(), 0.0));
+        stepped = std::max(stepped, deepest(simulation.sample(), 0.01));
+    }
+    CHECK(exact < 1e-12);
+    CHECK(stepped > 0.2);
+}

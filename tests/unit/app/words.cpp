@@ -1,0 +1,130 @@
+// The words beside a film.
+#include <doctest/doctest.h>
+
+#include "app/film/film_words.h"
+#include "app/film/webvtt.h"
+#include "scene/time/event_words.h"
+#include "scene/time/timeline.h"
+#include "support/scene_text.h"
+
+using namespace carom;
+
+namespace {
+
+// Ten equal beads at rest but for one, which hands its speed on: every number is known.
+Scene row_of_beads(const std::string& more) {
+    return test::scene_from(
+        "title: A row of beads\nsubtitle: One is fast\ndescription: Ten beads in a row.\n"
+        "box: {length: 11}\ngas:\n"
+        "  - {name: fast, radius: 0, position: [1], velocity: [1]}\n"
+        "  - {name: still, radius: 0, position: [2, 3, 4, 5, 6, 7, 8, 9, 10]}\n" +
+        more);
+}
+
+FilmWords words_of_span(const Scene& scene, const FrameSpan& span) {
+    Progress silent(Progress::Form::silent, "");
+    return words_of_film(scene, span, silent);
+}
+
+FilmWords words_of(const Scene& scene) {
+    return words_of_span(scene, {0, frame_count(scene.film)});
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("cues are WebVTT") {
+    CHECK(webvtt({}) == "WEBVTT\n");
+    CHECK(webvtt({{0.0, 1.5, "a < b & c --> d\n\ne\n"},
+                  {2.0, 2.0, "no time"},
+                  {3.0, 4.0, ""},
+                  {3661.2345, 36000.0, "long"}}) ==
+          "WEBVTT\n"
+          "\n00:00:00.000 --> 00:00:01.500\na &lt; b &amp; c --&gt; d\ne\n"
+          "\n01:01:01.235 --> 10:00:00.000\nlong\n");
+}
+
+TEST_CASE("a film without events has its words by quarters, with the numbers of the gas") {
+    const Scene scene = row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10}\n");
+    const FilmWords words = words_of(scene);
+    CHECK(words.captions == "WEBVTT\n");
+    CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:05.000\nThe start\n"));
+    CHECK(contains(words.chapters, "\n00:00:15.000 --> 00:00:20.000\nTime "));
+    CHECK(
+        contains(words.descriptions,
+                 "A row of beads. One is fast. Ten beads in a row. In the picture, the colour of "
+                 "a particle tells its speed. Beside the particles: speed histogram, energy "
+                 "histogram and energy by species. Time 0 of 8.50, 0 collisions between particles "
+                 "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
+                 "slow, 0 % medium and 10 % fast.\n"));
+    // After 8.5 the speed has gone through eight collisions to one of the others.
+    CHECK(
+        contains(words.descriptions,
+                 "\nThe film ends. Time 8.50 of 8.50, 8 collisions between particles so far. Mean "
+                 "speed 0.100, mean energy 0.0500 (fast 0 and still 0.0556);"));
+    CHECK(contains(words.transcript, "A row of beads\nOne is fast\n\nA silent film of 0:20.\n"));
+    CHECK(contains(words.transcript, "\n0:10  Time "));
+    CHECK(contains(words.transcript, "\n0:18  The film ends. Time 8.50 of 8.50"));  // 2 s are held
+}
+
+TEST_CASE("captions and reversals are told when they come") {
+    const Scene scene = row_of_beads(
+        "run:\n  until: 9\n  events:\n    - {at: 0, caption: A bead & its speed, for: 4}\n"
+        "    - {at: 4.5, reverse: velocities}\n    - {at: 5, caption: Back again}\n"
+        "film: {seconds: 20, fps: 10}\n");
+    const FilmWords words = words_of(scene);
+    CHECK(contains(words.captions, "00:00:00.000 --> 00:00:04.000\nA bead &amp; its speed\n\n"));
+    CHECK(contains(words.captions, "--> 00:00:20.000\nBack again\n"));
+    CHECK(contains(words.chapters, "\nA bead &amp; its speed\n"));
+    CHECK(contains(words.chapters, "\nVelocities reversed\n"));
+    CHECK(contains(words.chapters, "00:00:11.100 --> 00:00:15.000\nBack again\n"));
+    CHECK(contains(words.transcript, "All velocities are reversed. Time 4.50, 4 collisions"));
+    CHECK(contains(words.transcript, "“Back again” Time 3.97"));
+    // Of a part, times count from its first frame.
+    const FilmWords part = words_of_span(scene, {20, 60});
+    CHECK(contains(part.captions, "00:00:00.000 --> 00:00:02.000\nA bead"));
+    CHECK(contains(part.transcript, "A silent film of 0:04."));
+}
+
+TEST_CASE("nudges are told when they come, and in descriptions made from the scene") {
+    const std::string run =
+        "run:\n  until: 9\n  precision: 256\n  events:\n    - {at: 4.5, reverse: velocities}\n"
+        "    - {at: 4.5, nudge: {particle: 0, by: 3e-40}}\n    - {at: 8, nudge: {particle: 2, by: "
+        "-0.001}}\nfilm: {seconds: 20, fps: 10}\n";
+    const Scene scene = row_of_beads(run);
+    const FilmWords words = words_of(scene);
+    CHECK(contains(words.transcript,
+                   "All velocities are reversed. Particle 0 is moved by 3.00×10⁻⁴⁰. Time 4.50, "));
+    CHECK(contains(words.transcript, "Particle 2 is moved by 0.00100. Time "));
+    CHECK(contains(words.chapters, "\nVelocities reversed\n"));
+    CHECK(contains(words.chapters, "\nParticle 2 is moved by 0.00100\n"));
+    CHECK(contains(words.descriptions, "Particle 0 is moved by 3.00×10⁻⁴⁰. "));
+    // Not where the film is over before, or begins after it.
+    const int frames = static_cast<int>(timeline(scene).size());
+    CHECK_FALSE(contains(words_of_span(scene, {0, 60}).transcript, "is moved"));
+    CHECK_FALSE(contains(words_of_span(scene, {frames - 5, frames}).transcript, "is moved"));
+    CHECK(words_of_events(scene.run) ==
+          "At time 4.5 every velocity is turned round. Particle 0 is moved by 3.00×10⁻⁴⁰ at time "
+          "4.5. Particle 2 is moved by 0.00100 at time 8.");
+    Run many;
+    CHECK(words_of_events(many).empty());
+    for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Nudge{0, {"0.1", "0"}}});
+    CHECK(words_of_events(many) == "4 times a particle is moved by a little.");
+}
+
+TEST_CASE("cards and marks are told too") {
+    const FilmWords words = words_of(row_of_beads(
+        "run: {until: 9, events: [{at: 3, mark: Where they were}]}\n"
+        "film: {seconds: 30, fps: 10, title_card: true, end_card: Who has the speed now!}\n"));
+    CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:03.000\nA row of beads\n"));
+    CHECK(contains(words.chapters, "\nWhere they were\n"));
+    CHECK(contains(words.chapters, "00:00:26.000 --> 00:00:30.000\nWho has the speed now!\n"));
+    CHECK(contains(words.captions, "00:00:26.000 --> 00:00:30.000\nWho has the speed now!\n"));
+    CHECK(contains(words.transcript,
+                   "The places of all particles stay in sight as outlines: “Where they were”. Time "
+                   "3.0"));
+    CHECK(contains(words.transcript, "\n0:26  The last words: “Who has the speed now!”.\n"));
+}

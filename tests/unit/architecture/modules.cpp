@@ -1,0 +1,194 @@
+// The architecture is kept: includes go down only, and each third-party header is included by one
+// file.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The modules, and which others each may include.
+const std::map<std::string, std::set<std::string>> allowed_modules{
+    {"util", {}},
+    {"physics", {"util"}},
+    {"stats", {"util", "physics"}},
+    {"scene", {"util", "physics"}},
+    {"draw", {"util"}},
+    {"panels", {"util", "physics", "stats", "scene", "draw"}},
+    {"media", {"util", "draw"}},
+    {"figures", {"util", "physics", "stats", "scene", "draw", "panels"}},
+    {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media", "figures"}},
+};
+
+// The parts of a module that has folders, from the bottom up: a part includes only itself and parts
+// before it. The module's own folder comes where its name stands; `base` lists the headers in it
+// that all its parts may include.
+struct Parts {
+    std::vector<std::string> order;
+    std::set<std::string> base;
+};
+
+const std::map<std::string, Parts> parts_of_module{
+    {"physics",
+     {{"collision", "plane", "multiprecision", "line", "placement", "theory", "events", "physics",
+       "reversal"},
+      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h"}}},
+    {"scene",
+     {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
+      {"limits.h", "mixing.h", "scene.h"}}},
+    {"panels",
+     {{"gas", "line", "plots", "echo", "collision", "words", "panels"},
+      {"chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
+    {"app",
+     {{"film", "figures", "report", "commands", "app"},
+      {"command.h", "output.h", "progress.h", "resources.h", "scratch_folder.h", "simulate.h"}}},
+};
+
+// What scene/ may know of physics/: its plain types, and what is known of them without a
+// simulation.
+const std::set<std::string> plain_physics{"physics/gas.h", "physics/placement/jam.h",
+                                          "physics/placement/lattice.h",
+                                          "physics/placement/line_squeeze.h", "physics/run.h"};
+
+struct ThirdParty {
+    std::regex header;
+    std::set<std::string> files;  // that may include it; a trailing slash means the whole module
+};
+
+const std::vector<ThirdParty> third_party{
+    {std::regex("mpfr.*|boost/.*"), {"physics/multiprecision/multiprecision.h"}},
+    {std::regex("yaml-cpp/.*"), {"scene/yaml/yaml.cpp"}},
+    {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
+    {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
+    {std::regex("glib\\.h"), {"draw/markup.cpp"}},
+    {std::regex("xxhash.*"), {"app/figures/fingerprint.cpp"}},
+    {std::regex("pugixml.*"), {"draw/svg.cpp"}},
+    {std::regex("zlib.*"), {"draw/png.cpp"}},
+    {std::regex("lib(av|sw).*"),
+     {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
+    {std::regex("CLI/.*"), {"app/command.h"}},
+    {std::regex("nlohmann/.*"),
+     {"app/report/run_json.cpp", "app/report/check_json.cpp", "app/report/schema_json.cpp",
+      "app/figures/figures_json.cpp"}},
+    {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "figures/"}},
+    {std::regex("unsupported/Eigen/.*"), {"stats/goodness.cpp"}},
+    {std::regex("fmt/.*"),
+     {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "figures/", "app/"}},
+};
+
+struct Include {
+    std::string file;    // module/path
+    std::string header;  // as written
+    bool quoted;
+};
+
+std::vector<Include> includes() {
+    const fs::path source = fs::path(CAROM_TEST_ROOT) / "src";
+    const std::regex line(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
+    std::vector<Include> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+        if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+        std::ifstream file(entry.path());
+        std::smatch match;
+        for (std::string text; std::getline(file, text);)
+            if (std::regex_search(text, match, line))
+                found.push_back(
+                    {fs::relative(entry.path(), source).string(), match[2], match[1] == "\""});
+    }
+    return found;
+}
+
+std::string module(const std::string& path) { return path.substr(0, path.find('/')); }
+
+// The folder below the module; the module's name for files in its own folder.
+std::string part(const std::string& path) {
+    const std::size_t first = path.find('/'), second = path.find('/', first + 1);
+    if (second == std::string::npos) return path.substr(0, first);
+    return path.substr(first + 1, second - first - 1);
+}
+
+bool comes_before(const std::string& header, const std::string& file) {
+    const Parts& parts = parts_of_module.at(module(file));
+    const auto place = [&](const std::string& path) {
+        const auto found = std::ranges::find(parts.order, part(path));
+        REQUIRE(found != parts.order.end());
+        return found - parts.order.begin();
+    };
+    return place(header) <= place(file) || parts.base.contains(header.substr(header.find('/') + 1));
+}
+
+bool is_own(const std::string& header) { return allowed_modules.contains(module(header)); }
+
+// Headers of C and POSIX, with their folders; all others with a slash or .h are third-party.
+bool is_system(const std::string& header) {
+    static const std::set<std::string> posix{"fcntl.h", "unistd.h", "sys/stat.h", "sys/mman.h",
+                                             "sys/resource.h"};
+    return posix.contains(header) || header.find_first_of("/.") == std::string::npos;
+}
+
+bool is_allowed(const Include& include) {
+    for (const ThirdParty& library : third_party)
+        if (std::regex_match(include.header, library.header))
+            return library.files.contains(include.file) ||
+                   library.files.contains(module(include.file) + "/");
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a module includes only modules below it") {
+    const std::vector<Include> all = includes();
+    CHECK(all.size() > 100);
+    for (const Include& include : all) {
+        if (!is_own(include.header)) continue;
+        CAPTURE(include.file);
+        CAPTURE(include.header);
+        const std::string here = module(include.file);
+        REQUIRE(allowed_modules.contains(here));
+        CHECK((here == module(include.header) ||
+               allowed_modules.at(here).contains(module(include.header))));
+        if (here == "scene" && module(include.header) == "physics")
+            CHECK(plain_physics.contains(include.header));
+    }
+}
+
+TEST_CASE("a part of a module includes only parts below it") {
+    for (const Include& include : includes()) {
+        if (module(include.file) != module(include.header)) continue;
+        if (!parts_of_module.contains(module(include.file))) {
+            CHECK(part(include.file) == module(include.file));
+            continue;
+        }
+        CAPTURE(include.file);
+        CAPTURE(include.header);
+        CHECK(comes_before(include.header, include.file));
+    }
+}
+
+TEST_CASE("no folder holds more than 25 files") {
+    std::map<fs::path, int> files;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(CAROM_TEST_ROOT) / "src"))
+        if (entry.is_regular_file()) ++files[entry.path().parent_path()];
+    for (const auto& [folder, count] : files) {
+        CAPTURE(folder.string());
+        CHECK(count <= 25);
+    }
+}
+
+TEST_CASE("a third-party header is included only by the file that is named for it") {
+    for (const Include& include : includes()) {
+        if (is_own(include.header) || (!include.quoted && is_system(include.header))) continue;
+        CAPTURE(include.file);
+        CAPTURE(include.header);
+        CHECK(is_allowed(include));
+    }
+}

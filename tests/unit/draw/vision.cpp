@@ -1,0 +1,175 @@
+// Colours that tell things apart do so for colour-blind viewers, and scales are even.
+#include "support/vision.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "draw/palette.h"
+#include "draw/style.h"
+#include "support/relative.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr ThemeKind all_themes[] = {ThemeKind::light, ThemeKind::dark, ThemeKind::print};
+
+void check_apart(const std::vector<Color>& colors) {
+    for (const Vision& vision : visions)
+        for (std::size_t i = 0; i < colors.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                CAPTURE(vision.name);
+                CAPTURE(i);
+                CAPTURE(k);
+                CHECK(distance(vision, colors[i], colors[k]) >= least_distance);
+            }
+}
+
+}  // namespace
+
+TEST_CASE("the measures of these tests agree with published values") {
+    // Sharma, Wu and Dalal 2005, table 1, pairs 1, 7, 16 and 25.
+    CHECK(ciede2000({50, 2.6772, -79.7751}, {50, 0, -82.7485}) == relative(2.0425, 1e-4));
+    CHECK(ciede2000({50, 0, 0}, {50, -1, 2}) == relative(2.3669, 1e-4));
+    CHECK(ciede2000({50, 2.5, 0}, {50, 0, -2.5}) == relative(4.3065, 1e-4));
+    CHECK(ciede2000({60.2574, -34.0099, 36.2677}, {60.4626, -34.1751, 39.4387}) ==
+          relative(1.2644, 1e-4));
+    CHECK(lightness(rgb(0xFFFFFF)) == relative(100.0, 1e-9));
+    CHECK(lightness(rgb(0x777777)) == relative(50.03, 1e-3));  // known from Lab of sRGB's greys
+    for (const Vision& vision : visions)
+        for (const Triple& row : vision.matrix)
+            CHECK(row[0] + row[1] + row[2] == relative(1.0, 2e-6));
+    // A red and a green of one lightness are the textbook pair that red-green blindness confuses.
+    CHECK(distance(visions[0], rgb(0xC05040), rgb(0x6E8030)) > 30.0);
+    CHECK(distance(visions[2], rgb(0xC05040), rgb(0x6E8030)) < least_distance);
+}
+
+TEST_CASE("the colours of kinds differ for every viewer, in every theme") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        std::vector<Color> colors;
+        for (std::size_t i = 0; i < 8; ++i) colors.push_back(kind_color(i, theme(kind)));
+        check_apart(colors);
+    }
+}
+
+TEST_CASE("a print needs no colour, and its first four kinds differ much in lightness") {
+    const auto is_grey = [](Color color) {
+        return color.red == color.green && color.green == color.blue;
+    };
+    for (std::size_t i = 0; i < 8; ++i) CHECK(is_grey(kind_color(i, theme(ThemeKind::print))));
+    const Theme& print = theme(ThemeKind::print);
+    for (const Color& color : {print.page, print.ground, print.ink, print.muted, print.accent,
+                               print.bar, print.wall, print.trail, print.highlight})
+        CHECK(is_grey(color));
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            CHECK(std::abs(lightness(kind_color(i, theme(ThemeKind::print))) -
+                           lightness(kind_color(k, theme(ThemeKind::print)))) >= 15.0);
+}
+
+TEST_CASE("bars, the theory curve and what is to be looked at differ for every viewer") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        check_apart({colors.bar, colors.accent});
+        check_apart({colors.bar, colors.highlight});
+        // In print both are black, and normal curves are dashed.
+        if (kind != ThemeKind::print) check_apart({colors.accent, colors.highlight});
+    }
+}
+
+TEST_CASE("the kinds' colours have an edge that stands out, and words in them can be read") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        for (std::size_t i = 0; i < 8; ++i) {
+            CAPTURE(i);
+            const Color color = kind_color(i, colors);
+            for (const Color& behind : {colors.page, colors.ground}) {
+                CHECK(contrast(edge_of(color, colors), behind) >= 3.0);
+                CHECK(contrast(legible(color, colors), behind) >= 4.5);
+                // Curves of one kind lie over bars tinted by any kind.
+                for (std::size_t k = 0; k < 8; ++k) {
+                    const std::array tint{mix(behind, kind_color(k, colors), 0.3)};
+                    CHECK(contrast(toward_ink(color, colors, tint, 3.0), tint.front()) >= 3.0);
+                }
+            }
+            // What stands out by itself stays as it is.
+            if (contrast(color, colors.page) >= 3.0 && contrast(color, colors.ground) >= 3.0)
+                CHECK(to_pixel(edge_of(color, colors)) == to_pixel(color));
+        }
+    }
+}
+
+TEST_CASE("letters can be read on a fill of any colour") {
+    for (const ThemeKind kind : all_themes)
+        for (int red = 0; red <= 255; red += 15)
+            for (int green = 0; green <= 255; green += 15)
+                for (int blue = 0; blue <= 255; blue += 15) {
+                    const Color fill{red / 255.0, green / 255.0, blue / 255.0};
+                    REQUIRE(contrast(fill, letters_on(fill, theme(kind))) >= 4.5);
+                }
+}
+
+TEST_CASE("NetLogo's three colours differ for every viewer") {
+    for (const bool dark : {true, false}) {
+        const ColorMap map = netlogo_map(dark);
+        check_apart({map.at(0.0), map.at(0.5), map.at(1.0)});
+    }
+}
+
+// Lightness carries a scale when colour does not, so it has to change by even steps. The maps are
+// even in CAM02-UCS; by CIEDE2000, which weighs otherwise, their parts used here are even to within
+// a factor: 2 for viridis, which is the default.
+TEST_CASE("the scale of a print is grey, stands out from the paper and falls by equal steps") {
+    const ColorMap map = grey_map();
+    constexpr int steps = 16;
+    for (int i = 0; i <= steps; ++i) {
+        const Color here = map.at(double(i) / steps);
+        CHECK((here.red == here.green && here.green == here.blue));
+        CHECK(contrast(here, theme(ThemeKind::print).page) >= 3.0);
+        if (i == 0) continue;
+        CHECK(lightness(map.at((i - 1.0) / steps)) - lightness(here) ==
+              relative(lightness(map.at(0.0)) / steps - lightness(map.at(1.0)) / steps, 0.01));
+    }
+    // Infinite masses have the ink.
+    CHECK(distance(visions[0], map.at(1.0), theme(ThemeKind::print).ink) >= 8.0);
+    check_apart({map.at(0.0), map.at(0.5), map.at(1.0)});
+}
+
+TEST_CASE("scales stand out from their ground, and rise by even steps") {
+    constexpr int steps = 16;
+    for (const ThemeKind kind : all_themes)
+        for (const std::string& name : color_map_names()) {
+            CAPTURE(static_cast<int>(kind));
+            CAPTURE(name);
+            const Theme& colors = theme(kind);
+            const ColorMap map = color_map_on(name, colors);
+            double least = 1e9, most = 0.0, least_rise = 1e9, most_rise = 0.0;
+            for (int i = 0; i <= steps; ++i) {
+                const Color here = map.at(double(i) / steps);
+                CHECK(contrast(here, colors.ground) >= 3.0 - 1e-9);
+                CHECK(contrast(here, colors.page) >= 3.0 - 1e-9);
+                if (i == 0) continue;
+                const Color before = map.at((i - 1.0) / steps);
+                const double step = distance(visions[0], before, here);
+                const double rise =
+                    (lightness(here) - lightness(before)) * (colors.dark ? 1.0 : -1.0);
+                least = std::min(least, step), most = std::max(most, step);
+                least_rise = std::min(least_rise, rise), most_rise = std::max(most_rise, rise);
+                // Lightness survives every kind of colour vision.
+                for (const Vision& vision : visions)
+                    CHECK((lab_of(seen_by(vision, here))[0] - lab_of(seen_by(vision, before))[0]) *
+                              (colors.dark ? 1.0 : -1.0) >
+                          0.0);
+            }
+            CHECK(least_rise > 0.0);
+            CHECK(most <= (name == "viridis" ? 2.0 : 4.0) * least);
+            CHECK(most_rise <= (name == "viridis" ? 1.5 : 5.0) * least_rise);
+        }
+}

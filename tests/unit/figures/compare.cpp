@@ -1,0 +1,296 @@
+// Figures that compare runs, against those runs made one by one.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "draw/style.h"
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
+#include "panels/plots/comparison.h"
+#include "panels/plots/histogram_panel.h"
+#include "panels/plots/series_panel.h"
+#include "scene/limits.h"
+#include "support/figure_run.h"
+#include "support/scene_text.h"
+#include "util/text.h"
+
+using namespace carom;
+using test::run_of;
+
+namespace {
+
+Scene scene_of(const std::string& figures, const std::string& gas = "count: 60, temperature: 2",
+               const std::string& run = "until: 6", const Overrides& overrides = {}) {
+    return test::scene_from("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{radius: 0.4, " +
+                                gas + "}]\nrun: {" + run + "}\nfilm: {seconds: 2}\nfigures:\n" +
+                                figures,
+                            overrides);
+}
+
+const PanelState& state_of(const FigureRun& run, std::size_t index = 0) {
+    return *run.figures()[index].moments.front().state;
+}
+
+std::string message_of(const std::string& figures) {
+    try {
+        scene_of(figures);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+const std::string bars = "  - {name: a, kind: speed-histogram, at: 3, bins: 9, range: [0, 6]";
+const std::string warmer =
+    ", compare: [{label: cold}, {label: warm, set: gas.0.temperature=4}, "
+    "{label: few, set: [gas.0.count=20, seed=9]}]}\n";
+
+// The rows of a table that are of one run, without its name.
+std::vector<std::vector<Cell>> rows_of(const Table& table, const std::string& run) {
+    std::vector<std::vector<Cell>> rows;
+    for (const std::vector<Cell>& row : table.rows)
+        if (std::get<std::string>(row.front()) == run)
+            rows.emplace_back(row.begin() + 1, row.end());
+    return rows;
+}
+
+double number(const Cell& cell) { return std::get<double>(cell); }
+
+}  // namespace
+
+TEST_CASE("runs of several seeds side by side are the runs of these seeds") {
+    const FigureRun together = run_of(scene_of(bars + ", compare: {seeds: 3}}\n"));
+    const std::vector<MeanHistogram>& shown = HistogramPanel::histograms(state_of(together));
+    REQUIRE(shown.size() == 3);
+    Scene scene = scene_of(bars + "}\n");
+    for (std::uint64_t k = 0; k < 3; ++k) {
+        scene.seed = scene.gas.seed = 5 + k;
+        const FigureRun one = run_of(scene);
+        CHECK(HistogramPanel::histograms(state_of(one)).front().counts == shown[k].counts);
+        const FigureSide& side = together.figures()[0].sides.at(k);
+        CHECK(side.label == "seed " + std::to_string(5 + k));
+        CHECK(side.particles == 60);
+        CHECK(side.time == 3.0);
+        CHECK(side.collisions.particle == one.figures()[0].moments[0].collisions.particle);
+        CHECK(side.told == "mean speed " + three_digits(shown[k].mean));
+    }
+}
+
+TEST_CASE("a run with other values is that of a scene with these values") {
+    const FigureRun together = run_of(scene_of(bars + warmer));
+    const std::vector<MeanHistogram>& shown = HistogramPanel::histograms(state_of(together));
+    const Scene warm = scene_of(bars + "}\n", "count: 60, temperature: 2", "until: 6",
+                                {{{"gas.0.temperature", "4"}}});
+    const Scene few = scene_of(bars + "}\n", "count: 60, temperature: 2", "until: 6",
+                               {{{"gas.0.count", "20"}, {"seed", "9"}}});
+    // Of 60 particles and of 20: shares in per cent.
+    for (const auto& [scene, k, count] :
+         {std::tuple{&warm, std::size_t{1}, 60}, {&few, std::size_t{2}, 20}}) {
+        const FigureRun one = run_of(*scene);
+        const MeanHistogram& its = HistogramPanel::histograms(state_of(one)).front();
+        double sum = shown[k].below + shown[k].above;
+        for (std::size_t i = 0; i < its.counts.size(); ++i) {
+            CHECK(shown[k].counts[i] == doctest::Approx(100.0 * its.counts[i] / count));
+            sum += shown[k].counts[i];
+        }
+        CHECK(sum == doctest::Approx(100.0));
+        CHECK(shown[k].mean == its.mean);
+    }
+}
+
+TEST_CASE("the table names the run of each row, and has the numbers of that run") {
+    const FigureRun together =
+        run_of(scene_of(bars + warmer + "  - {name: b, kind: entropy" + warmer));
+    const Table table = table_of(together.figures()[0]), series = table_of(together.figures()[1]);
+    CHECK(table.columns.front() == "run");
+    CHECK(table.columns.back() == "value (per cent)");
+    for (const std::string run : {"cold", "warm", "few"}) {
+        double bars_sum = 0.0, curve = 0.0;
+        for (const std::vector<Cell>& row : rows_of(table, run)) {
+            const std::string part = std::get<std::string>(row[0]);
+            if (part == "bar" || part == "above" || part == "below") bars_sum += number(row[4]);
+            if (part == "curve") curve = std::max(curve, number(row[4]));
+            CHECK(part.find("mean") == std::string::npos);  // none is drawn
+        }
+        CHECK(bars_sum == doctest::Approx(100.0));
+        CHECK(curve > 5.0);
+        CHECK(curve < 50.0);
+    }
+    const FigureRun alone = run_of(scene_of("  - {name: b, kind: entropy}\n"));
+    const Table own = table_of(alone.figures()[0]);
+    const std::vector<std::vector<Cell>> cold = rows_of(series, "cold");
+    CHECK(cold == own.rows);
+    CHECK(rows_of(series, "warm").size() == own.rows.size());
+    for (const Table* one : {&table, &series})
+        for (const std::vector<Cell>& row : one->rows) CHECK(row.size() == one->columns.size());
+}
+
+TEST_CASE("ways back in numbers of more and more bits, each as a run of its own") {
+    const std::string run = "until: 24, precision: 192, events: [{at: 12, reverse: velocities}]";
+    const std::string kind = "  - {name: a, kind: return-distance, against: collisions";
+    const FigureRun together = run_of(
+        scene_of(kind +
+                     ", compare: [{label: 53 bits, set: run.precision=double}, {label: 113 bits, "
+                     "set: run.precision=113}, {label: 192 bits}]}\n",
+                 "count: 260, temperature: 2", run),
+        3);
+    const Figure& figure = together.figures()[0];
+    const Table table = table_of(figure);
+    double first = 0.0;
+    for (const auto& [label, bits] :
+         {std::pair{"53 bits", "double"}, {"113 bits", "113"}, {"192 bits", "192"}}) {
+        const FigureRun alone = run_of(
+            scene_of(kind + "}\n", "count: 260, temperature: 2", run, {{{"run.precision", bits}}}));
+        std::vector<std::vector<Cell>> own;
+        for (const std::vector<Cell>& row : table_of(alone.figures()[0]).rows)
+            if (std::get<std::string>(row[1]) != "root mean square" &&
+                std::get<std::string>(row[0]) != "level")
+                own.push_back(row);
+        std::vector<std::vector<Cell>> its = rows_of(table, label);
+        std::erase_if(its,
+                      [](const auto& row) { return std::get<std::string>(row[0]) == "level"; });
+        REQUIRE(its.size() > 20);
+        CHECK(its == own);
+        const auto step = std::ranges::find_if(its, [](const std::vector<Cell>& row) {
+            return std::get<std::string>(row[0]) == "line" && number(row[5]) > 2.0;
+        });
+        REQUIRE(step != its.end());
+        if (first != 0.0) CHECK(number((*step)[6]) < first - 15.0);
+        first = number((*step)[6]);
+    }
+    CHECK(figure.sides[0].told.starts_with("a radius astray after "));
+    CHECK(figure.sides[2].told.find("\u207B") != std::string::npos);  // a small power of ten
+    CHECK(figure.sides[2].told.find(" from the way out after ") != std::string::npos);
+    const FigureWords words = words_of(together, figure);
+    CHECK(words.caption.find("53 bits (260 disks, ") != std::string::npos);
+    CHECK(words.caption.find("The growth law: distances double ") != std::string::npos);
+    for (const FigureFormat format : {FigureFormat::png, FigureFormat::svg})
+        CHECK(draw_figure(together, figure, format, {"t", "d"}).file().size() > 1000);
+}
+
+TEST_CASE("all runs find room on the axes") {
+    // The second gas is four times as fast: an axis for the first alone would end far below it.
+    const std::string fast =
+        ", compare: [{label: slow}, {label: fast, set: gas.0.temperature=32}]}\n";
+    const FigureRun together = run_of(scene_of("  - {name: a, kind: speed-histogram, at: 3" + fast +
+                                               "  - {name: b, kind: temperature" + fast));
+    for (const MeanHistogram& one : HistogramPanel::histograms(state_of(together)))
+        CHECK(one.above <= 3.0);
+    const auto& panel = dynamic_cast<const HistogramPanel&>(*together.figures()[0].panel);
+    for (const std::vector<Cell>& row : table_of(together.figures()[0]).rows)
+        if (std::get<std::string>(row[1]) == "curve") CHECK(number(row[5]) <= panel.tallest());
+    const Canvas low = draw_figure(together, together.figures()[1], FigureFormat::png, {"", ""});
+    const FigureRun alone = run_of(scene_of("  - {name: b, kind: temperature}\n"));
+    CHECK(low.size().width ==
+          draw_figure(alone, alone.figures()[0], FigureFormat::png, {"", ""}).size().width);
+}
+
+TEST_CASE("each run may end at its own time, and is told to") {
+    const FigureRun together = run_of(
+        scene_of("  - {name: b, kind: temperature, compare: [{label: long}, {label: short, set: "
+                 "run.until=2}]}\n"
+                 "  - {name: other, kind: gas, at: 5}\n"));  // which the short run does not have
+    const Figure& figure = together.figures()[0];
+    CHECK(figure.sides[0].time == 6.0);
+    CHECK(figure.sides[1].time == 2.0);
+    CHECK(number(rows_of(table_of(figure), "short").back()[2]) == 2.0);
+    CHECK(number(rows_of(table_of(figure), "long").back()[2]) == 6.0);
+    const FigureWords words = words_of(together, figure);
+    CHECK(words.caption.starts_with(
+        "A gas. Temperature of 2 runs, each at its end: long (60 disks, "));
+    CHECK(words.caption.find("temperature " + figure.sides[1].told.substr(12) + " at time 2)") !=
+          std::string::npos);
+    CHECK(figure.sides[1].told.starts_with("temperature "));
+}
+
+TEST_CASE("captions and alternative texts have the numbers of every run") {
+    const FigureRun together = run_of(scene_of(bars + warmer));
+    const FigureWords words = words_of(together, together.figures()[0]);
+    for (const FigureSide& side : together.figures()[0].sides) {
+        const std::string words_of_it =
+            fmt::format("{} ({} disks, {} collision", side.label, side.particles,
+                        grouped(side.collisions.particle));
+        const std::size_t begin = words.caption.find(words_of_it);
+        REQUIRE(begin != std::string::npos);
+        CHECK(words.caption.find(" between them, " + side.told + ")", begin) <
+              words.caption.find(')', begin));
+        CHECK(words.alt.find(side.label + ", " + side.told) != std::string::npos);
+    }
+    CHECK(words.caption.starts_with("A gas. Speed histogram at time 3 of 3 runs: cold ("));
+    CHECK(words.caption.ends_with("; reduced units."));
+}
+
+TEST_CASE("a comparison changes no other figure, and threads change nothing") {
+    const std::string other = "  - {name: z, kind: energy-histogram}\n";
+    const std::string both = other + bars + warmer + "  - {name: y, kind: gas}\n";
+    const FigureRun alone = run_of(scene_of(other)), one = run_of(scene_of(both)),
+                    four = run_of(scene_of(both), 4);
+    REQUIRE(one.figures().size() == 3);
+    CHECK(one.figures()[1].spec->name == "a");
+    CHECK(one.figures()[2].spec->name == "y");
+    const auto bytes = [](const FigureRun& run, std::size_t index, FigureFormat format) {
+        return draw_figure(run, run.figures()[index], format, {"t", "d"}).file();
+    };
+    CHECK(bytes(alone, 0, FigureFormat::png) == bytes(one, 0, FigureFormat::png));
+    for (const FigureFormat format : {FigureFormat::png, FigureFormat::svg, FigureFormat::pdf})
+        CHECK(bytes(one, 1, format) == bytes(four, 1, format));
+    CHECK(csv(table_of(one.figures()[1])) == csv(table_of(four.figures()[1])));
+}
+
+TEST_CASE("every run has a line of its own, by its dashes alone and by its colour alone") {
+    DiskPainter disks;
+    for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::print}) {
+        const Theme& colors = theme(kind);
+        const Page page{{0, 0, 400, 300}, 10, colors, disks};
+        std::set<std::vector<double>> dashes;
+        std::set<std::uint32_t> inks;
+        for (std::size_t k = 0; k < most_compared.count(); ++k) {
+            dashes.insert(compared_dashes(k, page));
+            inks.insert(to_pixel(compared_color(k, colors)));
+            CHECK(contrast(compared_color(k, colors), colors.page) >= 3.0 - 1e-9);
+        }
+        CHECK(dashes.size() == most_compared.count());
+        CHECK(inks.size() == most_compared.count());
+    }
+}
+
+TEST_CASE("a key that is longer than a column takes several rows") {
+    DiskPainter disks;
+    const Page page{{0, 0, 360, 300}, 10, theme(ThemeKind::print), disks};
+    CHECK(key_rows(page, {}) == 0);
+    CHECK(key_rows(page, {"one", "two", "three"}) == 1);
+    CHECK(key_rows(page, {"a name of some length", "another name like it", "and a third"}) == 2);
+    CHECK(key_rows(page, {std::string(200, 'x'), "short"}) == 2);
+}
+
+TEST_CASE("what cannot be compared is refused with the reason") {
+    CHECK(message_of("  - {name: a, kind: gas, compare: {seeds: 2}}\n") ==
+          "test:8:26: error: `compare` has no meaning for a panel of kind `gas`\n"
+          "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
+          "      |                          ^^^^^^^\n"
+          "  hint: it goes with `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
+          "`position-histogram`, `temperature`, `entropy`, `pressure` or `return-distance`");
+    CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
+              .find("`seeds` and `compare` exclude one another") != std::string::npos);
+    CHECK(
+        message_of(bars + ", compare: {seeds: 1}}\n").find("expected a whole number from 2 to 6") !=
+        std::string::npos);
+    CHECK(message_of(bars + ", compare: [{label: one}]}\n").find("a list of {label, set}") !=
+          std::string::npos);
+    CHECK(message_of(bars + ", of: [0, 1], compare: {seeds: 2}}\n")
+              .find("a comparison shows one line of each run") != std::string::npos);
+    CHECK(message_of(bars + ", compare: [{label: x}, {label: x, set: seed=2}]}\n")
+              .find("there is another run with the label `x`") != std::string::npos);
+    CHECK(message_of(bars + ", compare: [{label: x}, {label: y, set: seed}]}\n")
+              .find("expected KEY.PATH=VALUE, found `seed`") != std::string::npos);
+    const std::string invalid =
+        message_of(bars + ", compare: [{label: x}, {label: y, set: gas.0.radius=-1}]}\n");
+    CHECK(invalid.find("test:8:91: error: with this the scene is not valid: expected a positive "
+                       "number") != std::string::npos);
+    CHECK(message_of(bars + ", compare: [{label: x}, {label: y, set: figures.0.kind=gas}]}\n")
+              .find("with this the scene") != std::string::npos);
+}

@@ -1,0 +1,32 @@
+// Words as the kinds of pages want them; whether pages show them so, pdfLaTeX says itself
+// (app_latex.cpp).
+#include "figures/escaping.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace carom;
+
+TEST_CASE("words are escaped as the kind of page asks") {
+    CHECK(escaped("<b> & \"c\"", PageKind::html) == "&lt;b&gt; &amp; &quot;c&quot;");
+    CHECK(escaped("50 % of {a_b} & $2 #1 ~ ^ \\", PageKind::latex) ==
+          "50 \\% of \\{a\\_b\\} \\& \\$2 \\#1 \\textasciitilde{} \\textasciicircum{} "
+          "\\textbackslash{}");
+    CHECK(escaped("a -- b ''", PageKind::latex) == "a -{}- b '{}'");
+    CHECK(escaped("r² − π", PageKind::latex) == "r\\(^{2}\\) \\(-\\) \\(\\pi\\)");
+    CHECK(escaped("a *b* [c](d) <e> `f` a_b", PageKind::markdown) ==
+          "a \\*b\\* \\[c\\](d) \\<e\\> \\`f\\` a\\_b");
+    CHECK(escaped("# no heading - 1. x", PageKind::markdown) == "\\# no heading - 1. x");
+    CHECK(escaped("12. May", PageKind::markdown) == "12\\. May");
+    for (const PageKind kind : {PageKind::html, PageKind::latex, PageKind::markdown})
+        CHECK(escaped(" two\n\nparagraphs ", kind) == "two paragraphs");
+}
+
+TEST_CASE("letters that pdfLaTeX cannot set are named, each once") {
+    CHECK(beyond_pdflatex("all of ASCII, äöüß, Łódź, “quotes” and 5 € – 6 ‰").empty());
+    CHECK(beyond_pdflatex("二 disks and 二 beads, ☺ \xF0\x9D\x94\xB8") ==
+          std::vector<std::string>{"二", "☺", "\xF0\x9D\x94\xB8"});
+    CHECK(beyond_pdflatex("λ") == std::vector<std::string>{"λ"});
+    CHECK(beyond_pdflatex(escaped("λ", PageKind::latex)).empty());
+}

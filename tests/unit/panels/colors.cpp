@@ -1,0 +1,298 @@
+// What colours of disks, bars and words tell can be told by every viewer, and read on what is
+// behind.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/palette.h"
+#include "panels/frame.h"
+#include "panels/gas/gas_colors.h"
+#include "scene/load.h"
+#include "support/files.h"
+#include "support/first_frame.h"
+#include "support/pixels.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+#include "support/vision.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr ThemeKind all_themes[] = {ThemeKind::light, ThemeKind::dark, ThemeKind::print};
+
+Scene scene_of(const std::string& gas, const std::string& film,
+               const std::string& box = "size: [40, 40]") {
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas +
+                            "]\nrun: {until: 4}\nfilm: {seconds: 1, size: [1920, 1080], " + film +
+                            "}\n");
+}
+
+// The first frame of a scene.
+struct Picture : test::FirstFrame {
+    using FirstFrame::FirstFrame;
+
+    Color at(double x, double y) const {
+        return rgb(view.data[std::lround(y) * view.stride + std::lround(x)] & 0xFFFFFF);
+    }
+
+    // The pixels along a line from the centre of the box to the right.
+    std::vector<Color> row() const {
+        const Rect rect = box();
+        std::vector<Color> colors;
+        for (double x = rect.x + rect.width / 2; x < rect.right() - 2; x += 1.0)
+            colors.push_back(at(x, rect.y + rect.height / 2));
+        return colors;
+    }
+};
+
+bool same(Color a, Color b) { return to_pixel(a) == to_pixel(b); }
+
+// Cairo rounds a colour otherwise than the painter of disks.
+bool nearly_same(Color a, Color b) {
+    return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green),
+                     std::abs(a.blue - b.blue)}) < 1.5 / 255.0;
+}
+
+const char* name_of_theme(ThemeKind kind) {
+    return kind == ThemeKind::light ? "light" : kind == ThemeKind::dark ? "dark" : "print";
+}
+
+}  // namespace
+
+TEST_CASE("slow, medium and fast differ for every viewer, in every theme") {
+    Scene scene = scene_of("{count: 3, radius: 1}", "color_by: speed-class");
+    for (const std::string palette :
+         {"", "viridis", "cividis", "plasma", "inferno", "magma", "netlogo"})
+        for (const ThemeKind kind : all_themes) {
+            if (!palette.empty()) scene.film.palette = palette;
+            const std::vector<Color> colors = speed_class_colors(scene, theme(kind));
+            for (const Vision& vision : visions)
+                for (std::size_t i = 0; i < 3; ++i)
+                    for (std::size_t k = 0; k < i; ++k) {
+                        CAPTURE(palette);
+                        CAPTURE(static_cast<int>(kind));
+                        CAPTURE(vision.name);
+                        CHECK(distance(vision, colors[i], colors[k]) >= least_distance);
+                    }
+        }
+}
+
+// The disk's colour may be any; some ring of it stands out from the ground.
+TEST_CASE("disks of any colour have a rim that stands out from the ground") {
+    for (const ThemeKind kind : all_themes)
+        for (const std::string color : {"#f0e442", "#56b4e9", "#e69f00", "#ffffff", "#14181d"})
+            for (const std::string fill : {"true", "false"}) {
+                CAPTURE(static_cast<int>(kind));
+                CAPTURE(color);
+                CAPTURE(fill);
+                const Picture picture(
+                    scene_of("{count: 1, radius: 8, position: [20, 20], color: \"" + color +
+                                 "\", fill: " + fill + "}",
+                             std::string("color_by: species, theme: ") + name_of_theme(kind)));
+                const Theme& colors = theme(kind);
+                const Color own = *parse_color(color);
+                const std::vector<Color> row = picture.row();
+                CHECK(same(row.front(), fill == "true" ? own : colors.ground));
+                int rim = 0;
+                for (const Color& pixel : row) rim += same(pixel, edge_of(own, colors));
+                CHECK(rim >= 1);
+            }
+}
+
+// Beside the gas nothing else has the edge's colour: words in the same colour are darker still.
+TEST_CASE("points of panels, beads and rods in a pale colour have an edge too") {
+    const Theme& colors = theme(ThemeKind::light);
+    const Color pale = rgb(0xF0E442), edge = edge_of(pale, colors);
+    const auto edges = [&](const std::string& film, const std::string& box, double radius,
+                           bool of_panels) {
+        const std::string gas =
+            "{count: 1, position: " + std::string(box == "length: 40" ? "20" : "[20, 20]") +
+            ", color: \"#f0e442\", radius: " + std::to_string(radius) + "}";
+        const Picture picture(scene_of(gas, "color_by: species, theme: light, " + film, box));
+        int count = 0;
+        for (int y = 0; y < picture.view.height; ++y)
+            for (int x = 0; x < picture.view.width; ++x)
+                count += (x > 1200) == of_panels && nearly_same(picture.at(x, y), edge);
+        return count;
+    };
+    CHECK(edges("panels: [energy-by-species]", "size: [40, 40]", 1.0, true) > 10);
+    // A bead, with its swatch; a rod.
+    const int swatch = edges("panels: []", "size: [40, 40]", 0.001, false);
+    CHECK(edges("panels: [energy-by-species]", "length: 40", 0.5, false) > swatch + 20);
+    CHECK(edges("panels: [energy-by-species]", "length: 40", 8.0, false) > swatch + 200);
+}
+
+TEST_CASE("infinite masses have a colour of their own, and hatching, and a word") {
+    const std::string finite =
+        "{name: a, count: 5, mass: 3, radius: 1}, {name: b, count: 1, radius: 8, ";
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        const auto film = std::string("color_by: mass, theme: ") + name_of_theme(kind);
+        const Picture infinite(
+            scene_of(finite + "position: [20, 20], mass: infinite, speed: 0}", film));
+        const Picture heavy(scene_of(finite + "position: [20, 20], mass: 12, speed: 0}", film));
+        int ink = 0, hatching = 0;
+        const double radius = 8.0 * infinite.box().width / 40.0;
+        for (std::size_t i = 0; double(i) < radius - 3.0; ++i) {
+            ink += same(infinite.row()[i], colors.ink);
+            hatching += same(infinite.row()[i], colors.ground);
+            CHECK_FALSE(same(heavy.row()[i], colors.ink));
+        }
+        CHECK(ink > radius / 2);
+        CHECK(hatching > radius / 12);
+
+        // The scale's own colours are never near.
+        const ColorMap map = color_map_on("viridis", colors);
+        for (const Vision& vision : visions)
+            for (int i = 0; i <= 32; ++i)
+                CHECK(distance(vision, colors.ink, map.at(i / 32.0)) >= least_distance);
+
+        // Beside the box, under the scale, ink is found only where there is such a mass.
+        const auto ink_in_key = [&](const Picture& picture) {
+            const Rect box = picture.box();
+            int count = 0;
+            for (double y = box.y; y < box.bottom(); ++y)
+                for (double x = box.right() + 12; x < box.right() + 50; ++x)
+                    count += same(picture.at(x, y), colors.ink);
+            return count;
+        };
+        CHECK(ink_in_key(infinite) > 80);
+        CHECK(ink_in_key(heavy) == 0);
+    }
+}
+
+// Both the bars and what lies over them stand out from the page, but hardly from one another.
+TEST_CASE("a casing of the page parts curves and marks from the bars behind them") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        const Picture picture(
+            scene_of("{count: 60, radius: 0.5, speed: {uniform: [0.5, 2]}}",
+                     std::string("panels: [{kind: speed-histogram, theory: false, mean_start: "
+                                 "false}], theme: ") +
+                         name_of_theme(kind)));
+        // Along rows: bar, casing, mark.
+        int cased = 0, bare = 0;
+        for (int y = 0; y < picture.view.height; ++y)
+            for (int x = picture.view.width / 2; x < picture.view.width - 12; ++x) {
+                if (!same(picture.at(x, y), colors.bar) || !same(picture.at(x - 1, y), colors.bar))
+                    continue;
+                if (same(picture.at(x + 1, y), colors.bar)) continue;
+                int page = 0, ink = 0;
+                for (int i = 1; i <= 5; ++i) {
+                    page += contrast(picture.at(x + i, y), colors.bar) > 1.5 && ink == 0 &&
+                            contrast(picture.at(x + i, y), colors.page) < 1.5;
+                    ink += same(picture.at(x + i, y), colors.ink);
+                }
+                if (ink > 0) ++(page > 0 ? cased : bare);
+            }
+        CHECK(cased > 40);
+        CHECK(bare <= 3);  // beside the axis
+    }
+}
+
+TEST_CASE("a casing does not hide low bars, nor the feet of others") {
+    const Picture picture(scene_of("{count: 300, radius: 0.3, temperature: 1}",
+                                   "panels: [{kind: energy-histogram, mean_start: false, "
+                                   "mean_now: false}], theme: dark"));
+    const Theme& colors = theme(ThemeKind::dark);
+    const Grid grid(picture.scene.film.layout, picture.scene.film.size);
+    DiskPainter disks;
+    const Rect plot =
+        plot_area({grid.place(shared_slots(picture.scene.film.layout.panels, 1).front()),
+                   grid.unit(), colors, disks});
+    // Up from the axis, as far as a bar goes, there is bar and curve, but no page.
+    int low = 0, parted = 0;
+    for (double x = plot.x + 0.3 * plot.width; x < plot.right() - 2; x += 1.0) {
+        int height = 0, pages = 0, pages_within = 0;
+        for (int up = 3; up < 0.6 * grid.unit(); ++up) {
+            const Color pixel = picture.at(x, plot.bottom() - up);
+            pages += same(pixel, colors.page);
+            if (!same(pixel, colors.bar)) continue;
+            height = up;
+            pages_within = pages;
+        }
+        low += height > 0;
+        parted += pages_within > 0;
+    }
+    CHECK(low > 100);
+    CHECK(parted == 0);
+}
+
+TEST_CASE("words on plates, and on captions, can be read over anything that moves behind") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        for (const Color& behind : {colors.bar, colors.accent, colors.ink, colors.muted})
+            for (const Color& paper : {colors.page, colors.ground})
+                for (const Color& words : {colors.ink, colors.muted})
+                    CHECK(contrast(words, mix(behind, paper, plate_alpha)) >= 4.5);
+        CHECK(contrast(colors.bar, colors.page) >= 4.5);  // words about bars have their colour
+        CHECK(contrast(colors.accent, colors.page) >= 4.5);
+    }
+}
+
+TEST_CASE("a print of a scene that names no colours has none") {
+    const std::filesystem::path root{CAROM_TEST_ROOT};
+    int scenes = 0;
+    for (const std::filesystem::path& file : yaml_files(root / "scenes")) {
+        CAPTURE(file.stem().string());
+        Scene scene =
+            load_scene(file, root / "templates", {{{"film.theme", "print"}, {"film.fps", "1"}}});
+        const bool has_own =
+            scene.film.palette || std::ranges::any_of(scene.looks, [](const SpeciesLook& look) {
+                return look.color.has_value();
+            });
+        if (has_own) continue;
+        ++scenes;
+        const Shot film(std::move(scene));
+        FramePainter painter(film.scene, *film.observers);
+        int coloured = 0;
+        for (const std::size_t frame : {film.frames.size() / 3, film.frames.size() - 2})
+            for (const std::uint32_t pixel : pixels_of(painter.paint(film.frames[frame]))) {
+                const int red = (pixel >> 16) & 0xFF, green = (pixel >> 8) & 0xFF,
+                          blue = pixel & 0xFF;
+                coloured += std::max({red, green, blue}) - std::min({red, green, blue}) > 2;
+            }
+        CHECK(coloured == 0);
+    }
+    CHECK(scenes >= 10);
+}
+
+TEST_CASE("lines and disks of a print are told apart without colour, and words show how") {
+    Scene scene = scene_of(
+        "{name: a, count: 3, radius: 1}, {name: b, count: 3, radius: 1}, "
+        "{name: c, count: 3, radius: 1}, {name: d, count: 3, radius: 1}",
+        "theme: print, template: data, panels: [energy-by-species]");
+    const FirstFrame picture(scene);
+    const Theme& print = theme(ThemeKind::print);
+    DiskPainter disks;
+    const Page page{{0, 0, 100, 100}, 20.0, print, disks};
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(line_dashes(i, 1, page).empty());
+        CHECK_FALSE(line_sample(i, print.ink, print).empty());
+        for (std::size_t k = 0; k < i; ++k) {
+            CHECK(line_dashes(i, 4, page) != line_dashes(k, 4, page));
+            CHECK(line_sample(i, print.ink, print) != line_sample(k, print.ink, print));
+        }
+    }
+    for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+        const Page other{{0, 0, 100, 100}, 20.0, theme(kind), disks};
+        CHECK(line_dashes(1, 4, other).empty());
+        CHECK(line_sample(1, theme(kind).ink, theme(kind)).empty());
+        CHECK(disk_sample(theme(kind).ink, theme(kind)).empty());
+    }
+    CHECK(disk_sample(kind_color(0, print), print).find("●") != std::string::npos);
+    CHECK(disk_sample(kind_color(1, print), print).find("○") != std::string::npos);
+    TextLog log;
+    FramePainter painter(picture.scene, picture.observers);
+    const bool has_samples = std::ranges::any_of(log.lines, [](const DrawnLine& line) {
+        return line.markup.find("–·–") != std::string::npos &&
+               line.markup.find("- - -") != std::string::npos;
+    });
+    CHECK(has_samples);
+}

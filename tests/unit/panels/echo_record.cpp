@@ -1,0 +1,292 @@
+// The distance from the way out after a reversal: against places known by hand, and against a run
+// of the same gas.
+#include "panels/echo/echo_record.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "scene/load.h"
+#include "support/relative.h"
+#include "support/shot.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+// Two disks that fly to the right for ever, each in its own lane of a periodic box.
+Scene lanes(const std::string& events, double until, const std::string& run = "") {
+    return load_scene_text(
+        "title: T\nbox: {size: [20, 20], walls: periodic}\n"
+        "gas: [{count: 2, radius: 0.5, position: [[2, 5], [2, 15]], velocity: [3, 0]}]\n"
+        "run: {until: " +
+            std::to_string(until) + run + ", events: [" + events +
+            "]}\nfilm: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
+        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+}
+
+std::string reversal(double at) { return "{at: " + std::to_string(at) + ", reverse: velocities}"; }
+
+struct Walk {
+    Scene scene;
+    Particles particles;
+    std::optional<EquilibriumGas> equilibrium;
+    WayHome way_home;
+    Passage passage;
+    int frames = 0;
+
+    explicit Walk(Scene loaded)
+        : scene(std::move(loaded)),
+          particles(Simulation(scene.gas, scene.run).particles()),
+          way_home(Cast{scene, particles, 100, equilibrium}) {}
+
+    // The disks of `lanes` at x, each beside its lane by so much.
+    void see(double time, double x, double first_aside, double second_aside, double ahead = 0.0) {
+        const auto into_box = [](double at) { return at - 20.0 * std::floor(at / 20.0); };
+        Sample sample{time, Eigen::ArrayXXd::Zero(2, 2), Eigen::ArrayXXd::Zero(2, 2)};
+        sample.position << into_box(x + ahead), 5.0 + first_aside, into_box(x), 15.0 + second_aside;
+        Tick tick;
+        tick.frame = frames++;
+        tick.time = time;
+        const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(2);
+        way_home.survey({tick, sample, none, none, passage});
+    }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "the distance is to where each particle was as long before the reversal, the nearest image") {
+    Walk walk(lanes(reversal(6.0), 12.0));
+    walk.see(0.0, 2.0, 0.0, 0.0);
+    walk.see(3.0, 11.0, 0.0, 0.0);
+    walk.see(6.0, 20.0, 0.0, 0.0);        // at the border: 0 and 20 are one place
+    walk.see(7.0, 17.0, -0.4, 0.0, 0.3);  // as at 5
+    walk.see(12.0, 2.0, 0.0, -0.02);      // home
+    walk.way_home.settle();
+    CHECK(!walk.way_home.at(0));
+    CHECK(!walk.way_home.at(1));
+    REQUIRE(walk.way_home.at(2));
+    CHECK(walk.way_home.at(2)->largest == 0.0);
+    REQUIRE(walk.way_home.at(3));
+    CHECK(walk.way_home.at(3)->largest == relative(0.5, 1e-12));
+    CHECK(walk.way_home.at(3)->root_mean_square == relative(0.5 / std::sqrt(2.0), 1e-12));
+    CHECK(walk.way_home.at(4)->largest == relative(0.02, 1e-12));
+    CHECK(walk.way_home.at(9)->largest == relative(0.02, 1e-12));
+}
+
+TEST_CASE("after another reversal the way back is the way out, and beyond home nothing is known") {
+    Walk walk(lanes(reversal(4.0) + ", " + reversal(6.0), 16.0));
+    walk.see(5.0, 11.0, 0.1, 0.0);  // as at 3
+    walk.see(7.0, 11.0, 0.2, 0.0);  // as at 5, not as it should have been
+    walk.see(8.0, 14.0, 0.3, 0.0);  // as at 4: home, for the second reversal
+    walk.see(9.0, 17.0, 0.4, 0.0);  // where it has never been
+    walk.way_home.settle();
+    CHECK(walk.way_home.at(0)->largest == relative(0.1, 1e-12));
+    CHECK(walk.way_home.at(1)->largest == relative(0.2, 1e-12));
+    CHECK(walk.way_home.at(2)->largest == relative(0.3, 1e-12));
+    CHECK(!walk.way_home.at(3));
+}
+
+TEST_CASE("a film's last distance is that of the run from its start") {
+    Scene scene = load_scene_text(
+        "title: T\nbox: {size: [12, 12], walls: periodic}\ngas: [{count: 30, radius: 0.5, speed: "
+        "1}]\nrun: {until: 8, events: [" +
+            reversal(4.0) + "]}\nfilm: {seconds: 1, fps: 8, size: [640, 360]}\n",
+        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+    Simulation run(scene.gas, scene.run);
+    const Sample start = run.sample();
+    run.advance_to(8.0);
+    const ReturnDistance truth = return_distance(scene.gas.box, start, run.sample());
+    CHECK(truth.largest > 0.0);
+
+    std::optional<EquilibriumGas> none;
+    WayHome way_home(Cast{scene, run.particles(), 8, none});
+    Simulation film(scene.gas, scene.run);
+    const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(30);
+    const std::vector<Tick> ticks = timeline(scene);
+    for (const Tick& tick : ticks) {
+        const Passage passage = film.advance_to(tick.time);
+        way_home.survey({tick, film.sample(), zeros, zeros, passage});
+    }
+    way_home.settle();
+    CHECK(way_home.at(ticks.back().frame)->largest == truth.largest);
+    CHECK(way_home.at(ticks.back().frame)->root_mean_square == truth.root_mean_square);
+}
+
+TEST_CASE("the panel says when it begins, and then draws what it has seen") {
+    const test::Shot film(lanes(reversal(6.0), 12.0));
+    FramePainter painter(film.scene, *film.observers);
+    const auto svg = [&](std::size_t frame) {
+        Canvas canvas({640, 360}, VectorFormat::svg, {"T", "D"});
+        painter.paint_on(canvas, film.frames[frame]);
+        const std::vector<std::uint8_t> bytes = canvas.file();
+        return std::string(bytes.begin(), bytes.end());
+    };
+    CHECK(svg(3) != svg(film.frames.size() - 1));
+}
+
+TEST_CASE("a gas of many bits is compared in full: a distance no double of its places could show") {
+    const test::Shot film(lanes(reversal(2.0) + ", {at: 2, nudge: {particle: 0, by: [1e-40, 0]}}",
+                                4.0, ", precision: 256"));
+    const PanelState& last = *film.frames.back().states.back();
+    const Table table =
+        film.observers->panels().back().panel->table(last, theme_of(ThemeName::dark));
+    int seen = 0;
+    for (const auto& row : table.rows) {
+        if (std::get<std::string>(row[0]) != "line") continue;
+        const double apart = std::get<double>(row[4]);
+        const bool is_largest = std::get<std::string>(row[1]) == "largest";
+        CHECK(apart == relative(is_largest ? 1e-40 : 1e-40 / std::sqrt(2.0), 1e-12));
+        ++seen;
+    }
+    CHECK(seen > 10);
+}
+
+namespace {
+
+// 64 equal disks at a packing fraction of 0.2 that turn round after some 15 collisions each.
+Scene echo(const std::string& keys, const std::string& panel) {
+    return load_scene_text(
+        "title: T\nbox: {size: [20, 12.566]}\ngas: [{count: 64, radius: 0.5, speed: 1}]\n"
+        "run: {until: 40, " +
+            keys + "}\nfilm: {seconds: 4, fps: 20, size: [640, 360], panels: [" + panel + "]}\n",
+        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+}
+
+Table table_of(const test::Shot& film) {
+    const PanelState& last = *film.frames.back().states.back();
+    return film.observers->panels().back().panel->table(last, theme_of(ThemeName::dark));
+}
+
+std::vector<std::vector<Cell>> rows_of(const Table& table, const std::string& part,
+                                       const std::string& of) {
+    std::vector<std::vector<Cell>> rows;
+    for (const std::vector<Cell>& row : table.rows)
+        if (std::get<std::string>(row[0]) == part && std::get<std::string>(row[1]) == of)
+            rows.push_back(row);
+    return rows;
+}
+
+double number(const Cell& cell) { return std::get<double>(cell); }
+
+}  // namespace
+
+TEST_CASE(
+    "the growth law begins at the round-off, goes by the collisions counted, ends at a radius") {
+    const test::Shot film(echo("precision: 128, events: [{at: 20, reverse: velocities}]",
+                               "{kind: return-distance, against: collisions}"));
+    const Table table = table_of(film);
+    const auto law = rows_of(table, "curve", "growth law");
+    const auto largest = rows_of(table, "line", "largest");
+    REQUIRE(law.size() > 20);
+    REQUIRE(largest.size() > 30);
+    Simulation run(film.scene.gas, film.scene.run);
+    const double before = static_cast<double>(run.advance_to(20.0).counts.particle);
+    for (const std::vector<Cell>& row : largest) {
+        const double now =
+            static_cast<double>(run.advance_to(20.0 + number(row[3])).counts.particle);
+        CHECK(number(row[5]) == 2.0 * (now - before) / 64.0);
+    }
+    // s of a gas of this packing, at most a fifth above what was measured for 50 and 100 disks.
+    const double bits = 3.85 * std::log2(1.0 + 0.115 / 0.2);
+    const double slope = bits * std::log10(2.0);
+    for (const std::vector<Cell>& row : law) {
+        const double expected = std::log10(20.0) - 128.0 * std::log10(2.0) + slope * number(row[5]);
+        CHECK(std::abs(number(row[6]) - expected) < 1e-3);
+        CHECK(number(row[4]) == relative(std::pow(10.0, number(row[6])), 1e-9));
+        CHECK(number(row[6]) < std::log10(0.5) + 1e-9);
+    }
+    // And the gas keeps to it, to within 16 bits and a fifth.
+    double farthest = 0.0;
+    for (std::size_t k = 1; k < std::min(largest.size(), law.size()); ++k) {
+        const double miss = number(largest[k][6]) - number(law[k][6]);
+        CHECK(std::abs(miss) < 16.0 * std::log10(2.0) + 0.2 * slope * number(law[k][5]));
+        farthest = number(law[k][5]);
+    }
+    CHECK(farthest > 10.0);
+}
+
+TEST_CASE("a nudge is where the distance and its law begin") {
+    for (const std::string panel : {"return-distance", "{kind: return-distance, theory: false}"}) {
+        const test::Shot film(
+            echo("precision: 128, events: [{at: 20, reverse: velocities}, "
+                 "{at: 20, nudge: {particle: 3, by: [3e-20, 4e-20]}}, {at: 25, nudge: {particle: "
+                 "9, by: [1e-3, 0]}}]",
+                 panel));
+        const Table table = table_of(film);
+        const auto law = rows_of(table, "curve", "growth law");
+        const auto largest = rows_of(table, "line", "largest");
+        const auto mean = rows_of(table, "line", "root mean square");
+        CHECK(number(largest[0][3]) == 0.0);
+        CHECK(number(largest[0][4]) == relative(5e-20, 1e-12));
+        CHECK(number(mean[0][4]) == relative(5e-20 / 8.0, 1e-12));
+        if (panel.front() == '{') {
+            CHECK(law.empty());
+            continue;
+        }
+        CHECK(number(law[0][4]) == relative(5e-20, 1e-9));
+        const auto later = std::ranges::find_if(
+            law, [](const std::vector<Cell>& row) { return number(row[3]) >= 5.0; });
+        REQUIRE(later != law.end());
+        CHECK(number((*later)[4]) >= 1e-3 * (1.0 - 1e-12));
+        CHECK(number((*(later - 1))[4]) < 1e-9);
+    }
+}
+
+TEST_CASE("without a law for the gas there is no curve") {
+    const auto law = [](const std::string& box, const std::string& gas) {
+        const test::Shot film(load_scene_text(
+            "title: T\nbox: " + box + "\ngas: [" + gas +
+                "]\nrun: {until: 8, precision: 128, events: [{at: 4, reverse: velocities}]}\n"
+                "film: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
+            "test", std::string(CAROM_TEST_ROOT) + "/templates"));
+        return rows_of(table_of(film), "curve", "growth law").size();
+    };
+    CHECK(law("{size: [12, 12]}", "{count: 20, radius: 0.5, speed: 1}") > 5);
+    CHECK(law("{size: [12, 12]}",
+              "{name: a, count: 20, radius: 0.5, speed: 1}, {name: b, count: 1, radius: 1}") == 0);
+    CHECK(law("{length: 12}", "{count: 5, radius: 0.1, speed: 1}") == 0);
+}
+
+TEST_CASE("the title of the distances tells the bits, where there is room") {
+    const auto words = [](const std::string& precision, int width) {
+        Scene scene = lanes(reversal(2.0), 4.0, ", precision: " + precision);
+        scene.film.size = {width, 720};
+        const test::Shot film(scene);
+        TextLog log;
+        FramePainter painter(film.scene, *film.observers);
+        painter.paint(film.frames.back());
+        std::string all;
+        for (const DrawnLine& line : log.lines) all += line.markup + "\n";
+        return all;
+    };
+    CHECK(words("auto", 1280).find("Distance from the way out, in numbers of 64 bits\n") !=
+          std::string::npos);
+    CHECK(words("double", 1280).find(" 53 bits\n") != std::string::npos);
+}
+
+TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
+    const Scene scene = load_scene(std::string(CAROM_TEST_ROOT) + "/scenes/time-reversal.yaml",
+                                   std::string(CAROM_TEST_ROOT) + "/templates",
+                                   {{{"film.template", "square"}, {"film.fps", "5"}}});
+    const test::Shot film(scene);
+    const TextLog log;
+    FramePainter painter(film.scene, *film.observers);
+    const auto words = std::ranges::find(log.lines, "a radius", &DrawnLine::markup);
+    REQUIRE(words != log.lines.end());
+    const Rect ink = words->ink;  // the log goes on
+    const auto pixels = [&](const FrameData& frame) {
+        const PixelView view = painter.paint(frame).pixels();
+        std::vector<std::uint32_t> found;
+        for (auto y = std::lround(ink.y); y < std::lround(ink.bottom()); ++y)
+            for (auto x = std::lround(ink.x); x < std::lround(ink.right()); ++x)
+                found.push_back(view.data[y * view.stride + x]);
+        return found;
+    };
+    CHECK(pixels(film.frames.front()) == pixels(film.frames.back()));
+}

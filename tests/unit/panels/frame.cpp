@@ -1,0 +1,361 @@
+#include "panels/frame.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "panels/registry.h"
+#include "scene/keys/keys.h"
+#include "support/pixels.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+
+using namespace carom;
+using test::pixels_of;
+using test::Shot;
+
+namespace {
+
+Scene scene_of(const std::string& film,
+               const std::string& gas = "{count: 40, radius: 0.5, speed: 1}") {
+    return test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [" + gas +
+                            "]\nrun: {until: 4}\nfilm: {" + film + "}\n");
+}
+
+}  // namespace
+
+TEST_CASE("every panel kind of the scene language is registered, and no other") {
+    const std::vector<std::string> kinds(panel_kinds().begin(), panel_kinds().end());
+    const std::vector<std::string> registered(registered_panels().begin(),
+                                              registered_panels().end());
+    CHECK(kinds == registered);
+}
+
+TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any thread") {
+    // A large chosen disk reaches over the periodic sides: its ring and name may leave nothing
+    // behind.
+    const Shot film(test::scene_from(
+        "title: T\nbox: {size: [40, 30], walls: periodic}\n"
+        "gas: [{name: a, count: 30, radius: 0.3, speed: 1}, {name: b, count: 1, "
+        "radius: 6, position: [3, 4], velocity: [-8, -6]}]\n"
+        "run: {until: 4, events: [{at: 1, mark: here}, {at: 0, caption: words}]}\n"
+        "film: {seconds: 4, fps: 15, size: [320, 180], slow: [{factor: 0.5}], title_card: 1, "
+        "end_card: The end}\n"));
+    FramePainter painter(film.scene, *film.observers);
+    std::vector<std::vector<std::uint32_t>> forward;
+    for (const FrameData& frame : film.frames) forward.push_back(pixels_of(painter.paint(frame)));
+    CHECK(forward.front() != forward.back());
+
+    std::vector<std::thread> threads;
+    std::vector<int> differences(3, 0);
+    for (std::size_t k = 0; k < differences.size(); ++k)
+        threads.emplace_back([&, k] {
+            FramePainter other(film.scene, *film.observers);
+            for (std::size_t i = film.frames.size(); i-- > 0;)
+                differences[k] += pixels_of(other.paint(film.frames[i])) != forward[i];
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(differences == std::vector<int>{0, 0, 0});
+}
+
+TEST_CASE("a disk is drawn where it is, to an eighth of a pixel") {
+    const Shot film(
+        scene_of("seconds: 1, size: [1280, 720], theme: dark, color_by: species, panels: []",
+                 "{count: 1, radius: 2, position: [13.37, 17.91], color: \"#ffffff\"}"));
+    FramePainter painter(film.scene, *film.observers);
+    const Canvas& canvas = painter.paint(film.frames.front());
+    // lecture's gas slot begins at (1.8, 6.4) units of 16 pixels and is 42.6 by 32 units: a box of
+    // 40 : 30 fills its height.
+    const double scale = std::min(42.6 * 16 / 40, 32.0 * 16 / 30);
+    const double x = 1.8 * 16 + 13.37 * scale;
+    const double y = 6.4 * 16 + (32.0 * 16 - 30 * scale) / 2 + (30 - 17.91) * scale;
+    const PixelView view = canvas.pixels();
+    double weight = 0.0, sum_x = 0.0, sum_y = 0.0;
+    const double ground = 0x1B;  // green of the dark theme's ground
+    for (int row = int(y) - 50; row < int(y) + 50; ++row)
+        for (int column = int(x) - 50; column < int(x) + 50; ++column) {
+            const double green = (view.data[row * view.stride + column] >> 8) & 0xFF;
+            const double share = (green - ground) / (255.0 - ground);
+            weight += share;
+            sum_x += share * (column + 0.5);
+            sum_y += share * (row + 0.5);
+        }
+    CHECK(std::abs(sum_x / weight - x) < 0.125);
+    CHECK(std::abs(sum_y / weight - y) < 0.125);
+    const double area = 3.14159265358979 * 4.0 * scale * scale;
+    CHECK(weight == doctest::Approx(area).epsilon(
+                        0.01));  // 0.5 % of coverage, and the 8-bit steps of the rim
+}
+
+TEST_CASE("a caption changes its own line and nothing else, in every template") {
+    for (const char* name : {"lecture", "wide-gas", "minimal", "data", "square", "portrait"}) {
+        CAPTURE(name);
+        const auto frame_of = [&](const std::string& words) {
+            const Shot film(test::scene_from(
+                "title: T\nbox: {size: [40, 30]}\ngas: [{count: 20, speed: 1}]\n"
+                "run: {until: 4, events: [{at: 0, caption: \"" +
+                words +
+                "\"}]}\n"
+                "film: {seconds: 4, fps: 5, panels: [], size: [480, 480], template: " +
+                std::string(name) + "}\n"));
+            FramePainter painter(film.scene, *film.observers);
+            painter.paint(film.frames[7]);
+            return std::pair{pixels_of(painter.paint(film.frames[9])), film.scene.film.layout};
+        };
+        // Sixty of the widest letters do not fit and are cut.
+        const auto [wide, layout] = frame_of(std::string(60, 'W'));
+        const auto [none, same] = frame_of("");
+        const Rect line = Grid(layout, {480, 480}).place(*layout.caption);
+        bool inside = false, outside = false;
+        for (std::size_t i = 0; i < wide.size(); ++i) {
+            if (wide[i] == none[i]) continue;
+            const double x = double(i % 480) + 0.5, y = double(i / 480) + 0.5;
+            const bool within =
+                x > line.x - 1.0 && x < line.right() + 1.0 && y > line.y && y < line.bottom();
+            (within ? inside : outside) = true;
+        }
+        CHECK(inside);
+        CHECK_FALSE(outside);
+    }
+}
+
+TEST_CASE("fewer panels than places share the height of the whole column") {
+    const Scene two = scene_of("seconds: 1, panels: [speed-histogram, energy-histogram]");
+    const Simulation simulation(two.gas, two.run);
+    Simulation copy(two.gas, two.run);
+    const Observers observers(two, simulation.particles(), copy.sample());
+    const Slot& first = observers.panels()[2].slot;
+    const Slot& second = observers.panels()[3].slot;
+    CHECK(first.y == doctest::Approx(6.4));
+    CHECK(first.height == doctest::Approx(second.height));
+    CHECK(second.y + second.height == doctest::Approx(43.2));
+    CHECK(second.y - (first.y + first.height) == doctest::Approx(1.0));
+}
+
+TEST_CASE("every frame of every theme and colouring can be drawn, odd and tiny pictures too") {
+    for (const std::string theme : {"light", "dark", "print"})
+        for (const std::string color : {"speed", "speed-class", "energy", "species", "mass"})
+            for (const std::string size : {"[65, 131]", "[333, 77]"}) {
+                const Shot film(scene_of("seconds: 0.2, theme: " + theme + ", color_by: " + color +
+                                         ", size: " + size));
+                FramePainter painter(film.scene, *film.observers);
+                for (const FrameData& frame : film.frames) painter.paint(frame);
+                CHECK(film.frames.size() == 6);
+            }
+}
+
+TEST_CASE("a gas at rest, one particle, and infinite masses make a film without a curve") {
+    for (const std::string gas : {"{count: 5}", "{count: 1, speed: 1}",
+                                  "{name: a, count: 5, speed: 1}, {name: wall, count: 1, mass: "
+                                  "infinite, radius: 3, velocity: [0.1, 0]}"}) {
+        CAPTURE(gas);
+        const Shot film(scene_of("seconds: 0.5, size: [320, 180]", gas));
+        Simulation simulation(film.scene.gas, film.scene.run);
+        CHECK_FALSE(equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample()));
+        FramePainter painter(film.scene, *film.observers);
+        for (const FrameData& frame : film.frames) painter.paint(frame);
+    }
+}
+
+TEST_CASE("a caption that comes or goes is whole in a still") {
+    const Shot film(
+        test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
+                         "run: {until: 4, events: [{at: 2, caption: words}]}\n"
+                         "film: {seconds: 8, fps: 30, panels: [], size: [480, 480]}\n"));
+    FramePainter painter(film.scene, *film.observers);
+    const std::vector<CaptionSpan> spans = caption_schedule(film.scene);
+    const auto coming = static_cast<std::size_t>(spans[0].first);
+    const auto brightest = [](const Canvas& canvas, const Rect& line) {
+        std::uint32_t most = 0;
+        const PixelView view = canvas.pixels();
+        for (int y = static_cast<int>(line.y); y < line.bottom(); ++y)
+            for (int x = static_cast<int>(line.x); x < line.right(); ++x)
+                most = std::max(most, view.data[y * view.stride + x] & 0xFF);
+        return most;
+    };
+    const Rect line =
+        Grid(film.scene.film.layout, {480, 480}).place(*film.scene.film.layout.caption);
+    const std::uint32_t whole = brightest(painter.paint(film.frames[coming + 10]), line);
+    CHECK(brightest(painter.paint(film.frames[coming]), line) < whole / 2);
+    Canvas still({480, 480});
+    painter.paint_on(still, film.frames[coming]);
+    CHECK(brightest(still, line) == whole);
+    painter.paint_on(still, film.frames[coming - 1]);
+    CHECK(brightest(still, line) < whole / 2);
+}
+
+TEST_CASE("a picture drawn at once on another canvas is the film's") {
+    const Shot film(scene_of("seconds: 2, fps: 5, size: [320, 180]"));
+    FramePainter painter(film.scene, *film.observers);
+    Canvas canvas({320, 180});
+    painter.paint(film.frames.front());
+    painter.paint_on(canvas, film.frames.back());
+    CHECK(pixels_of(canvas) == pixels_of(painter.paint(film.frames.back())));
+}
+
+TEST_CASE("the bars of a histogram are one shape: no seams at any size of a vector picture") {
+    const auto text_of = [](Canvas& canvas) {
+        const std::vector<std::uint8_t> bytes = canvas.file();
+        return std::string(bytes.begin(), bytes.end());
+    };
+    Canvas sample({10, 10}, VectorFormat::svg, {});
+    sample.fill({1, 1, 5, 5}, theme(ThemeKind::dark).bar);
+    const std::string drawn = text_of(sample);
+    const std::size_t from = drawn.find("fill:rgb(");
+    REQUIRE(from != std::string::npos);
+    const std::string bar = drawn.substr(from, drawn.find(')', from) + 1 - from);
+
+    const Shot film(scene_of("seconds: 2, fps: 5, size: [640, 360], panels: [speed-histogram]",
+                             "{count: 200, radius: 0.3, temperature: 1}"));
+    FramePainter painter(film.scene, *film.observers);
+    Canvas canvas({640, 360}, VectorFormat::svg, {});
+    painter.paint_on(canvas, film.frames.back());
+    const std::string svg = text_of(canvas);
+    int shapes = 0;
+    for (std::size_t at = svg.find("<path"); at != std::string::npos;
+         at = svg.find("<path", at + 1))
+        shapes += svg.substr(at, svg.find('>', at) - at).find(bar) != std::string::npos ? 1 : 0;
+    CHECK(shapes == 1);
+}
+
+TEST_CASE("vector pictures hold no pixels, whatever they show") {
+    const auto svg_of = [](const Scene& scene) {
+        const Shot film(scene);
+        FramePainter painter(film.scene, *film.observers);
+        Canvas canvas({film.scene.film.size.width, film.scene.film.size.height}, VectorFormat::svg,
+                      {"T", "D"});
+        painter.paint_on(canvas, film.frames.back());
+        const std::vector<std::uint8_t> bytes = canvas.file();
+        return std::string(bytes.begin(), bytes.end());
+    };
+    const std::string gas =
+        "{name: a, count: 40, radius: 0.5, speed: 1, fill: false}, "
+        "{name: b, count: 1, radius: 3, position: [4, 20], velocity: [3, 2], trail: 1}";
+    const std::string film =
+        "seconds: 2, fps: 5, size: [640, 360], template: data, velocities: true, labels: index, ";
+    std::vector<std::string> svgs;
+    for (const std::string& kind : panel_kinds()) {
+        CAPTURE(kind);
+        try {
+            svgs.push_back(svg_of(scene_of(film + "panels: [" + kind + "]", gas)));
+        } catch (const SceneError&) {
+            continue;  // a kind that wants to be told more
+        }
+    }
+    CHECK(svgs.size() > 5);
+    svgs.push_back(svg_of(test::scene_from(
+        "title: T\nbox: {length: 40}\ngas: [{name: a, count: 9, radius: 1, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {seconds: 2, fps: 5, size: [640, 360], velocities: true}\n")));
+    for (const std::string& svg : svgs) {
+        CHECK(svg.find("<path") != std::string::npos);
+        CHECK(svg.find("<image") == std::string::npos);
+    }
+}
+
+TEST_CASE(
+    "at a reversal everything but the words and the clock's arrow stands still for a second") {
+    for (const char* box : {"size: [40, 30]", "length: 40"}) {
+        CAPTURE(box);
+        const bool is_wire = std::string(box).starts_with("length");
+        const Shot film(test::scene_from(
+            "title: T\nbox: {" + std::string(box) +
+            "}\ngas: [{count: 12, speed: 1}]\n"
+            "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
+            "film: {seconds: 20, fps: 10, size: [320, 180], monitors: [time], panels: []}\n"));
+        std::vector<std::size_t> stopped;
+        for (std::size_t i = 0; i < film.frames.size(); ++i)
+            if (film.frames[i].tick.phase == Phase::reversing) stopped.push_back(i);
+        REQUIRE(stopped.size() == 10);
+        FramePainter painter(film.scene, *film.observers);
+        const auto before = pixels_of(painter.paint(film.frames[stopped.front() - 1]));
+        const LayoutSpec& layout = film.scene.film.layout;
+        const Grid grid(layout, {320, 180});
+        const Rect gas = grid.place(layout.gas), clock = grid.place(*layout.monitors);
+        for (const std::size_t i : {stopped[3], stopped[5]}) {
+            const auto now = pixels_of(painter.paint(film.frames[i]));
+            bool words = false, arrow = false, others = false;
+            for (std::size_t k = 0; k < now.size(); ++k) {
+                if (now[k] == before[k]) continue;
+                const Point at{double(k % 320), double(k / 320)};
+                if (at.y > clock.y)
+                    arrow = true;
+                else if (std::abs(at.y - gas.y - 0.5 * gas.height) < 10.0)
+                    words = true;
+                else if (is_wire && std::abs(at.y - gas.y - 33.0) < 6.0)
+                    words = true;  // above the world lines, with their mark of the reversal
+                else
+                    others = true;
+            }
+            CHECK(words);
+            CHECK(arrow);
+            CHECK_FALSE(others);
+        }
+    }
+}
+
+TEST_CASE("the way back is lighter than the way out, on every ground") {
+    for (const char* theme : {"light", "dark", "print"}) {
+        CAPTURE(theme);
+        const Shot film(test::scene_from(
+            "title: T\nbox: {size: [40, 30]}\n"
+            "gas: [{name: one, count: 12, speed: 1, color: \"#1f77b4\"}]\n"
+            "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
+            "film: {seconds: 8, fps: 10, size: [1280, 720], panels: [energy-by-species], theme: " +
+            std::string(theme) + "}\n"));
+        FramePainter painter(film.scene, *film.observers);
+        const Canvas& canvas = painter.paint(film.frames.back());
+        const auto back = pixels_of(canvas);
+        const auto pause = std::ranges::find_if(film.frames, [](const FrameData& frame) {
+            return frame.tick.phase == Phase::reversing;
+        });
+        const auto out = pixels_of(painter.paint(*pause));
+        // The mean energy stays as it is: the way back lies on the way out, along one row.
+        const LayoutSpec& layout = film.scene.film.layout;
+        const Rect panel = Grid(layout, {1280, 720}).place(layout.panels[0]);
+        int lighter = 0, darker = 0;
+        const auto x = static_cast<std::size_t>(panel.x + 0.6 * panel.width);
+        for (std::size_t y = static_cast<std::size_t>(panel.y); y < 700; ++y) {
+            const auto green = [&](const std::vector<std::uint32_t>& pixels) {
+                return int((pixels[y * 1280 + x] >> 8) & 0xFF);
+            };
+            const bool is_blue =
+                (out[y * 1280 + x] & 0xFF) > ((out[y * 1280 + x] >> 16) & 0xFF) + 60;
+            if (!is_blue) continue;
+            (green(back) > green(out) + 40 ? lighter : darker) += 1;
+        }
+        CHECK(lighter >= 1);
+        CHECK(lighter + darker <= 6);
+    }
+}
+
+TEST_CASE("a card covers the whole picture and gives way to the gas without a jump") {
+    const std::string rest = "seconds: 30, fps: 10, size: [320, 180], panels: [speed-histogram]";
+    const Shot film(scene_of(rest + ", title_card: true, end_card: The end"));
+    const Shot plain(scene_of("seconds: 23, fps: 10, size: [320, 180], panels: [speed-histogram]"));
+    FramePainter painter(film.scene, *film.observers), other(plain.scene, *plain.observers);
+    const auto gas = pixels_of(other.paint(plain.frames.front()));
+    const auto apart = [](const std::vector<std::uint32_t>& a,
+                          const std::vector<std::uint32_t>& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            sum += std::abs(int((a[i] >> 8) & 0xFF) - int((b[i] >> 8) & 0xFF));
+        return sum / double(a.size());
+    };
+    const auto card = pixels_of(painter.paint(film.frames.front()));
+    const std::uint32_t page = card.front();
+    const auto bare = std::ranges::count(card, page);
+    CHECK(bare > 0.9 * double(card.size()));
+    CHECK(bare < double(card.size()));  // the words
+    double last = apart(card, gas);
+    for (std::size_t i = 1; i < 44; ++i) {
+        const double now = apart(pixels_of(painter.paint(film.frames[i])), gas);
+        CHECK(now <= last + 1e-9);
+        if (film.frames[i].tick.phase == Phase::title_card) CHECK(now == last);
+        last = now;
+    }
+    CHECK(last == 0.0);
+    CHECK(pixels_of(painter.paint(film.frames.back())) != card);
+}

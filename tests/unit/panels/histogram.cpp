@@ -1,0 +1,211 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "panels/plots/histogram_panel.h"
+#include "support/pixels.h"
+#include "support/relative.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+struct Stage {
+    Scene scene;
+    Particles particles;
+    std::optional<EquilibriumGas> none;
+
+    explicit Stage(Eigen::Index count) {
+        particles.radius = Eigen::ArrayXd::Constant(count, 0.5);
+        particles.inverse_mass = Eigen::ArrayXd::Ones(count);
+        particles.species = Eigen::ArrayXi::Zero(count);
+    }
+};
+
+using Density = std::function<double(const EquilibriumGas&, double)>;
+
+HistogramSubject speeds_with(Density density) {
+    return {.title = "Speeds",
+            .quantity = "speed",
+            .beyond = "faster",
+            .values = [](const Observation& o) { return o.speed; },
+            .density = std::move(density)};
+}
+
+void survey(HistogramPanel& panel, const std::vector<Eigen::ArrayXd>& frames) {
+    const Sample sample;
+    const Passage passage;
+    for (const Eigen::ArrayXd& speed : frames) {
+        const Tick tick;
+        panel.survey({tick, sample, speed, speed, passage});
+    }
+    panel.settle();
+}
+
+}  // namespace
+
+TEST_CASE("the axis of a histogram holds the run, and round-off never splits equal values") {
+    Stage stage(100);
+    HistogramPanel panel({stage.scene, stage.particles, 2, stage.none}, {}, speeds_with({}));
+    survey(panel, {Eigen::ArrayXd::Constant(100, 2.0), Eigen::ArrayXd::LinSpaced(100, 0.0, 4.0)});
+    const Bins& bins = panel.bins();
+    CHECK(bins.low == 0.0);
+    CHECK(bins.high >= 3.9);
+    CHECK(bins.high <= 6.0);
+    const double place = 2.0 / bins.width();
+    CHECK(std::abs(place - std::round(place)) > 1e-3);
+}
+
+TEST_CASE("bins and range of the scene are taken as they are") {
+    Stage stage(10);
+    PanelSpec spec;
+    spec.bins = 7;
+    spec.range = {1.0, 3.0};
+    HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, speeds_with({}));
+    survey(panel, {Eigen::ArrayXd::LinSpaced(10, 0.0, 4.0)});
+    CHECK(panel.bins().count == 7);
+    CHECK(panel.bins().low == 1.0);
+    CHECK(panel.bins().high == 3.0);
+}
+
+TEST_CASE("a start far from equilibrium does not flatten the curve") {
+    Stage stage(1000);
+    const std::optional<EquilibriumGas> thousand =
+        EquilibriumGas{.energy = 1000.0, .beta = 999.0, .groups = {{1.0, 1000.0, 1.0}}};
+    // Expected number in a bin: 1000 * width * density; the start puts all 1000 into one.
+    HistogramPanel panel(
+        {stage.scene, stage.particles, 2, thousand}, {},
+        speeds_with([](const EquilibriumGas&, double v) { return v * std::exp(-v * v / 2); }));
+    survey(panel,
+           {Eigen::ArrayXd::Constant(1000, 0.01), Eigen::ArrayXd::LinSpaced(1000, 0.0, 4.0)});
+    const double curve = 1000 * panel.bins().width() * std::exp(-0.5);  // its top, at v = 1
+    CHECK(panel.tallest() >= 1.1 * curve);
+    CHECK(panel.tallest() <= 2.5 * curve);
+}
+
+TEST_CASE("the curve is that of the particles that share the energy") {
+    Stage stage(1000);  // 900 of them infinitely heavy and at rest
+    const std::optional<EquilibriumGas> hundred =
+        EquilibriumGas{.energy = 100.0, .beta = 99.0, .groups = {{1.0, 100.0, 1.0}}};
+    HistogramPanel panel(
+        {stage.scene, stage.particles, 1, hundred}, {},
+        speeds_with([](const EquilibriumGas&, double v) { return v * std::exp(-v * v / 2); }));
+    survey(panel, {Eigen::ArrayXd::LinSpaced(1000, 0.0, 4.0)});
+    const double curve = 100 * panel.bins().width() * std::exp(-0.5);  // its top, at v = 1
+    CHECK(panel.tallest() >= 1.1 * curve);
+    CHECK(panel.tallest() <= 2.5 * curve);
+}
+
+namespace {
+
+// What the frames of a panel show, seen as a film sees it: first all, then one by one.
+std::vector<std::vector<MeanHistogram>> shown(HistogramPanel& panel,
+                                              const std::vector<double>& times,
+                                              const std::vector<Eigen::ArrayXd>& speeds) {
+    const Sample sample;
+    const Passage passage;
+    std::vector<std::vector<MeanHistogram>> result;
+    for (const bool surveying : {true, false}) {
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            Tick tick;
+            tick.time = times[i];
+            const Observation observation{tick, sample, speeds[i], speeds[i], passage};
+            if (surveying) panel.survey(observation);
+            if (!surveying) result.push_back(HistogramPanel::histograms(*panel.state(observation)));
+        }
+        if (surveying) panel.settle();
+    }
+    return result;
+}
+
+PanelSpec four_bins(Over::Since since, double window = 0.0) {
+    PanelSpec spec;
+    spec.bins = 4;
+    spec.range = {0.0, 4.0};
+    spec.over = Over{since, window};
+    return spec;
+}
+
+Eigen::ArrayXd two(double a, double b) { return Eigen::Array2d(a, b); }
+
+}  // namespace
+
+TEST_CASE(
+    "bars are of the present, of a while, or the mean since the start; a held frame counts once") {
+    const std::vector<double> times{0.0, 0.0, 1.0, 2.0, 3.0};
+    const std::vector<Eigen::ArrayXd> speeds{two(0.5, 0.5), two(0.5, 0.5), two(1.5, 0.5),
+                                             two(1.5, 2.5), two(3.5, 9.0)};
+    Stage stage(2);
+    const auto bars = [&](Over::Since since, double window = 0.0) {
+        HistogramPanel panel({stage.scene, stage.particles, 5, stage.none},
+                             four_bins(since, window), speeds_with({}));
+        const auto frames = shown(panel, times, speeds);
+        const MeanHistogram& last = frames.back().front();
+        CHECK(last.above > 0.0);
+        return last.counts;
+    };
+    CHECK(bars(Over::Since::now) == std::vector{0.0, 0.0, 0.0, 1.0});
+    // Of the samples at 2 and 3: that at 1 is a whole window ago.
+    CHECK(bars(Over::Since::window, 2.0) == std::vector{0.0, 0.5, 0.5, 0.5});
+    // Of four samples: the held one counts once.
+    CHECK(bars(Over::Since::start) == std::vector{0.75, 0.5, 0.25, 0.25});
+}
+
+TEST_CASE("chosen particles are drawn together, each choice with its own bars and curve") {
+    Stage stage(10);
+    stage.particles.species.tail(3) = 1;
+    stage.scene.gas.species.resize(2);
+    PanelSpec spec = four_bins(Over::Since::now);
+    spec.of = {{}, {1, {}}, {{}, 0}};
+    HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, speeds_with({}));
+    Eigen::ArrayXd speeds = Eigen::ArrayXd::Constant(10, 0.5);
+    speeds.tail(3) = 2.5;
+    speeds[0] = 1.5;
+    const auto frame = shown(panel, {0.0}, {speeds}).front();
+    REQUIRE(frame.size() == 3);
+    CHECK(frame[0].counts == std::vector{6.0, 1.0, 3.0, 0.0});
+    CHECK(frame[1].counts == std::vector{0.0, 0.0, 3.0, 0.0});
+    CHECK(frame[2].counts == std::vector{0.0, 1.0, 0.0, 0.0});
+    CHECK(frame[0].mean == relative((6 * 0.5 + 1.5 + 3 * 2.5) / 10, 1e-14));
+}
+
+TEST_CASE("the number beyond the lower end is told beside the axis, which stays whole") {
+    Stage stage(10);
+    PanelSpec spec = four_bins(Over::Since::now);
+    spec.range = {-1.0, 1.0};
+    HistogramSubject subject = speeds_with({});
+    subject.symmetric = true;
+    HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, std::move(subject));
+    Eigen::ArrayXd values = Eigen::ArrayXd::Constant(10, 0.2);
+    values[0] = -1.5;
+    REQUIRE(shown(panel, {0.0}, {values}).front().front().below == 1.0);
+
+    DiskPainter disks;
+    const Page page{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
+    Canvas canvas({600, 400});
+    canvas.fill({0, 0, 600, 400}, page.theme.page);
+    const std::vector<std::uint32_t> blank = test::pixels_of(canvas);
+    panel.draw_ground(canvas, page);
+    const std::vector<std::uint32_t> ground = test::pixels_of(canvas);
+    const Tick tick;
+    const Sample sample;
+    const Passage passage;
+    panel.draw(canvas, page, *panel.state({tick, sample, values, values, passage}));
+    const std::vector<std::uint32_t> drawn = test::pixels_of(canvas);
+    CHECK(drawn != ground);
+    // The axis is the column with most ink.
+    const auto inked = [&](const std::vector<std::uint32_t>& picture, std::size_t x) {
+        int rows = 0;
+        for (std::size_t at = x; at < picture.size(); at += 600) rows += picture[at] != blank[at];
+        return rows;
+    };
+    std::size_t axis = 0;
+    for (std::size_t x = 0; x < 300; ++x)
+        if (inked(ground, x) > inked(ground, axis)) axis = x;
+    CHECK(inked(ground, axis) > 200);
+    int changed = 0;
+    for (std::size_t y = 0; y < 300; ++y)
+        changed += drawn[y * 600 + axis] != ground[y * 600 + axis];
+    CHECK(changed == 0);
+}

@@ -1,0 +1,68 @@
+// Where things stand: pictures of any shape are filled, panels share the room, words are broken at
+// spaces.
+#include "panels/layout.h"
+
+#include <doctest/doctest.h>
+
+using namespace carom;
+
+namespace {
+
+const std::vector<Slot> grid_of_four{{0, 0, 10, 4}, {12, 0, 10, 4}, {0, 5, 10, 4}, {12, 5, 10, 4}};
+
+void check_slot(const Slot& slot, const Slot& wanted) {
+    CHECK(slot.x == doctest::Approx(wanted.x));
+    CHECK(slot.y == doctest::Approx(wanted.y));
+    CHECK(slot.width == doctest::Approx(wanted.width));
+    CHECK(slot.height == doctest::Approx(wanted.height));
+}
+
+}  // namespace
+
+TEST_CASE("a grid fills a picture of any shape, and its unit fits both ways") {
+    const LayoutSpec layout;  // 80 by 45
+    const Grid square(layout, {800, 800});
+    CHECK(square.unit() == doctest::Approx(10.0));
+    const Rect whole = square.place({0, 0, 80, 45});
+    CHECK(whole.right() == doctest::Approx(800.0));
+    CHECK(whole.bottom() == doctest::Approx(800.0));
+    const Grid wide(layout, {1600, 450});
+    CHECK(wide.unit() == doctest::Approx(10.0));
+    CHECK(wide.place({40, 0, 40, 45}).x == doctest::Approx(800.0));
+}
+
+TEST_CASE("fewer panels than places share the whole of a grid of places") {
+    const std::vector<Slot> three = shared_slots(grid_of_four, 3);
+    REQUIRE(three.size() == 3);
+    check_slot(three[1], grid_of_four[1]);
+    check_slot(three[2], {0, 5, 22, 4});
+    const std::vector<Slot> two = shared_slots(grid_of_four, 2);
+    check_slot(two[0], {0, 0, 10, 9});
+    check_slot(two[1], {12, 0, 10, 9});
+    check_slot(shared_slots(grid_of_four, 1).front(), {0, 0, 22, 9});
+    const std::vector<Slot> row{{0, 0, 10, 4}, {12, 0, 10, 4}};
+    check_slot(shared_slots(row, 1).front(), {0, 0, 22, 4});
+}
+
+TEST_CASE("places that are no regular grid are taken as they are") {
+    const std::vector<Slot> slots{{0, 0, 10, 4}, {12, 0, 10, 8}, {0, 5, 10, 4}};
+    const std::vector<Slot> two = shared_slots(slots, 2);
+    REQUIRE(two.size() == 2);
+    check_slot(two[1], slots[1]);
+    std::vector<Slot> four = grid_of_four;
+    four[3].width = 5;  // as many as a grid has, and none
+    const std::vector<Slot> three = shared_slots(four, 3);
+    REQUIRE(three.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) check_slot(three[i], four[i]);
+}
+
+TEST_CASE("a panel that has enough leaves the rest of its height to those below and above") {
+    const std::vector<Slot> column{{0, 0, 10, 6}, {0, 7, 10, 6}, {0, 14, 10, 6}};
+    const std::vector<Slot> shared = with_heights(column, {2.0, {}, {}});
+    check_slot(shared[0], {0, 0, 10, 2});
+    check_slot(shared[1], {0, 3, 10, 8});
+    check_slot(shared[2], {0, 12, 10, 8});
+    check_slot(with_heights(column, {9.0, {}, {}})[1], column[1]);    // it has not even that
+    check_slot(with_heights(column, {2.0, 2.0, 2.0})[1], column[1]);  // nobody wants more
+    check_slot(with_heights(grid_of_four, {2.0, {}, {}, {}})[2], grid_of_four[2]);
+}

@@ -1,0 +1,152 @@
+// The picture of a wire: where beads are drawn, and that frames are pure.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "panels/frame.h"
+#include "panels/line/line_map.h"
+#include "panels/line/line_panel.h"
+#include "panels/plots/histogram_panel.h"
+#include "support/pixels.h"
+#include "support/relative.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+
+using namespace carom;
+using test::pixels_of;
+using test::relative;
+using test::Shot;
+
+namespace {
+
+Scene scene_of(const std::string& box, const std::string& gas, const std::string& film,
+               const std::string& run = "until: 8") {
+    return test::scene_from("title: T\nbox: {" + box + "}\ngas: [" + gas + "]\nrun: {" + run +
+                            "}\nfilm: {" + film + "}\n");
+}
+
+const std::string mixture =
+    "{name: points, count: 9, speed: 1}, {name: rod, count: 1, radius: 0.6, mass: 3, velocity: -2, "
+    "position: 1}, {name: post, count: 1, mass: infinite, position: 5, drawn_radius: 0.3}";
+
+}  // namespace
+
+TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
+    for (const std::string walls : {"solid", "periodic"}) {
+        CAPTURE(walls);
+        const Scene scene = scene_of("length: 10, walls: " + walls, mixture, "seconds: 1");
+        Simulation simulation(scene.gas, scene.run);
+        simulation.record_collisions(true);
+        const Particles& particles = simulation.particles();
+        const std::optional<EquilibriumGas> none;
+        const Cast cast{scene, particles, 30, none};
+        const WireMap map(cast, simulation.sample());
+        Eigen::ArrayXd last = map.places(simulation.sample(), {});
+        int meetings = 0;
+        for (double time = 0.02; time < 8.0; time += 0.02) {
+            const Passage passage = simulation.advance_to(time);
+            for (const Collision& c : passage.collisions) {
+                const double first = map.place(c.first, c.first_position[0], last[c.first]);
+                const double r = map.radius(c.first);
+                if (c.second < 0) {
+                    CHECK(first == relative(c.second == -1 ? r : map.length() - r, 1e-12));
+                    continue;
+                }
+                ++meetings;
+                const double second = map.place(c.second, c.second_position[0], last[c.second]);
+                const double apart = std::abs(std::remainder(second - first, map.length()));
+                CHECK(apart == relative(r + map.radius(c.second), 1e-12));
+            }
+            // In between they are apart, in the same order, and nothing jumps.
+            const Eigen::ArrayXd places = map.places(simulation.sample(), last);
+            CHECK((places - last).abs().maxCoeff() < 0.02 * 40.0);
+            for (std::size_t k = 0; k + 1 < map.order().size(); ++k) {
+                const Eigen::Index a = map.order()[k], b = map.order()[k + 1];
+                REQUIRE(places[b] - places[a] > map.radius(a) + map.radius(b) - 1e-9);
+            }
+            last = places;
+        }
+        CHECK(meetings > 20);
+    }
+}
+
+TEST_CASE("beads are drawn with their own radius, the wanted one, or 0.4 of the mean spacing") {
+    const Scene scene = scene_of("length: 11", mixture, "seconds: 1");
+    Simulation simulation(scene.gas, scene.run);
+    const std::optional<EquilibriumGas> none;
+    const Particles& particles = simulation.particles();
+    const WireMap map({scene, particles, 30, none}, simulation.sample());
+    CHECK(map.radius(0) == relative(0.4, 1e-12));
+    CHECK(map.radius(9) == relative(0.6, 1e-12));
+    CHECK(map.radius(10) == relative(0.3, 1e-12));
+    CHECK(map.length() == relative(11.0 + 9 * 0.8 + 0.6, 1e-12));
+}
+
+TEST_CASE("a frame of a wire is a pure function of it: any order, any painter") {
+    for (const std::string walls : {"solid", "periodic"}) {
+        const Shot film(scene_of("length: 10, walls: " + walls, mixture,
+                                 "seconds: 3, size: [320, 180]",
+                                 "until: 8, events: [{at: 4, reverse: velocities}]"));
+        FramePainter painter(film.scene, *film.observers);
+        std::vector<std::vector<std::uint32_t>> forward;
+        for (const FrameData& frame : film.frames)
+            forward.push_back(pixels_of(painter.paint(frame)));
+        CHECK(forward.front() != forward.back());
+        FramePainter other(film.scene, *film.observers);
+        for (std::size_t i = film.frames.size(); i-- > 0;)
+            REQUIRE(pixels_of(other.paint(film.frames[i])) == forward[i]);
+    }
+}
+
+TEST_CASE("every theme and colouring of a wire can be drawn, odd and tiny pictures, few and many") {
+    for (const std::string theme : {"light", "dark", "print"})
+        for (const std::string color : {"speed", "speed-class", "energy", "species", "mass"})
+            for (const std::string& gas :
+                 {std::string("{count: 1, speed: 1}"), std::string("{count: 3}"),
+                  std::string("{count: 700, temperature: 1}"), mixture}) {
+                const Shot film(scene_of(
+                    "length: 10", gas,
+                    "seconds: 0.2, size: [333, 77], theme: " + theme + ", color_by: " + color,
+                    "until: 0.5"));
+                FramePainter painter(film.scene, *film.observers);
+                for (const FrameData& frame : film.frames) painter.paint(frame);
+                CHECK(film.frames.size() == 6);
+            }
+}
+
+TEST_CASE("the world lines of a busy wire reach back less far than those of a calm one") {
+    const auto memory = [](const std::string& speed) {
+        const Shot film(scene_of("length: 10", "{count: 10, speed: " + speed + "}",
+                                 "seconds: 40, fps: 60, size: [320, 180]", "until: 40"));
+        return dynamic_cast<const WirePanel&>(film.observers->gas()).memory();
+    };
+    // A round number above 12 seconds of film at most, above 2.5 at least; the pace is nearly 1.
+    // Most frames of a film hold no collision: that makes no calm wire.
+    CHECK(memory("0.01") >= 12.0);
+    CHECK(memory("0.01") < 25.0);
+    CHECK(memory("1") < 12.0);
+    CHECK(memory("100") >= 2.5);
+    CHECK(memory("100") < 5.0);
+}
+
+TEST_CASE("the curve of energies is that of bars, where their density has no value") {
+    // Broad bars: the density within them is far from what they hold.
+    const Shot film(scene_of("length: 10",
+                             "{name: a, count: 50, temperature: 1}, {name: b, count: 50, mass: 2, "
+                             "temperature: 1}",
+                             "seconds: 1, size: [640, 360], panels: [{kind: energy-histogram, "
+                             "bins: 4, range: [0, 4]}]"));
+    Simulation simulation(film.scene.gas, film.scene.run);
+    const auto gas = equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample());
+    REQUIRE(gas.has_value());
+    const double first_bar = 100.0 * energy_probability(*gas, 0.0, 1.0);
+    const auto& panel = dynamic_cast<const HistogramPanel&>(*film.observers->panels().back().panel);
+    CHECK(panel.tallest() >= 1.2 * first_bar);  // 1.2 to 1.4 times the curve's top, rounded up
+    CHECK(panel.tallest() <= round_up_for_axis(1.4 * first_bar));
+    FramePainter painter(film.scene, *film.observers);
+    const std::vector<std::uint32_t> pixels = pixels_of(painter.paint(film.frames.back()));
+    CHECK(std::count(pixels.begin(), pixels.end(), to_pixel(theme(ThemeKind::dark).accent)) > 30);
+}

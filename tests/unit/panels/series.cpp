@@ -1,0 +1,229 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "draw/palette.h"
+#include "panels/frame.h"
+#include "panels/plots/points_panel.h"
+#include "panels/plots/series_panel.h"
+#include "panels/registry.h"
+#include "stats/speed_classes.h"
+#include "support/relative.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+#include "util/random.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+// A gas of light particles (mass 1) and as many heavy ones (mass 4) in a box of 10 by 10.
+struct Stage {
+    Scene scene;
+    Particles particles;
+    std::optional<EquilibriumGas> equilibrium;
+    Passage passage;
+
+    explicit Stage(Eigen::Index each) {
+        scene.gas.box.size = {10.0, 10.0};
+        scene.gas.species = {{.name = "light", .count = each}, {.name = "heavy", .count = each}};
+        scene.looks.resize(2);
+        particles.radius = Eigen::ArrayXd::Constant(2 * each, 0.5);
+        particles.inverse_mass = Eigen::ArrayXd::Ones(2 * each);
+        particles.inverse_mass.tail(each) = 0.25;
+        particles.species = Eigen::ArrayXi::Zero(2 * each);
+        particles.species.tail(each) = 1;
+    }
+
+    std::unique_ptr<SeriesPanel> panel(const PanelSpec& spec) const {
+        const Cast cast{scene, particles, 3, equilibrium};
+        return std::unique_ptr<SeriesPanel>(
+            static_cast<SeriesPanel*>(make_panel(cast, spec).release()));
+    }
+
+    void show(SeriesPanel& panel, double time, const Eigen::ArrayXXd& velocity) const {
+        const Sample sample{time, Eigen::ArrayXXd::Constant(velocity.rows(), 2, 5.0), velocity};
+        Tick tick;
+        tick.time = time;
+        const Eigen::ArrayXd speed = speeds(sample);
+        const Eigen::ArrayXd energy = kinetic_energies(particles, sample);
+        panel.survey({tick, sample, speed, energy, passage});
+    }
+};
+
+Eigen::ArrayXXd along_x(const std::vector<double>& values) {
+    Eigen::ArrayXXd velocity = Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(values.size()), 2);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        velocity(static_cast<Eigen::Index>(i), 0) = values[i];
+    return velocity;
+}
+
+}  // namespace
+
+TEST_CASE("the bounds of the classes of speed are medium") {
+    const std::array<double, 3> shares =
+        class_shares(Eigen::ArrayXd{{0.0, 0.99, 1.0, 2.0, 3.0, 3.01, 7.0, 2.5}}, 2.0);
+    CHECK(shares[0] == 2.0 / 8);
+    CHECK(shares[1] == 4.0 / 8);
+    CHECK(shares[2] == 2.0 / 8);
+}
+
+TEST_CASE("slow and fast are beside the present mean speed, or that at the start") {
+    const Stage stage(2);
+    for (const bool initial : {false, true}) {
+        PanelSpec spec{.kind = "speed-classes"};
+        spec.reference_initial = initial;
+        const auto panel = stage.panel(spec);
+        stage.show(*panel, 0.0, along_x({1.0, 1.0, 1.0, 1.0}));
+        stage.show(*panel, 1.0, along_x({0.0, 1.0, 3.0, 4.0}));  // mean 2
+        CHECK(panel->line(1)[0] == 100.0);
+        CHECK(panel->line(0)[1] == 25.0);
+        CHECK(panel->line(1)[1] == (initial ? 25.0 : 50.0));
+        CHECK(panel->line(2)[1] == (initial ? 50.0 : 25.0));
+    }
+}
+
+TEST_CASE("the temperature of a plane is its mean energy, of all and of those chosen") {
+    const Stage stage(2);
+    PanelSpec spec{.kind = "temperature"};
+    spec.of = {{}, {1, {}}, {{}, 0}};
+    const auto panel = stage.panel(spec);
+    stage.show(*panel, 0.0, along_x({1.0, 2.0, 3.0, -1.0}));  // energies 0.5, 2, 18, 2
+    CHECK(panel->line(0)[0] == relative(22.5 / 4, 1e-14));
+    CHECK(panel->line(1)[0] == relative(10.0, 1e-14));
+    CHECK(panel->line(2)[0] == relative(0.5, 1e-14));
+}
+
+TEST_CASE("pressures are of what changed hands since the start, in a while, or since a frame ago") {
+    Stage stage(2);
+    const auto last = [&](Over over) {
+        PanelSpec spec{.kind = "pressure"};
+        spec.over = over;
+        const auto panel = stage.panel(spec);
+        const Eigen::ArrayXXd velocity = along_x({1.0, -1.0, 1.0, -1.0});  // energy 5
+        double received = 0.0;
+        for (const double t : {0.0, 1.0, 1.0, 2.0, 4.0}) {
+            received = 10.0 * t * t;  // by each wall
+            stage.passage.transfers.wall = {received, received, received, received};
+            stage.passage.transfers.virial = 8.0 * t;
+            stage.show(*panel, t, velocity);
+        }
+        CHECK(std::isnan(panel->line(0)[0]));
+        // P V = 2 K / 2 + virial / (2 t) over the room of the centres, (10 * 9 + 10 * 9) / 2.
+        CHECK(panel->line(1).back() == relative((5.0 + 8.0 / 2.0) / 90.0, 1e-14));
+        return panel->line(0).back();
+    };
+    // Four walls of length 10.
+    CHECK(last({Over::Since::start, 0.0}) == relative(4 * 160.0 / (40.0 * 4.0), 1e-14));
+    CHECK(last({Over::Since::window, 3.0}) == relative(4 * 150.0 / (40.0 * 3.0), 1e-14));
+    CHECK(last({Over::Since::now, 0.0}) == relative(4 * 120.0 / (40.0 * 2.0), 1e-14));
+}
+
+TEST_CASE(
+    "entropy is 0 where all of a kind move alike, ln 2 for two streams, most at equilibrium") {
+    Stage stage(100);
+    const auto panel = stage.panel({.kind = "entropy"});
+    Random random(3, "velocities");
+    Eigen::ArrayXXd alike = Eigen::ArrayXXd::Ones(200, 2);
+    alike.bottomRows(100) = -0.5;
+    Eigen::ArrayXXd streams = Eigen::ArrayXXd::Zero(200, 2);
+    for (Eigen::Index i = 0; i < 200; ++i) streams(i, 0) = i % 2 == 0 ? 1.0 : -1.0;
+    Eigen::ArrayXXd thermal(200, 2);
+    for (double& v : thermal.reshaped()) v = random.normal();
+    stage.show(*panel, 0.0, alike);
+    stage.show(*panel, 1.0, streams);
+    stage.show(*panel, 2.0, thermal);
+    stage.show(*panel, 3.0, -alike);
+    CHECK(std::abs(panel->line(0)[0]) < 1e-15);
+    CHECK(panel->line(0)[1] == relative(std::log(2.0), 1e-14));
+    CHECK(panel->line(0)[2] > 2.0);
+    CHECK(std::abs(panel->line(0)[3]) < 1e-15);
+}
+
+TEST_CASE("points are positions against velocities, or against another particle's") {
+    const Stage stage(2);
+    const Cast cast{stage.scene, stage.particles, 1, stage.equilibrium};
+    Eigen::ArrayXXd position(4, 2), velocity(4, 2);
+    position << 1, 2, 3, 4, 5, 6, 7, 8;
+    velocity << -1, -2, -3, -4, -5, -6, -7, -8;
+    const Sample sample{0.0, position, velocity};
+    const Eigen::ArrayXd speed = speeds(sample);
+    const Tick tick;
+    const Observation observation{tick, sample, speed, speed, stage.passage};
+    const auto points = [&](const PanelSpec& spec, std::size_t set) {
+        const std::unique_ptr<Panel> panel = make_panel(cast, spec);
+        panel->survey(observation);
+        panel->settle();
+        std::vector<std::pair<double, double>> pairs;
+        const std::shared_ptr<const PanelState> state = panel->state(observation);
+        for (const Point& point : PointsPanel::points(*state, set))
+            pairs.emplace_back(point.x, point.y);
+        return pairs;
+    };
+    using Pairs = std::vector<std::pair<double, double>>;
+    PanelSpec phase{.kind = "phase"};
+    phase.of = {{0, {}}, {{}, 3}};
+    CHECK(points(phase, 0) == Pairs{{1, -1}, {3, -3}});
+    phase.component = Component::y;
+    CHECK(points(phase, 1) == Pairs{{8, -8}});
+    PanelSpec both{.kind = "positions"};
+    both.of = {{{}, 2}, {{}, 1}};
+    CHECK(points(both, 0) == Pairs{{5, 3}});
+    both.component = Component::y;
+    CHECK(points(both, 0) == Pairs{{6, 4}});
+}
+
+TEST_CASE("points stand before the paths of all, and out from them") {
+    // Bead 1 comes, stays at 2 while 0 goes to the wall and back, and goes on: its path crosses the
+    // place of 0, which is at rest at 2 from then on.
+    const test::Shot film(test::scene_from(
+        "title: T\nbox: {length: 20}\ngas: [{position: [2, 6], velocity: [0, -1]}]\n"
+        "run: {until: 10}\nfilm: {seconds: 4, fps: 20, theme: light, "
+        "panels: [{kind: phase, of: [0, 1]}]}\n"));
+    const Grid grid(film.scene.film.layout, film.scene.film.size);
+    DiskPainter disks;
+    const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()), grid.unit(),
+                    theme(ThemeKind::light), disks};
+    const Rect plot = plot_area(page);
+    FramePainter painter(film.scene, *film.observers);
+    const PixelView view = painter.paint(film.frames.back()).pixels();
+    const auto pixel = [&](double x, double y) {
+        return view.data[static_cast<int>(y) * view.stride + static_cast<int>(x)] & 0xFFFFFF;
+    };
+    const double x = plot.x + 0.1 * plot.width, y = plot.y + plot.height / 2;
+    const Color own = edge_of(kind_color(1, page.theme), page.theme);
+    for (const double down : {-0.25, 0.0, 0.25})
+        CHECK(pixel(x, y + down * page.unit) == (to_pixel(own) & 0xFFFFFF));
+    CHECK(pixel(x, y - 0.42 * page.unit) == (to_pixel(page.theme.page) & 0xFFFFFF));
+    const Color other = edge_of(kind_color(2, page.theme), page.theme);
+    CHECK(pixel(x, y - 1.2 * page.unit) == (to_pixel(other) & 0xFFFFFF));
+}
+
+TEST_CASE("two beads have a line that they never cross, unless they go around") {
+    const auto share_of_line = [](const std::string& walls) {
+        const test::Shot film(test::scene_from(
+            "title: T\nbox: {length: 20, walls: " + walls +
+            "}\ngas: [{position: [2, 18], velocity: [0.1, 0]}]\nrun: {until: 1}\n"
+            "film: {seconds: 4, fps: 5, theme: light, panels: [{kind: positions, of: [0, 1]}]}\n"));
+        const Grid grid(film.scene.film.layout, film.scene.film.size);
+        DiskPainter disks;
+        const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
+                        grid.unit(), theme(ThemeKind::light), disks};
+        const Rect plot = plot_area(page);
+        FramePainter painter(film.scene, *film.observers);
+        const PixelView view = painter.paint(film.frames.back()).pixels();
+        int drawn = 0;
+        for (int i = 1; i < 100; ++i) {
+            const auto x = static_cast<int>(plot.x + 0.01 * i * plot.width);
+            const auto y = static_cast<int>(plot.bottom() - 0.01 * i * plot.height);
+            if ((view.data[y * view.stride + x] & 0xFFFFFF) !=
+                (to_pixel(page.theme.page) & 0xFFFFFF))
+                ++drawn;
+        }
+        return 0.01 * drawn;
+    };
+    CHECK(share_of_line("solid") > 0.3);
+    CHECK(share_of_line("periodic") == 0.0);
+}

@@ -1,0 +1,108 @@
+// Panels of words: as large as they fit, whole, and refused where they do not.
+#include "draw/text.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "panels/frame.h"
+#include "panels/words/text_panel.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+
+using namespace carom;
+
+namespace {
+
+std::string joined(const SetWords& set) {
+    std::string text;
+    for (const std::string& line : set.lines) text += (text.empty() ? "" : " ") + line;
+    return text;
+}
+
+Scene scene_of(const std::string& panels) {
+    return test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\nrun: {until: 4}\n"
+        "film: {seconds: 1, fps: 4, size: [640, 360], panels: [" +
+        panels + "]}\n");
+}
+
+std::string words_of(std::size_t count) {
+    std::string words = "words";
+    while (count-- > 1) words += " words";
+    return words;
+}
+
+std::string complaint(const std::string& panels) {
+    try {
+        refuse_long_words(scene_of(panels));
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("words are set whole, inside their place, the larger the fewer they are") {
+    double last = 1e9;
+    for (const std::size_t count : {2U, 12U, 24U, 40U, 55U}) {
+        const std::string words = words_of(count);
+        const auto set = set_words(words, 240.0, 120.0, 10.0);
+        REQUIRE(set);
+        CHECK(joined(*set) == words);
+        CHECK(height_of(*set) <= 120.0);
+        for (const std::string& line : set->lines)
+            CHECK(measure_text(line, {.size = set->size, .color = {}, .tabular = false}).width <=
+                  240.0);
+        CHECK(set->size <= last);
+        last = set->size;
+    }
+    CHECK(last < 20.0);
+    CHECK(set_words(words_of(2), 240.0, 100.0, 10.0)->size == 20.0);
+}
+
+TEST_CASE("words that no step of size makes room for are not set") {
+    CHECK(!set_words(words_of(200), 240.0, 100.0, 10.0));
+    CHECK(!set_words(std::string(600, 'w'), 240.0, 100.0, 10.0));
+}
+
+TEST_CASE("words become smaller before one of them is broken") {
+    // The first word alone is wider than a line at 20 pixels.
+    const std::string word = "thermodynamically reversible";
+    const auto set = set_words(word, 150.0, 100.0, 10.0);
+    REQUIRE(set);
+    CHECK(set->size < 20.0);
+    CHECK(set->lines == std::vector<std::string>{"thermodynamically", "reversible"});
+    // Longer than a line at any size: broken.
+    CHECK(set_words(std::string(60, 'w'), 240.0, 100.0, 10.0)->lines.size() > 1);
+}
+
+TEST_CASE("lines end where they are ended, and paragraphs stand apart") {
+    const auto set = set_words("one\ntwo\n\nthree", 240.0, 100.0, 10.0);
+    REQUIRE(set);
+    CHECK(set->lines == std::vector<std::string>{"one", "two", "", "three"});
+}
+
+TEST_CASE("a film with words that do not fit is refused with their place") {
+    const std::string few = "{kind: text, words: \"" + words_of(20) + "\"}";
+    const std::string many = "{kind: text, title: T, words: \"" + words_of(99) + "\"}";
+    CHECK(complaint(few).empty());
+    CHECK(complaint(many).empty());  // alone it has all the places
+    const std::string message = complaint(few + ", temperature, " + many);
+    CHECK(message.find("test:5:") == 0);
+    CHECK(message.find("these `words` do not fit into the panel's place at any size") !=
+          std::string::npos);
+    CHECK_THROWS_AS(test::Shot(scene_of(few + ", temperature, " + many)), SceneError);
+}
+
+TEST_CASE("words are no markup") {
+    const test::Shot film(scene_of("{kind: text, words: 'a < b & <b>c</b>'}"));
+    FramePainter painter(film.scene, *film.observers);
+    Canvas canvas({640, 360}, VectorFormat::svg, {"T", "D"});
+    CHECK_NOTHROW(painter.paint_on(canvas, film.frames.front()));
+    // As wide as all its letters: markup would have lost some.
+    const auto set = set_words("a < b & <b>c</b>", 500.0, 100.0, 10.0);
+    REQUIRE(set);
+    CHECK(set->lines.front() == "a < b & <b>c</b>");
+}

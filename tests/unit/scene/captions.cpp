@@ -1,0 +1,156 @@
+// When captions are on the screen, and the room that they take.
+#include "scene/time/captions.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "scene/time/timeline.h"
+#include "support/scene_text.h"
+
+using namespace carom;
+
+namespace {
+
+const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
+
+Scene film(const std::string& events, const std::string& film = "seconds: 20",
+           const Overrides& overrides = {}) {
+    return test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 1}]\nrun: {until: 12, "
+        "events: [" +
+            events + "]}\nfilm: {" + film + "}\n",
+        overrides);
+}
+
+std::string complaint(const std::string& events, const std::string& length) {
+    try {
+        film(events, length);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a caption stands from the first frame at its time until the next, its seconds or the end") {
+    const Scene scene = film(
+        "{at: 4, caption: two, for: 3}, {at: 0, caption: one}, {at: 8, caption: three}, "
+        "{at: 10.5, caption: ''}");
+    const std::vector<Tick> ticks = timeline(scene);
+    const std::vector<CaptionSpan> spans = caption_schedule(scene);
+    REQUIRE(spans.size() == 4);
+    CHECK(spans[0].words == "one");
+    CHECK(spans[0].first == 0);
+    CHECK(spans[0].last + 1 == spans[1].first);
+    for (std::size_t i = 1; i < spans.size(); ++i) {
+        const double at = scene.captions[i].at;
+        const auto first = static_cast<std::size_t>(spans[i].first);
+        CHECK(ticks[first].time >= at);
+        CHECK(ticks[first - 1].time < at);
+    }
+    CHECK(spans[1].last - spans[1].first + 1 == 90);
+    CHECK(spans[1].last + 1 < spans[2].first);
+    CHECK(spans[2].last + 1 == spans[3].first);
+    CHECK(spans[3].words.empty());
+    CHECK(spans[3].last == 599);
+    CHECK(spans[0].start == 0.0);
+    CHECK(spans[3].end == doctest::Approx(20.0));
+    CHECK(spans[1].end - spans[1].start == doctest::Approx(3.0));
+}
+
+TEST_CASE("at a reversal a caption comes when the gas stops") {
+    const Scene scene = film("{at: 6, reverse: velocities}, {at: 6, caption: back}");
+    const std::vector<Tick> ticks = timeline(scene);
+    const auto first = static_cast<std::size_t>(caption_schedule(scene)[0].first);
+    CHECK(ticks[first].time == 6.0);
+    CHECK(ticks[first].phase == Phase::moving);
+    CHECK(ticks[first + 1].phase == Phase::reversing);
+}
+
+TEST_CASE("captions come and go within 0.2 s, but stand whole at both ends of the film") {
+    const Scene scene = film("{at: 0, caption: one}, {at: 6, caption: two}");
+    const std::vector<CaptionSpan> spans = caption_schedule(scene);
+    CHECK(caption_opacity(spans[0], scene.film, 0) == 1.0);
+    CHECK(caption_opacity(spans[1], scene.film, 599) == 1.0);
+    const int change = spans[1].first;
+    CHECK(caption_opacity(spans[0], scene.film, change) == 0.0);
+    CHECK(caption_opacity(spans[1], scene.film, change - 1) == 0.0);
+    double last = 0.0;
+    for (int i = 0; i < 6; ++i) {  // 0.2 s
+        const double coming = caption_opacity(spans[1], scene.film, change + i);
+        CHECK(coming > last);
+        CHECK(coming < 1.0);
+        CHECK(caption_opacity(spans[0], scene.film, change - 1 - i) == coming);
+        last = coming;
+    }
+    CHECK(caption_opacity(spans[1], scene.film, change + 6) == 1.0);
+}
+
+TEST_CASE("a caption that is cut below 2.5 s is refused, one that just fits is not") {
+    // 12 units in 16.5 s without the holds: 2.5 s are 1.82 units.
+    const std::string two = "{at: 4, caption: one}, {at: 5.83, caption: two}";
+    CHECK(complaint(two, "seconds: 20") == "");
+    const std::string cut =
+        complaint("{at: 4, caption: one}, {at: 5.5, caption: two}", "seconds: 20");
+    CHECK(cut.find("on the screen for 2.0") != std::string::npos);
+    CHECK(cut.find("seconds of film, until the next one at time 5.5; expected at least 2.5") !=
+          std::string::npos);
+    CHECK(complaint("{at: 11.9, caption: late}", "seconds: 20").find("until the film ends") !=
+          std::string::npos);
+    CHECK(complaint("{at: 11.9, caption: ''}", "seconds: 20") == "");
+    CHECK(complaint("{at: 0, caption: one}", "seconds: 2").find("for 2 seconds") !=
+          std::string::npos);
+}
+
+TEST_CASE("a film that the command line makes shorter shows its captions as long as it can") {
+    const Scene scene = film("{at: 0, caption: one}, {at: 4, caption: two}", "seconds: 20",
+                             {{{"film.seconds", "1"}}});
+    for (const CaptionSpan& span : caption_schedule(scene)) CHECK(span.end - span.start < 1.0);
+    const Scene still =
+        film("{at: 0, caption: one}, {at: 4, caption: two}, {at: 4.1, caption: three}",
+             "seconds: 20", {{{"film.seconds", "0.1"}}});
+    CHECK(caption_schedule(still).size() == 3);
+}
+
+TEST_CASE("every template makes room for captions where a scene has them, and only there") {
+    for (const auto& entry : std::filesystem::directory_iterator(templates / "films")) {
+        const std::string name = entry.path().stem().string();
+        CAPTURE(name);
+        const std::string length = "seconds: 20, panels: [], template: " + name;
+        const LayoutSpec without = film("{at: 6, reverse: velocities}", length).film.layout;
+        const LayoutSpec with = film("{at: 0, caption: words}", length).film.layout;
+        REQUIRE(with.caption.has_value());
+        const Slot& line = *with.caption;
+        CHECK(line.height >= 2.0);
+        CHECK(line.y >= with.gas.y + with.gas.height - 1e-9);
+        std::vector<Slot> places{with.title, with.gas, with.color_bar};
+        if (with.monitors) places.push_back(*with.monitors);
+        places.insert(places.end(), with.panels.begin(), with.panels.end());
+        for (const Slot& place : places) {
+            const bool across = place.x < line.x + line.width && line.x < place.x + place.width;
+            const bool over = place.y + place.height <= line.y + 1e-9;
+            const bool under = place.y >= line.y + line.height - 1e-9;
+            CHECK((!across || over || under));
+        }
+        CHECK(with.gas.height > 0.85 * without.gas.height);
+        double lowest = without.gas.y + without.gas.height;
+        if (without.monitors)
+            lowest = std::max(lowest, without.monitors->y + without.monitors->height);
+        CHECK(lowest > line.y);  // no hole where there are no captions
+    }
+}
+
+TEST_CASE("a template without a place for captions has it at the gas's foot") {
+    LayoutSpec layout;
+    layout.gas = {1.0, 6.0, 40.0, 30.0};
+    layout.monitors = {1.0, 36.0, 40.0, 4.0};
+    const LayoutSpec with = with_caption_line(layout);
+    CHECK(with.caption->y + with.caption->height == 36.0);
+    CHECK(with.gas.y + with.gas.height == with.caption->y);
+    CHECK(with.monitors->y == 36.0);
+}

@@ -1,0 +1,145 @@
+// docs/limits.md lists the ceilings as they are; what is at a ceiling is let in, what is over it is
+// refused with the ceiling.
+#include "scene/limits.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "scene/keys/keys.h"
+#include "scene/yaml/yaml.h"
+#include "support/files.h"
+#include "support/scene_text.h"
+
+using namespace carom;
+
+namespace {
+
+std::string text_of(const std::string& path) {
+    return test::contents(std::string{CAROM_TEST_ROOT} + path);
+}
+
+std::vector<std::string> rows_of_table(const std::string& text) {
+    std::vector<std::string> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("| ") && !line.starts_with("| ---") && !line.starts_with("| ceiling"))
+            rows.push_back(line);
+    return rows;
+}
+
+// What is wrong with a scene, or nothing.
+std::string complaint(const std::string& text, const Overrides& overrides = {}) {
+    try {
+        test::scene_from(text, overrides);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string scene_with(const std::string& gas, const std::string& run = "until: 10",
+                       const std::string& film = "seconds: 1") {
+    return "title: T\nbox: {size: [1000, 1000]}\ngas: [" + gas + "]\nrun: {" + run + "}\nfilm: {" +
+           film + "}\n";
+}
+
+bool names(const std::string& complaint, const Limit& limit) {
+    return complaint.find(fmt::format("the ceiling is {} {}", limit.value, limit.meaning)) !=
+               std::string::npos ||
+           complaint.find(fmt::format("the ceiling is {:.0f} {}", limit.value, limit.meaning)) !=
+               std::string::npos;
+}
+
+std::string repeated(const std::string& part, std::size_t times) {
+    std::string text;
+    for (std::size_t i = 0; i < times; ++i) text += part;
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("a file may be as long as the ceiling, and not a byte longer") {
+    const std::string scene = scene_with("{count: 2}");
+    const std::string padding(most_file_bytes.count() - scene.size() - 2, 'x');
+    CHECK(complaint(scene + "#" + padding + "\n").empty());
+    CHECK(names(complaint(scene + "#x" + padding + "\n"), most_file_bytes));
+}
+
+TEST_CASE("a file may hold as many values as the ceiling, lists and mappings too") {
+    const auto complaint_of = [](std::size_t numbers) {
+        const Source source{"test", "[" + repeated("1,", numbers) + "]", Origin::scene};
+        Errors errors;
+        read_yaml(source, errors);
+        try {
+            errors.throw_if_any();
+        } catch (const SceneError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    CHECK(complaint_of(most_values.count() - 1).empty());
+    CHECK(names(complaint_of(most_values.count()), most_values));
+}
+
+TEST_CASE("species may have as many particles together as the ceiling") {
+    const auto two = [](const std::string& rest) {
+        return scene_with(
+            "{name: a, count: 1999999, radius: 0.001}, {name: b, radius: 0.001, count: " + rest +
+            "}");
+    };
+    CHECK(complaint(two("1")).empty());
+    CHECK(names(complaint(two("2")), most_particles));
+}
+
+TEST_CASE("a command line may set as many values as the ceiling") {
+    const std::string scene = scene_with("{count: 2}");
+    Overrides overrides;
+    overrides.values.assign(most_overrides.count(), {"seed", "1"});
+    CHECK(complaint(scene, overrides).empty());
+    overrides.values.push_back({"seed", "1"});
+    CHECK(names(complaint(scene, overrides), most_overrides));
+}
+
+TEST_CASE("a run may have as many samples as the ceiling, a film as many frames") {
+    CHECK(complaint(scene_with("{count: 2}", "until: 10, sample_every: 1e-6")).empty());
+    CHECK(names(complaint(scene_with("{count: 2}", "until: 10, sample_every: 0.999e-6")),
+                most_samples));
+    CHECK(complaint(scene_with("{count: 2}", "until: 10", "seconds: 3600, fps: 30")).empty());
+    CHECK(names(complaint(scene_with("{count: 2}", "until: 10", "seconds: 3600.04, fps: 30")),
+                most_frames));
+}
+
+// The last two of 7,000 disks over one another overlap: the placement will find it, the loader has
+// compared enough by then. Of 2,000 it says so itself.
+TEST_CASE("places are compared up to the ceiling") {
+    const auto tower = [](int disks) {
+        std::string places;
+        for (int i = 0; i + 1 < disks; ++i) places += fmt::format("[500, {}], ", 1.0 + 0.01 * i);
+        return scene_with("{radius: 0.001, position: [" + places +
+                          fmt::format("[500, {}]", 1.0005 + 0.01 * (disks - 2)) + "]}");
+    };
+    CHECK(complaint(tower(2000)).find("particle 1999 (gas) overlaps particle 1998") !=
+          std::string::npos);
+    CHECK(complaint(tower(7000)).empty());
+}
+
+TEST_CASE("the page of ceilings is current") {
+    std::vector<std::string> expected;
+    for (const Limit& limit : limits)
+        expected.push_back(fmt::format("| {} | {} |", number_text(limit.value), limit.meaning));
+    CHECK(rows_of_table(text_of("/docs/limits.md")) == expected);
+}
+
+TEST_CASE("the list of ceilings is whole") {
+    const std::string header = text_of("/src/scene/limits.h");
+    std::size_t declared = 0;
+    for (std::size_t at = 0; (at = header.find("inline constexpr Limit ", at)) != std::string::npos;
+         ++at)
+        ++declared;
+    CHECK(declared == limits.size());
+}

@@ -1,0 +1,139 @@
+// What is made from the key table: the reference page, and the scene to start from.
+#include "scene/keys/reference.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "scene/keys/key_text.h"
+#include "scene/keys/starter.h"
+#include "scene/load.h"
+#include "support/files.h"
+
+using namespace carom;
+using test::contents;
+namespace fs = std::filesystem;
+
+namespace {
+
+Scene loaded(const std::string& text) {
+    fs::current_path(CAROM_TEST_ROOT);
+    try {
+        return load_scene_text(text, "starter.yaml", "templates");
+    } catch (const SceneError& error) {
+        FAIL_CHECK(error.what());
+        return {};
+    }
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+// A key behind a #, as the starter writes it: `    # label: words`.
+const std::regex hidden_key(R"(( *)# ([a-z_]+): ([^ ].*))");
+
+bool is_key(const std::string& name) {
+    const Section& scene = scene_section(2);
+    for (const Section* section : {&scene, &section_of(scene, "box"), &section_of(scene, "gas"),
+                                   &section_of(scene, "run"), &section_of(scene, "film")})
+        if (section->index(name) < section->keys.size()) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("the reference page is current") {
+    fs::current_path(CAROM_TEST_ROOT);
+    const fs::path page = "docs/scene-reference.md";
+    if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(page) << scene_reference();
+    const bool current = contents(page) == scene_reference();
+    INFO("make it anew with ./dev docs");
+    CHECK(current);
+}
+
+TEST_CASE("the reference page tells every key, and its example is valid") {
+    const std::string page = scene_reference();
+    for (const int dimension : {1, 2})
+        for (const char* name : {"box", "gas", "run", "film"})
+            for (const Key& key : section_of(scene_section(dimension), name).keys) {
+                CAPTURE(key.name);
+                CHECK(page.find("| `" + key.name + "` | " + key.meaning) != std::string::npos);
+            }
+    CHECK(page.find("```yaml\n" + reference_example() + "```") != std::string::npos);
+    CHECK(loaded(reference_example()).film.panels.size() == 2);
+    CHECK(page.find("(limits.md)") != std::string::npos);
+}
+
+TEST_CASE("the page tells what a wire has otherwise") {
+    const std::string page = scene_reference();
+    const std::size_t species = page.find("## An item of `gas`");
+    REQUIRE(species != std::string::npos);
+    const std::string part = page.substr(species, page.find("\n## ", species) - species);
+    const std::size_t wire = part.find("On a wire:");
+    REQUIRE(wire != std::string::npos);
+    CHECK(part.find("| `radius` | The radius of each disk.") < wire);
+    CHECK(part.find("| `radius` | Half the length of each bead") > wire);
+    CHECK(part.find("| `drawn_radius` |") > wire);
+    CHECK(part.find("| `speed` |", wire) != std::string::npos);
+    CHECK(part.find("| `count` |", wire) == std::string::npos);
+    CHECK(page.find("Not on a wire: `bottom` and `top`.") != std::string::npos);
+}
+
+TEST_CASE("the scene to start from is valid, and means what it says") {
+    const std::string text = starter_scene("scene.schema.json", "mine.yaml");
+    CHECK(text.starts_with("# yaml-language-server: $schema=scene.schema.json\n"));
+    CHECK(text.find("`carom render mine.yaml`") != std::string::npos);
+    for (const std::string& line : lines_of(text)) {
+        CAPTURE(line);
+        CHECK((line.size() <= 100 || line.find(": ") != std::string::npos));
+    }
+    const Scene scene = loaded(text);
+    CHECK(scene.gas.species.size() == 2);
+    CHECK(scene.run.until == 75.0);
+    CHECK(scene.film.panels.size() == 3);
+}
+
+// Each alone: some exclude one another, or the keys that are given.
+TEST_CASE("what stands behind a # in the scene to start from can be taken as it stands") {
+    const std::vector<std::string> lines = lines_of(starter_scene("s", "mine.yaml"));
+    const std::vector<std::string> excluded{"length", "density",     "velocity",
+                                            "pace",   "temperature", "events"};
+    int taken = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::smatch match;
+        if (!std::regex_match(lines[i], match, hidden_key) || !is_key(match[2])) continue;
+        std::vector<std::string> changed = lines;
+        changed[i] = match[1].str() + match[2].str() + ": " + match[3].str();
+        CAPTURE(changed[i]);
+        ++taken;
+        const bool alone =
+            std::find(excluded.begin(), excluded.end(), match[2].str()) == excluded.end();
+        if (alone) loaded(joined(changed));
+    }
+    CHECK(taken > 15);
+}
+
+TEST_CASE("a scene made from another keeps its text behind a line of its own") {
+    CHECK(starter_from("title: T\n", "a.json") ==
+          "# yaml-language-server: $schema=a.json\ntitle: T\n");
+    CHECK(starter_from("# yaml-language-server: $schema=b.json\n# words\n", "a.json") ==
+          "# yaml-language-server: $schema=a.json\n# words\n");
+    CHECK(starter_from("# yaml-language-server: $schema=b.json", "a.json") ==
+          "# yaml-language-server: $schema=a.json\n");
+}

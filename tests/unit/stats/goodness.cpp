@@ -1,0 +1,183 @@
+// Pearson's test against published tables, and against gases whose momenta are drawn evenly from
+// the energy sphere: its p must be spread evenly.
+#include "stats/goodness.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "stats/histogram.h"
+#include "support/goodness_of_fit.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+struct Draw {
+    int dimension, particles, chosen;
+    bool periodic;  // momentum is 0
+    Law law;
+    bool both;  // components
+    Bins bins;
+};
+
+// All of one mass, chosen ones first; the energy is that of a temperature of 1.
+EquilibriumGas gas_of(const Draw& draw, double mass) {
+    const double d = draw.dimension, n = draw.particles;
+    EquilibriumGas gas;
+    gas.energy = 0.5 * d * n;
+    gas.alpha = 0.5 * d;
+    gas.beta = 0.5 * d * (n - (draw.periodic ? 2.0 : 1.0));
+    gas.groups = {{mass, double(draw.chosen), draw.periodic ? 1.0 - 1.0 / n : 1.0}};
+    return gas;
+}
+
+Eigen::ArrayXXd velocities(const Draw& draw, double mass, Random& random) {
+    Eigen::ArrayXXd v(draw.particles, draw.dimension);
+    for (double& one : v.reshaped()) one = random.normal();
+    if (draw.periodic) v.rowwise() -= v.colwise().mean().eval();
+    return v * std::sqrt(0.5 * draw.dimension * draw.particles / (0.5 * mass * v.square().sum()));
+}
+
+Eigen::ArrayXd values(const Draw& draw, double mass, const Eigen::ArrayXXd& v) {
+    const Eigen::ArrayXXd some = v.topRows(draw.chosen);
+    const Eigen::ArrayXd square = some.square().rowwise().sum();
+    if (draw.law == Law::speed) return square.sqrt();
+    if (draw.law == Law::energy) return 0.5 * mass * square;
+    if (draw.both) return some.reshaped();
+    return some.col(0);
+}
+
+double p_of(const Draw& draw, double mass, Random& random) {
+    const Histogram found =
+        histogram(values(draw, mass, velocities(draw, mass, random)), draw.bins);
+    std::vector<double> observed{double(found.below)}, edges;
+    for (const std::int64_t count : found.counts) observed.push_back(double(count));
+    observed.push_back(double(found.above));
+    for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
+    return pearson(observed, expected_counts(gas_of(draw, mass), draw.law, edges, draw.chosen,
+                                             draw.both ? 2.0 : 1.0))
+        .value()
+        .p;
+}
+
+}  // namespace
+
+TEST_CASE("the tail of chi-squared is that of published tables") {
+    // NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.4: degrees, critical value, chance.
+    const std::vector<std::array<double, 3>> table{
+        {1, 3.841, 0.05},   {5, 15.086, 0.01},    {10, 18.307, 0.05}, {10, 29.588, 0.001},
+        {30, 50.892, 0.01}, {100, 124.342, 0.05}, {4, 0.711, 0.95},   {20, 8.260, 0.99}};
+    for (const auto& [freedom, value, chance] : table)
+        CHECK(chi_squared_tail(value, freedom) == doctest::Approx(chance).epsilon(2e-3));
+    CHECK(chi_squared_tail(3.0, 2.0) == doctest::Approx(std::exp(-1.5)).epsilon(1e-12));
+    CHECK(chi_squared_tail(300.0, 2.0) == doctest::Approx(std::exp(-150.0)).epsilon(1e-9));
+}
+
+TEST_CASE("weighted squares have the tail that closed forms give") {
+    for (const double x : {0.1, 1.0, 4.0, 20.0, 60.0, 1000.0}) {
+        // Weights of 1 add degrees of freedom; two equal weights make an exponential law.
+        CHECK(weighted_tail(x, 3, std::array{1.0}) ==
+              doctest::Approx(chi_squared_tail(x, 4)).epsilon(1e-4).scale(0.0));
+        CHECK(weighted_tail(x, 5, std::array{1.0, 0.0}) ==
+              doctest::Approx(chi_squared_tail(x, 6)).epsilon(1e-4).scale(0.0));
+        if (x < 100.0)
+            CHECK(weighted_tail(x, 0, std::array{0.5, 0.5}) ==
+                  doctest::Approx(std::exp(-x)).epsilon(1e-3).scale(0.0));
+        // A square less than 1 with two whole ones: the exponential law, widened by its mean.
+        const double widened = std::exp(-0.5 * x) / std::sqrt(1.0 - 0.3);
+        if (x > 50.0)
+            CHECK(weighted_tail(x, 2, std::array{0.3}) ==
+                  doctest::Approx(widened).epsilon(1e-4).scale(0.0));
+        CHECK(weighted_tail(x, 2, std::array{1e-4}) ==
+              doctest::Approx(std::exp(-0.5 * x)).epsilon(1e-3).scale(0.0));
+    }
+}
+
+TEST_CASE("Mendel's peas (1866): chi-squared 0.470 for 3 degrees of freedom") {
+    const std::vector<double> ratio{9, 3, 3, 1}, peas{315, 108, 101, 32};
+    Expected expected;
+    for (const double share : ratio) expected.count.push_back(556 * share / 16);
+    const ChiSquared test = pearson(peas, expected).value();
+    CHECK(test.statistic == doctest::Approx(0.470).epsilon(1e-3));
+    CHECK(test.freedom == 3.0);
+    CHECK(test.p == doctest::Approx(0.925).epsilon(1e-3));
+}
+
+TEST_CASE("classes are pooled until five are expected in each, whatever was observed") {
+    const Expected expected{{2, 2, 2, 5, 7, 3, 1}, {}};
+    const ChiSquared test = pearson({8, 0, 0, 5, 9, 0, 0}, expected).value();
+    CHECK(test.classes == 3);  // 6, 5 and 11
+    CHECK(test.statistic == doctest::Approx(4.0 / 6 + 0.0 + 4.0 / 11));
+    CHECK(!pearson({6, 6}, {{6, 6}, {}}).has_value());
+    CHECK(!pearson({1, 1, 1}, {{1, 1, 1}, {}}).has_value());
+}
+
+TEST_CASE("expected counts and their conserved sums are those of the laws' densities") {
+    const Draw draw{2, 50, 20, true, Law::velocity, true, {}};
+    const EquilibriumGas gas = gas_of(draw, 3.0);
+    const std::vector<double> edges{-0.9, -0.2, 0.1, 0.7};
+    for (const Law law : {Law::velocity, Law::speed, Law::energy}) {
+        const Expected expected = expected_counts(gas, law, edges, 20, 1);
+        for (std::size_t k = 1; k < edges.size(); ++k) {
+            constexpr int steps = 20'000;
+            double sum = 0.0;
+            for (int i = 0; i < steps; ++i) {
+                const double x = edges[k - 1] + (edges[k] - edges[k - 1]) * (i + 0.5) / steps;
+                const double density = law == Law::velocity ? velocity_density(gas, x)
+                                       : x < 0.0            ? 0.0
+                                       : law == Law::speed  ? speed_density(gas, x)
+                                                            : energy_density(gas, x);
+                sum += 20 * density * (edges[k] - edges[k - 1]) / steps;
+            }
+            CHECK(expected.count[k] == doctest::Approx(sum).epsilon(1e-3));
+        }
+        double all = 0.0;
+        for (const double count : expected.count) all += count;
+        CHECK(all == doctest::Approx(20.0));
+        for (const Conserved& one : expected.conserved) {
+            double left = 0.0;
+            for (const double moment : one.moment) left += moment;
+            CHECK(std::abs(left) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("p is spread evenly over gases in equilibrium") {
+    const std::vector<Draw> draws{
+        {2, 400, 400, false, Law::speed, false, {0, 4, 16}},
+        {2, 400, 400, true, Law::energy, false, {0, 6, 14}},
+        {1, 400, 400, false, Law::energy, false, {0, 4, 12}},
+        {1, 400, 400, true, Law::velocity, false, {-3, 3, 6}},
+        {2, 300, 300, true, Law::velocity, true, {-3, 3, 6}},
+        {2, 300, 150, false, Law::speed, false, {0, 4, 8}},
+        {1, 400, 400, true, Law::speed, false, {0, 2, 4}},
+    };
+    constexpr double alpha = 1e-3;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+        CAPTURE(k);
+        Random random(7, "p of draw " + std::to_string(k));
+        std::vector<double> found;
+        for (int i = 0; i < 3000; ++i) found.push_back(p_of(draws[k], 3.0, random));
+        CHECK(test::chance(found, [](double p) { return p; }) > alpha / double(draws.size()));
+    }
+}
+
+TEST_CASE("without what is conserved p would not be spread evenly") {
+    Random random(8, "as if independent");
+    const Draw draw{1, 400, 400, true, Law::velocity, false, {-3, 3, 6}};
+    std::vector<double> found;
+    for (int i = 0; i < 3000; ++i) {
+        const Histogram h = histogram(values(draw, 3.0, velocities(draw, 3.0, random)), draw.bins);
+        std::vector<double> observed{double(h.below)}, edges;
+        for (const std::int64_t count : h.counts) observed.push_back(double(count));
+        observed.push_back(double(h.above));
+        for (int e = 0; e <= draw.bins.count; ++e) edges.push_back(draw.bins.edge(e));
+        Expected expected = expected_counts(gas_of(draw, 3.0), draw.law, edges, 400, 1);
+        expected.conserved.clear();
+        found.push_back(pearson(observed, expected).value().p);
+    }
+    CHECK(test::chance(found, [](double p) { return p; }) < 1e-9);
+}

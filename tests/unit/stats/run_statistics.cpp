@@ -1,0 +1,292 @@
+// The statistics of a run against sums that a reader can do in the head.
+#include "stats/run_statistics.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "stats/homecoming.h"
+#include "stats/mechanics.h"
+#include "stats/overlap.h"
+#include "stats/pressure.h"
+#include "support/relative.h"
+#include "util/random.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+Box box_of(double width, double height, Wall across = Wall::solid, Wall up = Wall::solid) {
+    Box box;
+    box.size = {width, height};
+    box.walls = {across, up};
+    return box;
+}
+
+Box wire_of(double length, Wall wall = Wall::solid) {
+    Box box = box_of(length, 0.0, wall);
+    box.dimension = 1;
+    return box;
+}
+
+struct Body {
+    double x, y, vx, vy, radius = 0.5, mass = 1.0;
+    int species = 0;
+};
+
+Particles particles_of(const std::vector<Body>& bodies) {
+    Particles particles;
+    const auto count = static_cast<Eigen::Index>(bodies.size());
+    particles.radius.resize(count);
+    particles.inverse_mass.resize(count);
+    particles.species.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Body& body = bodies[static_cast<std::size_t>(i)];
+        particles.radius[i] = body.radius;
+        particles.inverse_mass[i] = 1.0 / body.mass;
+        particles.species[i] = body.species;
+    }
+    return particles;
+}
+
+Sample sample_of(const std::vector<Body>& bodies, int dimension = 2, double time = 0.0) {
+    Sample sample;
+    sample.time = time;
+    const auto count = static_cast<Eigen::Index>(bodies.size());
+    sample.position.resize(count, dimension);
+    sample.velocity.resize(count, dimension);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Body& body = bodies[static_cast<std::size_t>(i)];
+        sample.position(i, 0) = body.x;
+        sample.velocity(i, 0) = body.vx;
+        if (dimension == 1) continue;
+        sample.position(i, 1) = body.y;
+        sample.velocity(i, 1) = body.vy;
+    }
+    return sample;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("masses come back as they were given") {
+    std::vector<Body> bodies;
+    std::vector<double> given{1.0, 3.0, 49.0, 0.1, 1836.15, 1e-12, 1e12, infinite, 103.0};
+    for (int i = 1; i < 500; ++i) given.push_back(i / 10.0);
+    for (const double mass : given) bodies.push_back({0, 0, 0, 0, 0.5, mass});
+    const Eigen::ArrayXd found = masses(particles_of(bodies));
+    for (std::size_t i = 0; i < given.size(); ++i)
+        CHECK(found[static_cast<Eigen::Index>(i)] == given[i]);
+}
+
+TEST_CASE("momentum counts resting immovable particles as nothing, moving ones as infinite") {
+    std::vector<Body> bodies{{1, 1, 2, -1, 0.5, 3.0}, {5, 5, -1, 0, 0.5, 2.0}};
+    bodies.push_back({8, 8, 0, 0, 0.5, infinite});
+    CHECK((momentum(particles_of(bodies), sample_of(bodies)) == Eigen::Array2d(4, -3)).all());
+    CHECK(!infinite_mass_moves(particles_of(bodies), sample_of(bodies)));
+    bodies[2].vy = -1.0;
+    CHECK(momentum(particles_of(bodies), sample_of(bodies))[0] == 4.0);
+    CHECK(momentum(particles_of(bodies), sample_of(bodies))[1] == -infinite);
+    CHECK(infinite_mass_moves(particles_of(bodies), sample_of(bodies)));
+}
+
+TEST_CASE("a drift is no heat where nothing can stop it") {
+    // Centre-of-mass velocity (2, 1); relative to it (1, 0) and (-3, 0): 3/2 + 9/2 = 6.
+    std::vector<Body> bodies{{1, 1, 3, 1, 0.5, 3.0}, {5, 5, -1, 1, 0.5, 1.0}};
+    const Particles particles = particles_of(bodies);
+    const Sample sample = sample_of(bodies);
+    const double drift_x = 0.5 * 4.0 * 4.0, drift_y = 0.5 * 4.0 * 1.0;
+    const auto energy = [&](Wall across, Wall up) {
+        return thermal_energy(box_of(9, 9, across, up), particles, sample);
+    };
+    CHECK(energy(Wall::periodic, Wall::periodic) == relative(6.0, 1e-14));
+    CHECK(energy(Wall::solid, Wall::periodic) == relative(6.0 + drift_x, 1e-14));
+    CHECK(energy(Wall::periodic, Wall::solid) == relative(6.0 + drift_y, 1e-14));
+    CHECK(energy(Wall::solid, Wall::solid) == relative(6.0 + drift_x + drift_y, 1e-14));
+    bodies.push_back({8, 8, 0, 0, 0.5, infinite});  // it can
+    CHECK(thermal_energy(box_of(9, 9, Wall::periodic, Wall::periodic), particles_of(bodies),
+                         sample_of(bodies)) == relative(6.0 + drift_x + drift_y, 1e-14));
+    CHECK(temperature(box_of(9, 9), particles_of(bodies), 6.0) == 3.0);
+    CHECK(temperature(wire_of(9), particles_of(bodies), 6.0) == 6.0);
+}
+
+TEST_CASE("pressure on the walls is momentum for each time and length of those that are solid") {
+    Transfers transfers;
+    transfers.wall = {6.0, 10.0, 3.0, 5.0};
+    CHECK(wall_pressure(box_of(4, 2), transfers, 2.0) == 24.0 / (2.0 * 12.0));
+    CHECK(wall_pressure(box_of(4, 2, Wall::periodic), transfers, 2.0) == 8.0 / (2.0 * 8.0));
+    CHECK(wall_pressure(box_of(4, 2, Wall::solid, Wall::periodic), transfers, 2.0) ==
+          16.0 / (2.0 * 4.0));
+    CHECK(!wall_pressure(box_of(4, 2, Wall::periodic, Wall::periodic), transfers, 2.0));
+    CHECK(wall_pressure(wire_of(4), transfers, 2.0) == 4.0);  // (6 + 10) / 2 walls / 2
+    CHECK(!wall_pressure(wire_of(4, Wall::periodic), transfers, 2.0));
+    transfers.wall[1] = infinite;
+    CHECK(!wall_pressure(box_of(4, 2), transfers, 2.0));
+}
+
+TEST_CASE("the pressure of points is that of an ideal gas in the whole box") {
+    CHECK(pressure_of_points(box_of(6, 4), 5.0) == relative(5.0 / 24.0, 1e-14));
+    CHECK(pressure_of_points(wire_of(6), 5.0) == relative(10.0 / 6.0, 1e-14));
+}
+
+TEST_CASE("pressure by the virial is that of an ideal gas and what collisions add") {
+    const std::vector<Body> bodies{{1, 1, 0, 0, 0.5}, {3, 3, 0, 0, 0.5}, {2, 2, 0, 0, 9, infinite}};
+    const Particles particles = particles_of(bodies);
+    Transfers transfers;
+    transfers.virial = 12.0;
+    const Box around = box_of(6, 4, Wall::periodic, Wall::periodic);
+    // P A = N T + W / 2t = 5 + 2
+    CHECK(*virial_pressure(around, particles, 5.0, transfers, 3.0) == relative(7.0 / 24.0, 1e-14));
+    // Between walls A is (6 * 3 + 4 * 5) / 2 for disks of radius 1/2
+    CHECK(*virial_pressure(box_of(6, 4), particles, 5.0, transfers, 3.0) ==
+          relative(7.0 / 19.0, 1e-14));
+    // P L = 2K + W / t = 10 + 4
+    CHECK(*virial_pressure(wire_of(6, Wall::periodic), particles, 5.0, transfers, 3.0) ==
+          relative(14.0 / 6.0, 1e-14));
+    CHECK(*virial_pressure(wire_of(6), particles, 5.0, transfers, 3.0) ==
+          relative(14.0 / 5.0, 1e-14));
+    CHECK(
+        !virial_pressure(around, particles_of({{1, 1, 0, 0, 0.5, infinite}}), 0.0, transfers, 3.0));
+}
+
+TEST_CASE("the deepest overlap is found, across periodic borders too") {
+    const Box solid = box_of(10, 8);
+    const Box around = box_of(10, 8, Wall::periodic, Wall::periodic);
+    std::vector<Body> bodies{{1, 4, 0, 0, 1.0}, {3.5, 4, 0, 0, 1.0}, {9.5, 4, 0, 0, 0.5}};
+    const auto depth = [&](const Box& box) {
+        return largest_relative_overlap(box, particles_of(bodies),
+                                        sample_of(bodies, box.dimension));
+    };
+    CHECK(depth(solid) == 0.0);
+    CHECK(depth(around) == 0.0);  // 0 and 2 touch: 1.5 apart around the border
+    bodies[2].x = 9.8;
+    CHECK(depth(solid) == 0.0);
+    CHECK(depth(around) == relative(0.3 / 1.5, 1e-14));
+    bodies[1].x = 2.9;
+    CHECK(depth(solid) == relative(0.1 / 2.0, 1e-14));
+    CHECK(depth(around) == relative(0.3 / 1.5, 1e-14));
+    // On a wire the same; what counts are neighbours.
+    CHECK(depth(wire_of(10)) == relative(0.1 / 2.0, 1e-14));
+    CHECK(depth(wire_of(10, Wall::periodic)) == relative(0.3 / 1.5, 1e-14));
+    for (Body& body : bodies) body.radius = 0.0;
+    bodies[1].x = bodies[0].x;
+    CHECK(depth(wire_of(10)) == 0.0);
+    CHECK(largest_relative_overlap(solid, particles_of({}), sample_of({})) == 0.0);
+}
+
+TEST_CASE("the deepest overlap is that which a look at all pairs finds") {
+    Random random(5, "disks");
+    for (int round = 0; round < 20; ++round) {
+        std::vector<Body> bodies;
+        for (int i = 0; i < 60; ++i)
+            bodies.push_back({random.uniform(0, 10), random.uniform(0, 8), 0, 0,
+                              i == 0 ? 2.0 : random.uniform(0.01, 0.8)});
+        double deepest = 0.0;
+        for (const Body& a : bodies)
+            for (const Body& b : bodies) {
+                if (&a == &b) continue;
+                const double dx = std::remainder(a.x - b.x, 10.0);
+                const double distance = std::hypot(dx, a.y - b.y);
+                deepest = std::max(deepest, 1.0 - distance / (a.radius + b.radius));
+            }
+        CHECK(largest_relative_overlap(box_of(10, 8, Wall::periodic), particles_of(bodies),
+                                       sample_of(bodies)) == relative(deepest, 1e-14));
+    }
+}
+
+TEST_CASE("the distance from home is that of the nearest image") {
+    const Sample start = sample_of({{1, 1, 0, 0}, {5, 5, 0, 0}});
+    const Sample end = sample_of({{9, 1, 0, 0}, {5, 7, 0, 0}});
+    const ReturnDistance solid = return_distance(box_of(10, 8), start, end);
+    CHECK(solid.largest == 8.0);
+    CHECK(solid.root_mean_square == relative(std::sqrt((64.0 + 4.0) / 2.0), 1e-14));
+    const ReturnDistance around = return_distance(box_of(10, 8, Wall::periodic), start, end);
+    CHECK(around.largest == 2.0);
+    CHECK(around.root_mean_square == relative(2.0, 1e-14));
+    CHECK(return_distance(box_of(10, 8), sample_of({}), sample_of({})).largest == 0.0);
+}
+
+TEST_CASE("means are over particles and samples, the energy's error is the largest on the way") {
+    std::vector<Body> bodies{
+        {1, 1, 3, 4, 0.5, 2.0, 0}, {5, 5, 0, 0, 0.5, 2.0, 0}, {8, 1, 1, 0, 0.5, 1.0, 1}};
+    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 2, 3);
+    statistics.see(sample_of(bodies));  // energies 25, 0, 1/2
+    bodies[2].vx = 2.0;                 // 2
+    statistics.see(sample_of(bodies, 2, 1.0));
+    bodies[2].vx = -1.0;
+    statistics.see(sample_of(bodies, 2, 2.0));
+    const RunSummary summary = statistics.summary({});
+    CHECK(summary.energy_initial == 25.5);
+    CHECK(summary.energy_final == 25.5);
+    CHECK(*summary.largest_energy_error == relative(1.5 / 25.5, 1e-14));
+    CHECK(summary.momentum_initial[0] == 7.0);
+    CHECK(summary.momentum_final[0] == 5.0);
+    CHECK(summary.momentum_final[1] == 8.0);
+    REQUIRE(summary.species.size() == 2);
+    CHECK(summary.species[0].count == 2);
+    CHECK(summary.species[0].energy == 12.5);
+    CHECK(summary.species[0].speed == 2.5);
+    CHECK(*summary.species[1].energy == relative(1.0, 1e-14));
+    CHECK(*summary.species[1].speed == relative(4.0 / 3.0, 1e-14));
+    CHECK(*summary.temperature == relative((3 * 25.0 + 0.5 + 2.0 + 0.5) / 9.0, 1e-14));
+    CHECK(summary.wall_pressure == 0.0);
+    CHECK(summary.speeds.counts.size() + 1 == summary.speeds.edges.size());
+}
+
+TEST_CASE("a gas at rest has no energy, no error and no temperature above 0") {
+    const std::vector<Body> bodies{{1, 1, 0, 0}, {5, 5, 0, 0, 0.5, infinite}};
+    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 1, 2);
+    statistics.see(sample_of(bodies));
+    statistics.see(sample_of(bodies, 2, 1.0));
+    const RunSummary summary = statistics.summary({});
+    CHECK(summary.energy_initial == 0.0);
+    CHECK(summary.largest_energy_error == 0.0);
+    CHECK(summary.temperature == 0.0);
+    CHECK(summary.virial_pressure == 0.0);
+    CHECK(summary.momentum_initial[0] == 0.0);
+    CHECK(summary.species[0].energy == 0.0);
+}
+
+TEST_CASE("what a moving infinite mass makes meaningless is absent, the rest is not") {
+    std::vector<Body> bodies{{1, 1, 2, 0}, {5, 5, 1, 0, 0.5, infinite, 1}};
+    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 2, 2);
+    statistics.see(sample_of(bodies));
+    statistics.see(sample_of(bodies, 2, 1.0));
+    const RunSummary summary = statistics.summary({});
+    CHECK(!summary.energy_initial);
+    CHECK(!summary.energy_final);
+    CHECK(!summary.largest_energy_error);
+    CHECK(!summary.momentum_initial[0]);
+    CHECK(summary.momentum_initial[1] == 0.0);
+    CHECK(!summary.virial_pressure);
+    CHECK(summary.temperature == 2.0);  // of the one that can be hot
+    CHECK(summary.species[0].energy == 2.0);
+    CHECK(!summary.species[1].energy);
+    CHECK(summary.species[1].speed == 1.0);
+    CHECK(summary.energies.counts.back() == 2);
+}
+
+TEST_CASE("no particles are a gas too") {
+    RunStatistics statistics(box_of(10, 8), particles_of({}), 0, 1);
+    statistics.see(sample_of({}));
+    const RunSummary summary = statistics.summary({});
+    CHECK(summary.energy_initial == 0.0);
+    CHECK(summary.largest_energy_error == 0.0);
+    CHECK(!summary.temperature);
+    CHECK(!summary.virial_pressure);
+    CHECK(summary.largest_overlap == 0.0);
+    CHECK(summary.speeds.counts == std::vector<std::int64_t>{0});
+}
+
+TEST_CASE("the overlap is the deepest at a collision or in a sample") {
+    const std::vector<Body> bodies{{1, 1, 0, 0}, {1.9, 1, 0, 0}};
+    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 1, 1);
+    statistics.see(sample_of(bodies));
+    Passage passage;
+    CHECK(statistics.summary(passage).largest_overlap == relative(0.1, 1e-14));
+    passage.transfers.largest_overlap = 0.25;
+    CHECK(statistics.summary(passage).largest_overlap == 0.25);
+}

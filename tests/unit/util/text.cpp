@@ -1,0 +1,98 @@
+#include "util/text.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace carom;
+
+TEST_CASE("three significant digits read as on an axis") {
+    CHECK(three_digits(0.0) == "0");
+    CHECK(three_digits(0.05) == "0.0500");
+    CHECK(three_digits(2.2388) == "2.24");
+    CHECK(three_digits(449.97) == "450");
+    CHECK(three_digits(12345.0) == "12345");
+    CHECK(three_digits(-1.5) == "\u22121.50");
+    CHECK(three_digits(1.234e-7) == "1.23×10⁻⁷");
+    CHECK(three_digits(6.02e23) == "6.02×10²³");
+    CHECK(three_digits(1.0 / 0.0) == "–");
+    CHECK(three_digits(9.996) == "10.0");
+    CHECK(three_digits(0.9996) == "1.00");
+}
+
+TEST_CASE("three digits of powers that no double holds") {
+    CHECK(three_digits_of_power(-2.0) == three_digits(0.01));
+    CHECK(three_digits_of_power(std::log10(2.5e-51)) == "2.50×10\u207B\u2075\u00B9");
+    CHECK(three_digits_of_power(-500.0 + std::log10(3.14)) == "3.14×10\u207B\u2075\u2070\u2070");
+    CHECK(three_digits_of_power(-400.0 - 1e-6) == "1.00×10\u207B\u2074\u2070\u2070");
+    CHECK(three_digits_of_power(400.0) == "1.00×10\u2074\u2070\u2070");
+    CHECK(three_digits_of_power(-std::numeric_limits<double>::infinity()) == "0");
+}
+
+TEST_CASE("what is half-way between two digits is rounded away from 0, round-off or not") {
+    // The same number on two ways: 0.7525 is not a double, and the sums end on both sides of it.
+    const double below = 0.75249999999999994671, above = 0.75250000000000005773;
+    CHECK(three_digits(below) == "0.753");
+    CHECK(three_digits(above) == "0.753");
+    CHECK(three_digits(-below) == "\u22120.753");
+    CHECK(three_digits(0.752499) == "0.752");
+    CHECK(off_the_tie(0.0) == 0.0);
+}
+
+TEST_CASE("UTF-8 is told from other bytes") {
+    CHECK(is_utf8("Bälle N₂ 気体 🎱"));
+    CHECK_FALSE(is_utf8("\xC0\xAF"));          // overlong
+    CHECK_FALSE(is_utf8("\xED\xA0\x80"));      // surrogate
+    CHECK_FALSE(is_utf8("\xF4\x90\x80\x80"));  // above U+10FFFF
+    CHECK_FALSE(is_utf8("caf\xE9"));           // Latin-1
+    CHECK(code_points("気体") == 2);
+}
+
+TEST_CASE("bytes that are not UTF-8 are replaced one by one") {
+    CHECK(as_utf8("気体 N₂") == "気体 N₂");
+    CHECK(as_utf8("caf\xE9, \xED\xA0\x80.") == "caf\uFFFD, \uFFFD\uFFFD\uFFFD.");
+    CHECK(as_utf8("\xE6\xB0") == "\uFFFD\uFFFD");
+}
+
+TEST_CASE("what is counted is one, or several") {
+    CHECK(counted(0, "frame") == "0 frames");
+    CHECK(counted(1, "frame") == "1 frame");
+    CHECK(counted(30, "frame") == "30 frames");
+}
+
+TEST_CASE("the nearest spelling is offered only when it is near") {
+    const std::vector<std::string> keys{"count", "radius", "mass", "speed", "velocity"};
+    CHECK(nearest_spelling("raduis", keys) == "radius");
+    CHECK(nearest_spelling("sped", keys) == "speed");
+    CHECK_FALSE(nearest_spelling("temperature", keys).has_value());
+}
+
+TEST_CASE("integers are grouped by thin spaces, from five digits on") {
+    CHECK(grouped(999) == "999");
+    CHECK(grouped(9999) == "9999");
+    CHECK(grouped(10000) == "10\u2009000");
+    CHECK(grouped(1234567) == "1\u2009234\u2009567");
+    CHECK(grouped(-10000) == "\u221210\u2009000");
+    CHECK(grouped(-1000) == "\u22121000");
+}
+
+TEST_CASE("control characters are C0, delete and C1") {
+    using carom::is_control;
+    CHECK(is_control("\n"));
+    CHECK(is_control(std::string_view{"\0", 1}));
+    CHECK(is_control("\x7F"));
+    CHECK(is_control("\xC2\x80"));
+    CHECK(is_control("\xC2\x9F"));
+    CHECK(!is_control("\xC2\xA0"));
+    CHECK(!is_control(" "));
+    CHECK(!is_control("é"));
+}
+
+TEST_CASE("lists are words") {
+    CHECK(listed({}).empty());
+    CHECK(listed(std::vector<std::string>{"a"}) == "a");
+    CHECK(listed(std::vector<std::string>{"a", "b"}, "or") == "a or b");
+    CHECK(listed(std::vector<std::string>{"a", "b", "c"}, "and", "`") == "`a`, `b` and `c`");
+}

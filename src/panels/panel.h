@@ -21,6 +21,8 @@
 
 namespace carom {
 
+class Archive;
+
 /// What all panels of a film know from the start. Outlives them.
 struct Cast {
     const Scene& scene;
@@ -63,6 +65,10 @@ class Panel {
 
     /// Between the passes: fixes axes and scales.
     virtual void settle() {}
+
+    /// Writes or reads all that the first pass has fixed: axes, scales, records of the whole run.
+    /// A panel that reads it has seen no first pass, and is ready for the second.
+    virtual void archive(Archive&) {}
 
     /// The same for means of several runs: of this one and of others, panels of the same kind that
     /// saw them, which it settles too. Only for kinds that have means.

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/figures/figures_json.h"
-#include "app/figures/fingerprint.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/fingerprint.h"
 
 namespace carom {
 namespace {

@@ -8,13 +8,13 @@
 
 #include "app/figures/figure_pages.h"
 #include "app/figures/figures_json.h"
-#include "app/figures/fingerprint.h"
 #include "app/film/film_words.h"
 #include "app/film/pipeline.h"
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "util/diagnostics.h"
+#include "util/fingerprint.h"
 #include "util/text.h"
 
 namespace carom {

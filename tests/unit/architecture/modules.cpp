@@ -69,7 +69,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
     {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
     {std::regex("glib\\.h"), {"draw/markup.cpp"}},
-    {std::regex("xxhash.*"), {"app/figures/fingerprint.cpp"}},
+    {std::regex("xxhash.*"), {"util/fingerprint.cpp"}},
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},
     {std::regex("zlib.*"), {"draw/png.cpp"}},
     {std::regex("lib(av|sw).*"),

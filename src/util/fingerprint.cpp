@@ -1,6 +1,9 @@
-#include "app/figures/fingerprint.h"
+#include "util/fingerprint.h"
 
 #include <fmt/format.h>
+
+// Compiled in, so that what links this module needs no library for it.
+#define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include <fstream>

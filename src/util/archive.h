@@ -1,0 +1,184 @@
+// Values as bytes that another process can read back: numbers, text, lists and nested values, in
+// one order that writing and reading share. Little-endian; with a version, a length and a
+// fingerprint, so that what is cut short or changed is refused as a whole.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace carom {
+
+class Archive;
+
+/// A value that lists its own parts: `void archive(Archive& archive) { archive(a_, b_); }`.
+template <class T>
+concept Archivable = requires(T& value, Archive& archive) {
+    value.archive(archive);
+};
+
+/// An array of Eigen's, dense and of any shape.
+template <class T>
+concept MatrixLike = requires(T& value) {
+    typename T::Scalar;
+    value.resize(value.rows(), value.cols());
+    value.data();
+};
+
+/// Writes values, or reads them back into values of the same types in the same order. Not for
+/// sharing between threads.
+class Archive {
+  public:
+    /// Writes; finished() gives the bytes.
+    Archive() = default;
+
+    /// Reads `bytes`, as finished() gave them; `name` stands for them in messages. Throws
+    /// SystemError where they are of another kind or version, cut short, or changed.
+    Archive(std::string bytes, std::string name);
+
+    bool is_reading() const { return reading_; }
+
+    /// Writes each of the values, or replaces each by what was written. Throws SystemError where
+    /// there is less to read than that.
+    template <class... T>
+    void operator()(T&... values) {
+        (value(values), ...);
+    }
+
+    /// All that was written, behind a header: version, length, fingerprint.
+    std::string finished() const;
+
+    /// Throws SystemError where something is left to read: it was written as another type.
+    void expect_end() const;
+
+    /// Throws SystemError, naming the bytes, and `cause` as what is wrong with them.
+    [[noreturn]] void refuse(const std::string& cause) const;
+
+  private:
+    void bytes(void* data, std::size_t size);
+    std::size_t size_of(std::size_t size);
+    std::size_t area_of(std::int64_t rows, std::int64_t columns) const;
+
+    template <class T>
+    void number(T& value) {
+        std::array<std::byte, sizeof(T)> raw{};
+        if (!reading_) std::memcpy(raw.data(), &value, sizeof(T));
+        if constexpr (std::endian::native == std::endian::big) reverse(raw.data(), raw.size());
+        bytes(raw.data(), raw.size());
+        if constexpr (std::endian::native == std::endian::big) reverse(raw.data(), raw.size());
+        if (reading_) std::memcpy(&value, raw.data(), sizeof(T));
+    }
+
+    template <class T>
+    void numbers(T* data, std::size_t count) {
+        if constexpr (std::endian::native == std::endian::little)
+            bytes(data, count * sizeof(T));
+        else
+            for (std::size_t i = 0; i < count; ++i) number(data[i]);
+    }
+
+    template <class T>
+    void value(T& its) {
+        if constexpr (std::same_as<T, bool>) {
+            auto whole = static_cast<std::uint8_t>(its);
+            number(whole);
+            its = whole != 0;
+        } else if constexpr (std::is_enum_v<T>) {
+            auto whole = static_cast<std::int64_t>(its);
+            number(whole);
+            its = static_cast<T>(whole);
+        } else if constexpr (std::is_arithmetic_v<T>) {
+            number(its);
+        } else if constexpr (Archivable<T>) {
+            its.archive(*this);
+        } else if constexpr (MatrixLike<T>) {
+            matrix(its);
+        } else {
+            parts(its);
+        }
+    }
+
+    template <class T>
+    void matrix(T& its) {
+        auto rows = static_cast<std::int64_t>(its.rows()), columns = std::int64_t{its.cols()};
+        number(rows);
+        number(columns);
+        const std::size_t count = area_of(rows, columns);
+        if (reading_) its.resize(rows, columns);
+        if constexpr (std::same_as<typename T::Scalar, bool>)
+            for (std::size_t i = 0; i < count; ++i) value(its.data()[i]);
+        else
+            numbers(its.data(), count);
+    }
+
+    void parts(std::string& text) {
+        const std::size_t size = size_of(text.size());
+        if (reading_) text.resize(size);
+        bytes(text.data(), size);
+    }
+
+    template <class T>
+    void parts(std::vector<T>& list) {
+        const std::size_t size = size_of(list.size());
+        if (reading_) list.resize(size);
+        if constexpr (std::is_arithmetic_v<T>)
+            numbers(list.data(), size);
+        else
+            for (T& item : list) value(item);
+    }
+
+    template <class T>
+    void parts(std::deque<T>& list) {
+        const std::size_t size = size_of(list.size());
+        if (reading_) list.resize(size);
+        for (T& item : list) value(item);
+    }
+
+    template <class T, std::size_t count>
+    void parts(std::array<T, count>& list) {
+        for (T& item : list) value(item);
+    }
+
+    template <class A, class B>
+    void parts(std::pair<A, B>& both) {
+        value(both.first);
+        value(both.second);
+    }
+
+    template <class T>
+    void parts(std::optional<T>& its) {
+        bool there = its.has_value();
+        value(there);
+        if (reading_) there ? void(its.emplace()) : its.reset();
+        if (its) value(*its);
+    }
+
+    template <class Key, class T>
+    void parts(std::map<Key, T>& its) {
+        std::vector<std::pair<Key, T>> list(its.begin(), its.end());
+        value(list);
+        if (reading_) its = {list.begin(), list.end()};
+    }
+
+    static void reverse(std::byte* data, std::size_t size) {
+        for (std::size_t i = 0; 2 * i + 1 < size; ++i) std::swap(data[i], data[size - 1 - i]);
+    }
+
+    bool reading_ = false;
+    std::string name_;
+    std::string content_;
+    std::size_t at_ = 0;  ///< of the content, what is read
+};
+
+}  // namespace carom

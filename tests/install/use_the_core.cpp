@@ -1,5 +1,5 @@
 // The core as another program meets it: installed, found by CMake, built and run. The program is
-// the one that the README shows.
+// the one that docs/library.md shows.
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The block of README.md between ```LANGUAGE and ``` that contains `word`.
-std::string block_of_readme(const std::string& language, const std::string& word) {
-    const std::string text = contents(fs::path(CAROM_TEST_ROOT) / "README.md");
+// The block of docs/library.md between ```LANGUAGE and ``` that contains `word`.
+std::string block_of_manual(const std::string& language, const std::string& word) {
+    const std::string text = contents(fs::path(CAROM_TEST_ROOT) / "docs/library.md");
     const std::string open = "```" + language + "\n", close = "```\n";
     for (std::size_t begin = text.find(open); begin != std::string::npos;
          begin = text.find(open, begin)) {
@@ -50,9 +50,9 @@ std::string all_headers(const fs::path& include) {
 
 }  // namespace
 
-TEST_CASE("the README's program builds from an installed core and is right") {
-    const std::string cmake = block_of_readme("cmake", "find_package(carom");
-    const std::string program = block_of_readme("cpp", "carom::Simulation");
+TEST_CASE("the manual's program builds from an installed core and is right") {
+    const std::string cmake = block_of_manual("cmake", "find_package(carom");
+    const std::string program = block_of_manual("cpp", "carom::Simulation");
     REQUIRE_FALSE(cmake.empty());
     REQUIRE_FALSE(program.empty());
 

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <string>
 
+#include "support/test_root.h"
+
 namespace carom::test {
 
 inline const std::string program = CAROM_PROGRAM;
-inline const std::filesystem::path root = CAROM_TEST_ROOT;
+inline const std::filesystem::path root = carom::test::checkout();
 
 /// The path of a scene of the library.
 inline std::string library_scene(const std::string& name) {

@@ -14,6 +14,7 @@
 
 #include "support/files.h"
 #include "support/process.h"
+#include "support/test_root.h"
 
 using namespace carom::test;
 namespace fs = std::filesystem;
@@ -67,13 +68,13 @@ struct Pair {
 
 // The letters of fonts/, whatever fonts are installed.
 void pin_fonts() {
-    const fs::path fonts = fs::path(CAROM_TEST_ROOT) / "tests/golden/fonts/fonts.conf";
+    const fs::path fonts = carom::test::checkout() / "tests/golden/fonts/fonts.conf";
     REQUIRE(fs::exists(fonts));
     REQUIRE(setenv("FONTCONFIG_FILE", fonts.c_str(), 1) == 0);
 }
 
 Pair pair_of(const std::string& name, const fs::path& drawn) {
-    return {fs::path(CAROM_TEST_ROOT) / "tests/golden" / name, drawn};
+    return {carom::test::checkout() / "tests/golden" / name, drawn};
 }
 
 /// Where pictures are made anew the drawn one is the kept one too.
@@ -90,8 +91,8 @@ Pair draw(const std::string& scene, const std::string& at, const std::string& th
     CAPTURE(name);
     pin_fonts();
     const Pair pair = pair_of(name, fs::path(CAROM_GOLDEN_OUTPUT) / name);
-    fs::path file = fs::path(CAROM_TEST_ROOT) / "scenes" / (scene + ".yaml");
-    if (!fs::exists(file)) file = fs::path(CAROM_TEST_ROOT) / "tests/golden" / (scene + ".yaml");
+    fs::path file = carom::test::checkout() / "scenes" / (scene + ".yaml");
+    if (!fs::exists(file)) file = carom::test::checkout() / "tests/golden" / (scene + ".yaml");
     const Outcome outcome = run({CAROM_PROGRAM, "still", file.string(), "--at", at, "--theme",
                                  theme, "--size", "480x270", "-o", pair.drawn.string(), "--quiet"});
     CAPTURE(outcome.err);
@@ -132,7 +133,7 @@ void compare_figures(const std::string& scene, const std::vector<std::string>& f
     fs::remove_all(folder);
     const Outcome outcome =
         run({CAROM_PROGRAM, "figures",
-             (fs::path(CAROM_TEST_ROOT) / "tests/golden" / (scene + ".yaml")).string(), "-o",
+             (carom::test::checkout() / "tests/golden" / (scene + ".yaml")).string(), "-o",
              folder.string(), "--formats", "svg,png", "--quiet"});
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);

@@ -9,6 +9,7 @@
 
 #include "support/process.h"
 #include "support/relative.h"
+#include "support/test_root.h"
 
 using namespace carom::test;
 namespace fs = std::filesystem;
@@ -17,7 +18,7 @@ namespace {
 
 // The block of docs/library.md between ```LANGUAGE and ``` that contains `word`.
 std::string block_of_manual(const std::string& language, const std::string& word) {
-    const std::string text = contents(fs::path(CAROM_TEST_ROOT) / "docs/library.md");
+    const std::string text = contents(carom::test::checkout() / "docs/library.md");
     const std::string open = "```" + language + "\n", close = "```\n";
     for (std::size_t begin = text.find(open); begin != std::string::npos;
          begin = text.find(open, begin)) {

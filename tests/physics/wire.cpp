@@ -14,6 +14,7 @@
 #include "support/bodies.h"
 #include "support/csv.h"
 #include "support/relative.h"
+#include "support/test_root.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -141,7 +142,7 @@ TEST_CASE("collision by collision, a bead between a wall and one of 1e15 times i
 }
 
 TEST_CASE("Newton's cradle") {
-    std::ifstream file(std::string(CAROM_TEST_ROOT) + "/tests/reference/newton_cradle.json");
+    std::ifstream file(carom::test::checkout().string() + "/tests/reference/newton_cradle.json");
     const auto cases = nlohmann::json::parse(file).at("cases");
     CHECK(cases.size() == 7);
     for (const int dimension : {1, 2}) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "support/test_root.h"
+
 namespace carom::test {
 
 /// What stands between the commas of a line; none may be quoted.
@@ -24,7 +26,7 @@ inline std::vector<std::string> cells_of(const std::string& line) {
 
 /// The rows of tests/reference/NAME as text cells, without comments and the line of titles.
 inline std::vector<std::vector<std::string>> reference_rows(const std::string& name) {
-    std::ifstream file(std::string(CAROM_TEST_ROOT) + "/tests/reference/" + name);
+    std::ifstream file(carom::test::checkout().string() + "/tests/reference/" + name);
     if (!file) throw std::runtime_error("no reference table " + name);
     std::vector<std::vector<std::string>> rows;
     bool titles = true;

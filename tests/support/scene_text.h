@@ -5,14 +5,14 @@
 #include <string>
 
 #include "scene/load.h"
+#include "support/test_root.h"
 
 namespace carom::test {
 
 /// The scene of a text, with the templates of carom; messages call it `test`.
 inline Scene scene_from(const std::string& text, const Overrides& overrides = {},
                         Wanted wanted = Wanted::film) {
-    return load_scene_text(text, "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates",
-                           overrides, wanted);
+    return load_scene_text(text, "test", carom::test::checkout() / "templates", overrides, wanted);
 }
 
 }  // namespace carom::test

@@ -15,6 +15,7 @@
 #include "scene/load.h"
 #include "support/process.h"
 #include "support/relative.h"
+#include "support/test_root.h"
 
 using namespace carom;
 using test::relative;
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root{CAROM_TEST_ROOT};
+const fs::path root = carom::test::checkout();
 
 Scene scene(const std::string& name, const Overrides& overrides = {}) {
     return load_scene(root / "scenes" / (name + ".yaml"), root / "templates", overrides);

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "support/test_root.h"
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -91,7 +93,7 @@ struct Include {
 };
 
 std::vector<Include> includes() {
-    const fs::path source = fs::path(CAROM_TEST_ROOT) / "src";
+    const fs::path source = carom::test::checkout() / "src";
     const std::regex line(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
     std::vector<Include> found;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
@@ -176,7 +178,7 @@ TEST_CASE("a part of a module includes only parts below it") {
 TEST_CASE("no folder holds more than 25 files") {
     std::map<fs::path, int> files;
     for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator(fs::path(CAROM_TEST_ROOT) / "src"))
+         fs::recursive_directory_iterator(carom::test::checkout() / "src"))
         if (entry.is_regular_file()) ++files[entry.path().parent_path()];
     for (const auto& [folder, count] : files) {
         CAPTURE(folder.string());

@@ -10,6 +10,7 @@
 #include "support/figure_run.h"
 #include "support/files.h"
 #include "support/scene_text.h"
+#include "support/test_root.h"
 
 using namespace carom;
 using test::run_of;
@@ -116,8 +117,7 @@ TEST_CASE("captions and alternative texts of collision maps have the numbers tha
 }
 
 TEST_CASE("the manual's example of collision maps is a scene with one figure of each kind") {
-    const std::string manual =
-        test::contents(std::filesystem::path(CAROM_TEST_ROOT) / "docs/figures.md");
+    const std::string manual = test::contents(carom::test::checkout() / "docs/figures.md");
     const std::size_t from = manual.find("```yaml\n", manual.find("## Collision maps")) + 8;
     const Scene scene = test::scene_from("title: Two beads\n" +
                                          manual.substr(from, manual.find("```", from) - from));

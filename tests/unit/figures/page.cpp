@@ -7,6 +7,7 @@
 #include <string>
 
 #include "support/files.h"
+#include "support/test_root.h"
 #include "util/diagnostics.h"
 
 using namespace carom;
@@ -79,7 +80,7 @@ TEST_CASE("mistakes in a template are told with their place") {
 }
 
 TEST_CASE("the templates of pages know their placeholders, and the manual knows all") {
-    const std::filesystem::path root = CAROM_TEST_ROOT;
+    const std::filesystem::path root = carom::test::checkout();
     for (const auto& entry : std::filesystem::directory_iterator(root / "templates/documents")) {
         CAPTURE(entry.path().string());
         CHECK_NOTHROW(filled(test::contents(entry.path()), {}));

@@ -14,6 +14,7 @@
 #include "support/pixels.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
+#include "support/test_root.h"
 #include "support/vision.h"
 
 using namespace carom;
@@ -237,7 +238,7 @@ TEST_CASE("words on plates, and on captions, can be read over anything that move
 }
 
 TEST_CASE("a print of a scene that names no colours has none") {
-    const std::filesystem::path root{CAROM_TEST_ROOT};
+    const std::filesystem::path root = carom::test::checkout();
     int scenes = 0;
     for (const std::filesystem::path& file : yaml_files(root / "scenes")) {
         CAPTURE(file.stem().string());

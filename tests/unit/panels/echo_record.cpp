@@ -12,6 +12,7 @@
 #include "scene/load.h"
 #include "support/relative.h"
 #include "support/shot.h"
+#include "support/test_root.h"
 
 using namespace carom;
 using test::relative;
@@ -26,7 +27,7 @@ Scene lanes(const std::string& events, double until, const std::string& run = ""
         "run: {until: " +
             std::to_string(until) + run + ", events: [" + events +
             "]}\nfilm: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
-        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+        "test", carom::test::checkout().string() + "/templates");
 }
 
 std::string reversal(double at) { return "{at: " + std::to_string(at) + ", reverse: velocities}"; }
@@ -97,7 +98,7 @@ TEST_CASE("a film's last distance is that of the run from its start") {
         "title: T\nbox: {size: [12, 12], walls: periodic}\ngas: [{count: 30, radius: 0.5, speed: "
         "1}]\nrun: {until: 8, events: [" +
             reversal(4.0) + "]}\nfilm: {seconds: 1, fps: 8, size: [640, 360]}\n",
-        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+        "test", carom::test::checkout().string() + "/templates");
     Simulation run(scene.gas, scene.run);
     const Sample start = run.sample();
     run.advance_to(8.0);
@@ -155,7 +156,7 @@ Scene echo(const std::string& keys, const std::string& panel) {
         "title: T\nbox: {size: [20, 12.566]}\ngas: [{count: 64, radius: 0.5, speed: 1}]\n"
         "run: {until: 40, " +
             keys + "}\nfilm: {seconds: 4, fps: 20, size: [640, 360], panels: [" + panel + "]}\n",
-        "test", std::string(CAROM_TEST_ROOT) + "/templates");
+        "test", carom::test::checkout().string() + "/templates");
 }
 
 Table table_of(const test::Shot& film) {
@@ -244,7 +245,7 @@ TEST_CASE("without a law for the gas there is no curve") {
             "title: T\nbox: " + box + "\ngas: [" + gas +
                 "]\nrun: {until: 8, precision: 128, events: [{at: 4, reverse: velocities}]}\n"
                 "film: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
-            "test", std::string(CAROM_TEST_ROOT) + "/templates"));
+            "test", carom::test::checkout().string() + "/templates"));
         return rows_of(table_of(film), "curve", "growth law").size();
     };
     CHECK(law("{size: [12, 12]}", "{count: 20, radius: 0.5, speed: 1}") > 5);
@@ -271,8 +272,8 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
 }
 
 TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
-    const Scene scene = load_scene(std::string(CAROM_TEST_ROOT) + "/scenes/time-reversal.yaml",
-                                   std::string(CAROM_TEST_ROOT) + "/templates",
+    const Scene scene = load_scene(carom::test::checkout().string() + "/scenes/time-reversal.yaml",
+                                   carom::test::checkout().string() + "/templates",
                                    {{{"film.template", "square"}, {"film.fps", "5"}}});
     const test::Shot film(scene);
     const TextLog log;

@@ -11,6 +11,7 @@
 
 #include "scene/load.h"
 #include "support/shot.h"
+#include "support/test_root.h"
 
 using namespace carom;
 
@@ -24,7 +25,7 @@ Scene reversed_gas(const std::string& precision) {
             precision +
             ", events: [{at: 30, reverse: velocities}]}\n"
             "film: {seconds: 4, size: [320, 180], template: minimal}\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        "test", carom::test::checkout() / "templates");
 }
 
 // The part of the picture where the gas is.
@@ -75,7 +76,7 @@ TEST_CASE("what no bits can do is refused where it is written") {
         const Scene scene =
             load_scene_text("title: A gas\nbox: {size: [60, 60]}\ngas: [{count: 16, speed: 1}]\n" +
                                 run + "film: {seconds: 9}\n",
-                            "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+                            "test", carom::test::checkout() / "templates");
         try {
             with_precision(scene);
         } catch (const SceneError& error) {
@@ -100,7 +101,7 @@ TEST_CASE("the trial of a nudge tells how far it is") {
         "title: A nudge\nbox: {size: [24, 18]}\ngas: [{count: 60, radius: 0.6, speed: 3}]\n"
         "run: {until: 60, precision: 64, events: [{at: 30, nudge: {particle: 0, by: [1e-9, 0]}}]}\n"
         "film: {seconds: 4, template: minimal}\n",
-        "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates");
+        "test", carom::test::checkout() / "templates");
     std::vector<double> times;
     with_precision(scene, [&](int bits, double time) {
         CHECK(bits == 64);

@@ -10,6 +10,7 @@
 #include "support/files.h"
 #include "support/pixels.h"
 #include "support/shot.h"
+#include "support/test_root.h"
 
 using namespace carom;
 using test::pixels_of;
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root{CAROM_TEST_ROOT};
+const fs::path root = carom::test::checkout();
 
 double overlap(double a, double a_end, double b, double b_end) {
     return std::min(a_end, b_end) - std::max(a, b);

@@ -7,6 +7,7 @@
 
 #include "scene/load.h"
 #include "support/files.h"
+#include "support/test_root.h"
 
 using carom::test::contents;
 namespace fs = std::filesystem;
@@ -34,7 +35,7 @@ std::vector<fs::path> bad_scenes() {
 }  // namespace
 
 TEST_CASE("a bad scene is refused with its whole message") {
-    fs::current_path(CAROM_TEST_ROOT);
+    fs::current_path(carom::test::checkout());
     const std::vector<fs::path> scenes = bad_scenes();
     CHECK(scenes.size() >= 60);
     for (const fs::path& scene : scenes) {
@@ -44,7 +45,7 @@ TEST_CASE("a bad scene is refused with its whole message") {
 }
 
 TEST_CASE("every expected message has its scene") {
-    fs::current_path(CAROM_TEST_ROOT);
+    fs::current_path(carom::test::checkout());
     for (const auto& entry : fs::directory_iterator("tests/scenes_bad")) {
         CAPTURE(entry.path().string());
         CHECK(fs::exists(fs::path{entry.path()}.replace_extension(".yaml")));
@@ -52,7 +53,7 @@ TEST_CASE("every expected message has its scene") {
 }
 
 TEST_CASE("what cannot be read is named with the cause") {
-    fs::current_path(CAROM_TEST_ROOT);
+    fs::current_path(carom::test::checkout());
     CHECK(message_of("scenes/none.yaml") ==
           "scenes/none.yaml: error: cannot be read: No such file or directory\n");
     CHECK(message_of("scenes") == "scenes: error: cannot be read: it is a folder\n");

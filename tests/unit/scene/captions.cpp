@@ -9,12 +9,13 @@
 
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"
+#include "support/test_root.h"
 
 using namespace carom;
 
 namespace {
 
-const std::filesystem::path templates = std::filesystem::path(CAROM_TEST_ROOT) / "templates";
+const std::filesystem::path templates = carom::test::checkout() / "templates";
 
 Scene film(const std::string& events, const std::string& film = "seconds: 20",
            const Overrides& overrides = {}) {

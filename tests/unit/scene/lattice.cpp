@@ -8,6 +8,7 @@
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "scene/load.h"
+#include "support/test_root.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -16,8 +17,7 @@ namespace {
 
 std::string refusal(const std::string& text) {
     try {
-        load_scene_text(text, "test", std::filesystem::path(CAROM_TEST_ROOT) / "templates", {},
-                        Wanted::physics);
+        load_scene_text(text, "test", carom::test::checkout() / "templates", {}, Wanted::physics);
     } catch (const SceneError& error) {
         return error.what();
     }

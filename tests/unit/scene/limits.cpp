@@ -14,13 +14,14 @@
 #include "scene/yaml/yaml.h"
 #include "support/files.h"
 #include "support/scene_text.h"
+#include "support/test_root.h"
 
 using namespace carom;
 
 namespace {
 
 std::string text_of(const std::string& path) {
-    return test::contents(std::string{CAROM_TEST_ROOT} + path);
+    return test::contents(carom::test::checkout().string() + path);
 }
 
 std::vector<std::string> rows_of_table(const std::string& text) {

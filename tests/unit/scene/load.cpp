@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/files.h"
+#include "support/test_root.h"
 
 using namespace carom;
 using test::TemporaryFolder;
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path root = CAROM_TEST_ROOT;
+const fs::path root = carom::test::checkout();
 
 Scene load(const std::string& text, const Overrides& overrides = {}) {
     return load_scene_text(text, "test.yaml", root / "templates", overrides);

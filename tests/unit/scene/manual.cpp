@@ -10,6 +10,7 @@
 
 #include "support/files.h"
 #include "support/scene_text.h"
+#include "support/test_root.h"
 
 using namespace carom;
 
@@ -17,7 +18,7 @@ namespace {
 
 // The blocks of a document between ```yaml and ```.
 std::vector<std::string> yaml_blocks(const std::string& document) {
-    const std::string text = test::contents(std::filesystem::path(CAROM_TEST_ROOT) / document);
+    const std::string text = test::contents(carom::test::checkout() / document);
     const std::string open = "```yaml\n";
     std::vector<std::string> blocks;
     for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {

@@ -15,6 +15,7 @@
 #include "scene/keys/starter.h"
 #include "scene/load.h"
 #include "support/files.h"
+#include "support/test_root.h"
 
 using namespace carom;
 using test::contents;
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Scene loaded(const std::string& text) {
-    fs::current_path(CAROM_TEST_ROOT);
+    fs::current_path(carom::test::checkout());
     try {
         return load_scene_text(text, "starter.yaml", "templates");
     } catch (const SceneError& error) {
@@ -59,7 +60,7 @@ bool is_key(const std::string& name) {
 }  // namespace
 
 TEST_CASE("the reference page is current") {
-    fs::current_path(CAROM_TEST_ROOT);
+    fs::current_path(carom::test::checkout());
     const fs::path page = "docs/scene-reference.md";
     if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(page) << scene_reference();
     const bool current = contents(page) == scene_reference();

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "support/test_root.h"
 #include "util/random.h"
 
 using namespace carom;
 
 namespace {
 
-const std::string templates = std::string{CAROM_TEST_ROOT} + "/templates";
+const std::string templates = carom::test::checkout().string() + "/templates";
 
 const std::string good =
     "title: \"A gas\"\nseed: 7\nbox: {size: [64, 48], walls: solid}\n"

@@ -6,6 +6,7 @@
 
 #include "scene/reading/set_reading.h"
 #include "support/files.h"
+#include "support/test_root.h"
 
 using namespace carom;
 namespace fs = std::filesystem;
@@ -68,7 +69,7 @@ TEST_CASE("a set has a page in HTML, unless it says otherwise") {
 }
 
 TEST_CASE("a scene is no set, nor is what cannot be read") {
-    CHECK_FALSE(is_figure_set(fs::path(CAROM_TEST_ROOT) / "scenes/cradle.yaml"));
+    CHECK_FALSE(is_figure_set(carom::test::checkout() / "scenes/cradle.yaml"));
     CHECK_FALSE(is_figure_set("nowhere.yaml"));
 }
 

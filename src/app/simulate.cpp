@@ -10,7 +10,7 @@
 
 namespace carom {
 
-TrialTold shown_trials(const Scene& scene, Progress& progress) {
+TrialCallback shown_trials(const Scene& scene, Progress& progress) {
     return [&progress, run = scene.run, trying = 0](int bits, double time) mutable {
         if (bits != std::exchange(trying, bits))
             progress.begin(
@@ -24,9 +24,9 @@ Scene with_precision(const Scene& asked, Progress& progress) {
     return with_precision(asked, shown_trials(asked, progress));
 }
 
-Simulation simulate(const Scene& scene, const TimeTold& told) {
+Simulation simulate(const Scene& scene, const TimeCallback& on_progress) {
     try {
-        return Simulation(scene.gas, scene.run, told);
+        return Simulation(scene.gas, scene.run, on_progress);
     } catch (const PlacementError& error) {
         Diagnostic diagnostic = scene.species_spans[error.species()];
         diagnostic.message = error.what();

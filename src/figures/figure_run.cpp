@@ -72,7 +72,7 @@ void on_threads(int threads, std::size_t count, const std::function<void(std::si
 class FigureRun::OfSeed {
   public:
     // Of the figures that show more than `later` seeds.
-    OfSeed(const Scene& scene, int later, const Fresh& fresh, const TrialTold& trial)
+    OfSeed(const Scene& scene, int later, const Fresh& fresh, const TrialCallback& trial)
         : scene_(with_precision(alone(scene, later), trial)),
           fresh_(fresh),
           ticks_(ticks_of(scene_)) {
@@ -82,9 +82,9 @@ class FigureRun::OfSeed {
     OfSeed(const OfSeed&) = delete;
     OfSeed& operator=(const OfSeed&) = delete;
 
-    void begin(const RunsTold& told);
-    void survey(const RunsTold& told);
-    void look(const RunsTold& told);
+    void begin(const RunsCallbacks& on_progress);
+    void survey(const RunsCallbacks& on_progress);
+    void look(const RunsCallbacks& on_progress);
     double time_to_simulate() const;
     const Figure& figure_of(const std::string& name) const;
     const Scene& scene() const { return scene_; }
@@ -93,8 +93,8 @@ class FigureRun::OfSeed {
     std::vector<Figure> figures;
 
   private:
-    Simulation fresh(const RunsTold& told) const;
-    Observation observe(const Tick& tick, const Sample& sample, const Passage& passage);
+    Simulation fresh(const RunsCallbacks& on_progress) const;
+    Observation observe(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
 
     Scene scene_;
     const Fresh& fresh_;
@@ -117,10 +117,10 @@ double FigureRun::OfSeed::time_to_simulate() const {
     return specs_.empty() ? run.equilibrate : 2.0 * (run.equilibrate + run.until);
 }
 
-Simulation FigureRun::OfSeed::fresh(const RunsTold& told) const {
+Simulation FigureRun::OfSeed::fresh(const RunsCallbacks& on_progress) const {
     double now = -scene_.run.equilibrate;
     const auto tell = [&](double time) {
-        if (told.advance) told.advance(time - std::exchange(now, time));
+        if (on_progress.advance) on_progress.advance(time - std::exchange(now, time));
     };
     Simulation simulation = fresh_(scene_, tell);
     tell(0.0);
@@ -128,8 +128,8 @@ Simulation FigureRun::OfSeed::fresh(const RunsTold& told) const {
 }
 
 // Makes the panels, with the particles at time 0.
-void FigureRun::OfSeed::begin(const RunsTold& told) {
-    start_ = fresh(told);
+void FigureRun::OfSeed::begin(const RunsCallbacks& on_progress) {
+    start_ = fresh(on_progress);
     particles_ = start_->particles();
     equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
     const Cast cast{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_, false};
@@ -139,49 +139,51 @@ void FigureRun::OfSeed::begin(const RunsTold& told) {
 }
 
 Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
-                                       const Passage& passage) {
+                                       const AdvanceResult& advanced) {
     speed_ = speeds(sample);
     energy_ = kinetic_energies(particles_, sample);
-    return {tick, sample, speed_, energy_, passage};
+    return {tick, sample, speed_, energy_, advanced};
 }
 
-void FigureRun::OfSeed::survey(const RunsTold& told) {
+void FigureRun::OfSeed::survey(const RunsCallbacks& on_progress) {
     if (figures.empty()) return;
-    Simulation simulation = fresh(told);
+    Simulation simulation = fresh(on_progress);
     simulation.record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
     double now = 0.0;
     for (const Tick& tick : ticks_) {
         throw_if_interrupted();
-        const Passage passage = simulation.advance_to(tick.time);
-        const Observation observation = observe(tick, simulation.sample(), passage);
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        const Observation observation = observe(tick, simulation.sample(), advanced);
         for (const Figure& figure : figures) figure.panel->survey(observation);
-        if (told.advance) told.advance(tick.time - std::exchange(now, tick.time));
+        if (on_progress.advance) on_progress.advance(tick.time - std::exchange(now, tick.time));
     }
 }
 
 // Of frames that show one time the last: at a reversal the one after it.
-void FigureRun::OfSeed::look(const RunsTold& told) {
+void FigureRun::OfSeed::look(const RunsCallbacks& on_progress) {
     if (figures.empty()) return start_.reset();
     start_->record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->wants_collisions(); }));
     double now = 0.0;
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
         throw_if_interrupted();
-        const Passage passage = start_->advance_to(ticks_[i].time);
-        const Observation observation = observe(ticks_[i], start_->sample(), passage);
+        const AdvanceResult advanced = start_->advance_to(ticks_[i].time);
+        const Observation observation = observe(ticks_[i], start_->sample(), advanced);
         const bool last = i + 1 == ticks_.size() || ticks_[i + 1].time != ticks_[i].time;
         for (Figure& figure : figures) {
             auto state = figure.panel->state(observation);
             if (last && shows(figure, ticks_[i].time))
-                figure.moments.push_back({ticks_[i].time, passage.counts, std::move(state)});
+                figure.moments.push_back({ticks_[i].time, advanced.counts, std::move(state)});
         }
-        if (told.advance) told.advance(ticks_[i].time - std::exchange(now, ticks_[i].time));
+        if (on_progress.advance)
+            on_progress.advance(ticks_[i].time - std::exchange(now, ticks_[i].time));
     }
     start_.reset();
 }
 
-FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads, const RunsTold& told)
+FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads,
+                     const RunsCallbacks& on_progress)
     : scene_(alone(scene, 0)) {
     int seeds = 1;
     struct Job {
@@ -203,15 +205,15 @@ FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads, const 
     on_threads(threads, jobs.size(), [&](std::size_t i) {
         const Job& job = jobs[i];
         *job.run = std::make_unique<OfSeed>(*job.scene, job.later, fresh,
-                                            jobs.size() == 1 ? told.trial : TrialTold{});
+                                            jobs.size() == 1 ? on_progress.trial : TrialCallback{});
     });
     double all = 0.0;
     for (const Job& job : jobs) all += (*job.run)->time_to_simulate();
-    if (told.begin) told.begin(all);
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->begin(told); });
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->survey(told); });
+    if (on_progress.begin) on_progress.begin(all);
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->begin(on_progress); });
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->survey(on_progress); });
     settle();
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(told); });
+    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(on_progress); });
     take_means();
     collect();
 }

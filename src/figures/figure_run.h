@@ -42,11 +42,11 @@ struct Figure {
 };
 
 /// Gives a simulation of a scene at time 0, and tells of the time before it; from any thread.
-using Fresh = std::function<Simulation(const Scene&, const TimeTold&)>;
+using Fresh = std::function<Simulation(const Scene&, const TimeCallback&)>;
 
 /// Told how far the runs have come.
-struct RunsTold {
-    TrialTold trial;  ///< where there is but one run: of its precision
+struct RunsCallbacks {
+    TrialCallback trial;  ///< where there is but one run: of its precision
     std::function<void(double time)>
         begin;  ///< how much all will simulate together, equilibration included
     std::function<void(double time)> advance;  ///< how much more is simulated; from any thread
@@ -57,7 +57,8 @@ class FigureRun {
     /// Runs the physics of `scene` twice, and twice for each further seed, on `threads` threads at
     /// most. The axes are those of the scene's film. `told` has all its functions or none. Throws
     /// as the simulation does, and Interrupted.
-    FigureRun(const Scene& scene, const Fresh& fresh, int threads = 1, const RunsTold& told = {});
+    FigureRun(const Scene& scene, const Fresh& fresh, int threads = 1,
+              const RunsCallbacks& on_progress = {});
     ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles
     FigureRun& operator=(const FigureRun&) = delete;

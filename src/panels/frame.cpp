@@ -42,11 +42,11 @@ bool Observers::surveys_collisions() const {
         panels_, [](const Placed& placed) { return placed.panel->surveys_collisions(); });
 }
 
-void Observers::survey(const Tick& tick, const Sample& sample, const Passage& passage) {
+void Observers::survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
     if (is_card(tick.phase)) return;
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
-    const Observation observation{tick, sample, speed, energy, passage};
+    const Observation observation{tick, sample, speed, energy, advanced};
     for (const Placed& placed : panels_) placed.panel->survey(observation);
 }
 
@@ -54,12 +54,13 @@ void Observers::settle() {
     for (const Placed& placed : panels_) placed.panel->settle();
 }
 
-FrameData Observers::frame_data(const Tick& tick, const Sample& sample, const Passage& passage) {
+FrameData Observers::frame_data(const Tick& tick, const Sample& sample,
+                                const AdvanceResult& advanced) {
     FrameData frame{tick, {}, 0};
     if (is_card(tick.phase)) return frame;
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
-    const Observation observation{tick, sample, speed, energy, passage};
+    const Observation observation{tick, sample, speed, energy, advanced};
     for (const Placed& placed : panels_) {
         frame.states.push_back(placed.panel->state(observation));
         frame.bytes += frame.states.back()->bytes();

@@ -30,9 +30,9 @@ class Observers {
     Observers& operator=(const Observers&) = delete;
 
     /// Cards show nothing of the gas: panels do not see them.
-    void survey(const Tick& tick, const Sample& sample, const Passage& passage);
+    void survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
     void settle();
-    FrameData frame_data(const Tick& tick, const Sample& sample, const Passage& passage);
+    FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
 
     bool wants_collisions() const;
     bool surveys_collisions() const;

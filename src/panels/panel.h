@@ -38,7 +38,7 @@ struct Observation {
     const Sample& sample;
     const Eigen::ArrayXd& speed;   ///< N
     const Eigen::ArrayXd& energy;  ///< N
-    const Passage& passage;
+    const AdvanceResult& advanced;
 };
 
 /// What one panel shows in one frame: complete and immutable.

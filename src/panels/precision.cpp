@@ -16,15 +16,15 @@ namespace {
 }
 
 // In stretches, so that it can be told how far it has come.
-void try_nudges(const Scene& scene, const TrialTold& told) {
+void try_perturbations(const Scene& scene, const TrialCallback& on_progress) {
     double last = -1.0;
     for (const RunEvent& event : scene.run.events)
-        if (std::holds_alternative<Nudge>(event.action)) last = event.at;
+        if (std::holds_alternative<Perturbation>(event.action)) last = event.at;
     if (last < 0.0) return;
     try {
         const auto tell = [&](double time) {
             throw_if_interrupted();
-            if (told) told(scene.run.bits.value(), time);
+            if (on_progress) on_progress(scene.run.bits.value(), time);
         };
         Simulation simulation(scene.gas, scene.run, tell);
         constexpr int stretches = 64;
@@ -33,18 +33,18 @@ void try_nudges(const Scene& scene, const TrialTold& told) {
             simulation.advance_to(k == stretches ? last : time);
             tell(time);
         }
-    } catch (const NudgeError& error) {
+    } catch (const PerturbationError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), "a smaller one may have room");
     }
 }
 
 }  // namespace
 
-Scene with_precision(const Scene& scene, const TrialTold& told) {
+Scene with_precision(const Scene& scene, const TrialCallback& on_progress) {
     Scene precise = scene;
     try {
-        if (!scene.run.bits) precise.run.bits = bits_to_come_home(scene.gas, scene.run, told);
-        try_nudges(precise, told);
+        if (!scene.run.bits) precise.run.bits = bits_for_return(scene.gas, scene.run, on_progress);
+        try_perturbations(precise, on_progress);
     } catch (const PrecisionError& error) {
         refuse(scene.precision_place, error.what(), error.hint());
     } catch (const PlacementError& error) {

@@ -32,7 +32,7 @@ struct CollisionCounts {
 };
 
 /// Momentum that has changed hands since t = 0, and how well contacts were met.
-struct Transfers {
+struct ImpulseTotals {
     std::array<double, 4> wall{};  ///< outward momentum given to each side: left, right, bottom,
                                    ///< top; infinite after a hit by an infinite mass
     double virial = 0.0;  ///< sum over collisions of two particles of r . dp: r from the first
@@ -42,15 +42,15 @@ struct Transfers {
 };
 
 /// What happened on the way to a time.
-struct Passage {
-    CollisionCounts counts;  ///< since t = 0, at the end of the passage
-    Transfers transfers;     ///< since t = 0, at the end of the passage
+struct AdvanceResult {
+    CollisionCounts counts;  ///< since t = 0, at the end of this advance
+    ImpulseTotals impulses;  ///< since t = 0, at the end of this advance
     int reversals = 0;       ///< reversals since t = 0, those at its end included
     std::span<const Collision>
-        collisions;  ///< of this passage only, when recording; valid until the next advance
+        collisions;  ///< of this advance only, when recording; valid until the next advance
 };
 
 /// Told what time it is in a run, every some thousand events.
-using TimeTold = std::function<void(double time)>;
+using TimeCallback = std::function<void(double time)>;
 
 }  // namespace carom

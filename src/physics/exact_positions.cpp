@@ -17,10 +17,10 @@ double log10_or_less(const Real& length) {
 
 }  // namespace
 
-Whereabouts::Whereabouts(const Box& box, std::vector<Real> coordinates)
+ExactPositions::ExactPositions(const Box& box, std::vector<Real> coordinates)
     : box_(box), coordinates_(std::make_shared<const std::vector<Real>>(std::move(coordinates))) {}
 
-ReturnDistance return_distance(const Whereabouts& a, const Whereabouts& b) {
+ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b) {
     const std::vector<Real>&from = *a.coordinates_, &to = *b.coordinates_;
     assert(from.size() == to.size());
     if (from.empty()) return {};
@@ -44,6 +44,17 @@ ReturnDistance return_distance(const Whereabouts& a, const Whereabouts& b) {
     const Real mean = sqrt(sum / static_cast<double>(from.size() / dimension));
     return {static_cast<double>(largest), static_cast<double>(mean), log10_or_less(largest),
             log10_or_less(mean)};
+}
+
+ReturnDistance return_distance(const Box& box, const Sample& a, const Sample& b) {
+    Eigen::ArrayXXd apart = b.position - a.position;
+    if (apart.rows() == 0) return {};
+    for (Eigen::Index axis = 0; axis < apart.cols(); ++axis)
+        if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+            apart.col(axis) -= box.size[axis] * (apart.col(axis) / box.size[axis]).round();
+    const Eigen::ArrayXd square = apart.square().rowwise().sum();
+    const double largest = std::sqrt(square.maxCoeff()), mean = std::sqrt(square.mean());
+    return {largest, mean, std::log10(largest), std::log10(mean)};
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/gas.h"
+#include "physics/particles.h"
 
 namespace carom {
 
@@ -21,17 +22,20 @@ struct ReturnDistance {
     double log10_root_mean_square = -std::numeric_limits<double>::infinity();
 };
 
-class Whereabouts {
+class ExactPositions {
   public:
     /// Coordinates of each particle one after the other; on periodic axes any image.
-    Whereabouts(const Box& box, std::vector<Real> coordinates);
+    ExactPositions(const Box& box, std::vector<Real> coordinates);
 
     /// Across periodic borders the nearest image counts.
-    friend ReturnDistance return_distance(const Whereabouts& a, const Whereabouts& b);
+    friend ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b);
 
   private:
     Box box_;
     std::shared_ptr<const std::vector<Real>> coordinates_;
 };
+
+/// The same for two states of one gas of which only doubles are known.
+ReturnDistance return_distance(const Box& box, const Sample& a, const Sample& b);
 
 }  // namespace carom

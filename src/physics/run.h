@@ -13,7 +13,7 @@ namespace carom {
 struct ReverseVelocities {};
 
 /// Moves one particle by a little.
-struct Nudge {
+struct Perturbation {
     std::int64_t particle = 0;                ///< as the scene numbers them
     std::array<std::string, 2> by{"0", "0"};  ///< lengths in decimal, which a run of many bits
                                               ///< reads with all their digits; y is 0 in 1-D
@@ -21,7 +21,7 @@ struct Nudge {
 
 struct RunEvent {
     double at = 0.0;  ///< simulated time
-    std::variant<ReverseVelocities, Nudge> action;
+    std::variant<ReverseVelocities, Perturbation> action;
 };
 
 /// Bits of the significands that a run calculates with: those of a double, or from the least to the
@@ -35,7 +35,7 @@ struct Run {
                                    ///< are no event: the simulation itself does not look at it
     std::vector<RunEvent> events;  ///< in order of time; equal times in the order listed
     std::optional<int> bits = bits_of_double;  ///< none: as many as it takes to bring the gas home
-                                               ///< after each reversal (bits_to_come_home())
+                                               ///< after each reversal (bits_for_return())
     double tolerance = 1e-9;  ///< how near home that is, in units of the smallest radius, or on a
                               ///< wire of points of the mean spacing
 };

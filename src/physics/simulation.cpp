@@ -78,7 +78,7 @@ struct Simulation::Implementation {
     }
 
     Implementation(const Box& its_box, Particles its_particles, const Sample& start, const Run& run,
-                   const TimeTold& told)
+                   const TimeCallback& on_progress)
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
@@ -89,7 +89,7 @@ struct Simulation::Implementation {
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
             its.start(present);
-            if (run.equilibrate > 0.0) its.advance(0.0, nullptr, told);
+            if (run.equilibrate > 0.0) its.advance(0.0, nullptr, on_progress);
             its.forget();
         });
         present.time = 0.0;
@@ -120,20 +120,21 @@ struct Simulation::Implementation {
         ++reversals;
     }
 
-    void nudge(std::size_t event, const Nudge& nudge) {
-        const auto obstacle = with_loop(
-            [&](auto& its) { return its.displace(nudge.particle, nudge.by, present.time); });
+    void perturb(std::size_t event, const Perturbation& perturbation) {
+        const auto obstacle = with_loop([&](auto& its) {
+            return its.displace(perturbation.particle, perturbation.by, present.time);
+        });
         sampled = false;
         if (!obstacle) return;
-        throw NudgeError(
+        throw PerturbationError(
             event, fmt::format("the nudge at time {:g} would push particle {} into {}",
-                               present.time, nudge.particle,
+                               present.time, perturbation.particle,
                                *obstacle < 0 ? "a wall" : fmt::format("particle {}", *obstacle)));
     }
 
     void happen(std::size_t event) {
-        if (const auto* its = std::get_if<Nudge>(&events[event].action))
-            nudge(event, *its);
+        if (const auto* its = std::get_if<Perturbation>(&events[event].action))
+            perturb(event, *its);
         else
             reverse();
     }
@@ -151,23 +152,23 @@ struct Simulation::Implementation {
     int reversals = 0;
 };
 
-Simulation::Simulation(const Gas& gas, const Run& run, const TimeTold& told) {
+Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress) {
     auto [particles, start] = place(gas);
     if (gas.box.dimension == 1) refuse_squeeze(gas.box, particles, start, run);
     refuse_jam(gas.box, particles, start);
     implementation_ =
-        std::make_unique<Implementation>(gas.box, std::move(particles), start, run, told);
+        std::make_unique<Implementation>(gas.box, std::move(particles), start, run, on_progress);
 }
 
 Simulation::Simulation(const Box& box, Particles particles, const Sample& start, const Run& run)
-    : implementation_(
-          std::make_unique<Implementation>(box, std::move(particles), start, run, TimeTold{})) {}
+    : implementation_(std::make_unique<Implementation>(box, std::move(particles), start, run,
+                                                       TimeCallback{})) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-Passage Simulation::advance_to(double time) {
+AdvanceResult Simulation::advance_to(double time) {
     Implementation& its = *implementation_;
     assert(time >= its.present.time);
     its.collisions.clear();
@@ -178,7 +179,7 @@ Passage Simulation::advance_to(double time) {
     }
     its.advance(time);
     return its.with_loop([&](const auto& loop) {
-        return Passage{loop.counts(), loop.transfers(), its.reversals, its.collisions};
+        return AdvanceResult{loop.counts(), loop.impulses(), its.reversals, its.collisions};
     });
 }
 
@@ -190,12 +191,12 @@ const Sample& Simulation::sample() {
     return its.present;
 }
 
-Whereabouts Simulation::whereabouts() const {
+ExactPositions Simulation::exact_positions() const {
     const Implementation& its = *implementation_;
     return std::visit(
         [&](const auto& loop) {
             const auto all = loop.places(its.present.time);
-            return Whereabouts(its.box, {all.begin(), all.end()});
+            return ExactPositions(its.box, {all.begin(), all.end()});
         },
         its.loop);
 }

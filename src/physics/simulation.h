@@ -18,9 +18,9 @@
 namespace carom {
 
 /// A nudge that would push a particle into another or into a wall.
-class NudgeError : public std::runtime_error {
+class PerturbationError : public std::runtime_error {
   public:
-    NudgeError(std::size_t event, const std::string& what)
+    PerturbationError(std::size_t event, const std::string& what)
         : std::runtime_error(what), event_(event) {}
     std::size_t event() const { return event_; }  ///< index in Run::events
 
@@ -32,7 +32,7 @@ class Simulation {
   public:
     /// Places the particles and runs `run.equilibrate`, of which `told` hears, in times before 0;
     /// `run.bits` must be there. Throws PlacementError, Interrupted.
-    Simulation(const Gas& gas, const Run& run, const TimeTold& told = {});
+    Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress = {});
 
     /// Starts from given particles at `start.time` = 0, or `run.equilibrate` before it. Overlapping
     /// particles are a programmer's error (assertion).
@@ -43,14 +43,14 @@ class Simulation {
     Simulation& operator=(Simulation&&) noexcept;
 
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and moves on to it.
-    /// `time` must not lie in the past; not limited by `run.until`. Throws NudgeError.
-    Passage advance_to(double time);
+    /// `time` must not lie in the past; not limited by `run.until`. Throws PerturbationError.
+    AdvanceResult advance_to(double time);
 
     /// State of all particles at the present time.
     const Sample& sample();
 
     /// Where all particles are at the present time, in full.
-    Whereabouts whereabouts() const;
+    ExactPositions exact_positions() const;
 
     /// Whether advance_to hands out the collisions themselves; off at first.
     void record_collisions(bool on);

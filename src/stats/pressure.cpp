@@ -34,23 +34,23 @@ double size_of_room(const Box& box, double radius) {
 
 }  // namespace
 
-std::optional<double> wall_pressure(const Box& box, const Transfers& transfers, double time) {
+std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulses, double time) {
     double momentum = 0.0;
     double extent = 0.0;
     for (int axis = 0; axis < box.dimension; ++axis) {
         if (!is_solid(box, axis)) continue;
         const std::size_t side = 2 * static_cast<std::size_t>(axis);
-        momentum += transfers.wall[side] + transfers.wall[side + 1];
+        momentum += impulses.wall[side] + impulses.wall[side + 1];
         extent += extent_of_walls(box, axis);
     }
     return if_finite(momentum / (extent * time));
 }
 
 std::optional<double> virial_pressure(const Box& box, const Particles& particles,
-                                      double thermal_energy, const Transfers& transfers,
+                                      double thermal_energy, const ImpulseTotals& impulses,
                                       double time) {
     if (!(particles.inverse_mass > 0.0).any()) return std::nullopt;
-    const double twice = 2.0 * thermal_energy + transfers.virial / time;
+    const double twice = 2.0 * thermal_energy + impulses.virial / time;
     return if_finite(twice / (box.dimension * size_of_room(box, mean_radius(particles))));
 }
 

@@ -95,7 +95,7 @@ std::vector<SpeciesMeans> RunStatistics::species_means() const {
     return means;
 }
 
-RunSummary RunStatistics::summary(const Passage& passage) const {
+RunSummary RunStatistics::summary(const AdvanceResult& advanced) const {
     const double thermal = thermal_energy_ / static_cast<double>(seen_);
     RunSummary summary;
     summary.energy_initial = if_finite(first_.energy);
@@ -103,11 +103,11 @@ RunSummary RunStatistics::summary(const Passage& passage) const {
     if (!worked_on_) summary.largest_energy_error = if_finite(largest_energy_error_);
     summary.momentum_initial = components(first_.momentum);
     summary.momentum_final = components(last_.momentum);
-    summary.largest_overlap = std::max(largest_overlap_, passage.transfers.largest_overlap);
-    summary.wall_pressure = wall_pressure(box_, passage.transfers, time_);
+    summary.largest_overlap = std::max(largest_overlap_, advanced.impulses.largest_overlap);
+    summary.wall_pressure = wall_pressure(box_, advanced.impulses, time_);
     if (!worked_on_)
         summary.virial_pressure =
-            virial_pressure(box_, particles_, thermal, passage.transfers, time_);
+            virial_pressure(box_, particles_, thermal, advanced.impulses, time_);
     summary.temperature = if_finite(temperature(box_, particles_, thermal));
     summary.species = species_means();
     summary.speeds = speeds_.counts();

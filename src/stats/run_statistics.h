@@ -46,8 +46,8 @@ class RunStatistics {
     void see(const Sample& sample);
 
     /// The statistics of all samples seen, at least one, the last of them at the end of the
-    /// `passage`, which gives the transfers since time 0.
-    RunSummary summary(const Passage& passage) const;
+    /// `advanced`, which gives the impulses since time 0.
+    RunSummary summary(const AdvanceResult& advanced) const;
 
   private:
     struct Sums {

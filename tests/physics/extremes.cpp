@@ -27,8 +27,8 @@ TEST_CASE("whether a disk grazes another a thousand diameters away is told to 1 
             for (const double offset : {1.0 - missing, 1.0 + missing}) {
                 Simulation pair =
                     simulation_of(box, {{1.5, 3.0, 1.0, 0.0}, {1025.5, 3.0 + offset, 0.0, 0.0}});
-                const Passage passage = pair.advance_to(1025.0);
-                REQUIRE(passage.counts.particle == (offset < 1.0 ? 1 : 0));
+                const AdvanceResult advanced = pair.advance_to(1025.0);
+                REQUIRE(advanced.counts.particle == (offset < 1.0 ? 1 : 0));
                 if (offset > 1.0) continue;
                 // The struck disk leaves along the line of centres with this part of the speed.
                 const double along = std::sqrt((1.0 - offset) * (1.0 + offset));
@@ -63,10 +63,10 @@ TEST_CASE("disks that nearly touch meet after gap over approach, those that touc
             Simulation pair = simulation_of(
                 Box{2, {16.0, 16.0}, {}}, {{4.5, 3.0, 0.0, 0.0}, {5.5 + gap, 3.0, -approach, 0.0}});
             pair.record_collisions(true);
-            const Passage passage = pair.advance_to(2.0 * gap / approach + 1.0 / approach);
-            REQUIRE(passage.collisions.size() == 1);
+            const AdvanceResult advanced = pair.advance_to(2.0 * gap / approach + 1.0 / approach);
+            REQUIRE(advanced.collisions.size() == 1);
             const double wait = gap / approach;
-            CHECK(std::abs(passage.collisions[0].time - wait) <= 4.0 * epsilon * wait);
+            CHECK(std::abs(advanced.collisions[0].time - wait) <= 4.0 * epsilon * wait);
             CHECK(pair.sample().velocity(0, 0) == -approach);
             CHECK(pair.sample().velocity(1, 0) == 0.0);
         }
@@ -90,9 +90,9 @@ TEST_CASE("two disks that slide past each other in touch collide once at most, a
             {{10.0, 10.0, vx, vy},
              {10.0 + nx, 10.0 + ny, vx - ny - into * nx, vy + nx - into * ny, 0.5, 1.0 / mass}});
         const double before = kinetic_energies(pair.particles(), pair.sample()).sum();
-        const Passage passage = pair.advance_to(2.0);
-        REQUIRE(passage.counts.particle <= 1);
-        collided += static_cast<int>(passage.counts.particle);
+        const AdvanceResult advanced = pair.advance_to(2.0);
+        REQUIRE(advanced.counts.particle <= 1);
+        collided += static_cast<int>(advanced.counts.particle);
         CHECK(kinetic_energies(pair.particles(), pair.sample()).sum() ==
               test::relative(before, 8.0 * epsilon));
         // Without a collision worth the name they part at the relative speed 1.
@@ -108,15 +108,15 @@ TEST_CASE("a disk at 1e-12 beside one at 1e6, each as if it were alone, until th
     const double slow = 1e-12, fast = 1e6, time = 0.1;
     Simulation apart =
         simulation_of(Box{2, {16.0, 16.0}, {}}, {{5.0, 4.0, slow, -slow}, {3.0, 9.0, fast, 0.0}});
-    const Passage passage = apart.advance_to(time);
+    const AdvanceResult advanced = apart.advance_to(time);
     const double way = 3.0 - 0.5 + fast * time;  // from the left wall, unfolded
-    CHECK(passage.counts.wall == static_cast<std::int64_t>(way / 15.0));
+    CHECK(advanced.counts.wall == static_cast<std::int64_t>(way / 15.0));
     const Eigen::ArrayXXd& x = apart.sample().position;
     CHECK(std::abs(x(0, 0) - (5.0 + slow * time)) <= 8.0 * epsilon);
     CHECK(std::abs(x(0, 1) - (4.0 - slow * time)) <= 8.0 * epsilon);
     const double turn = std::fmod(way, 30.0), place = 0.5 + (turn < 15.0 ? turn : 30.0 - turn);
     // Each bounce rounds the time, which counts 1e6 times, and a coordinate.
-    const double bounces = static_cast<double>(passage.counts.wall);
+    const double bounces = static_cast<double>(advanced.counts.wall);
     CHECK(std::abs(x(1, 0) - place) <= bounces * epsilon * (16.0 + fast * time));
 
     Simulation meeting =

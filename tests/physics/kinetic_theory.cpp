@@ -20,8 +20,8 @@ using namespace carom;
 
 namespace {
 
-double collisions_per_particle(const Passage& passage, double count) {
-    return 2.0 * static_cast<double>(passage.counts.particle) / count;
+double collisions_per_particle(const AdvanceResult& advanced, double count) {
+    return 2.0 * static_cast<double>(advanced.counts.particle) / count;
 }
 
 // The way of all disks from contact to contact, summed as the record of collisions tells it:
@@ -76,15 +76,15 @@ TEST_CASE("disks collide as often, and fly as far, as Enskog's theory says") {
         simulation.record_collisions(true);
         Ways ways(simulation.box(), simulation.sample().position);
         const double duration = packing > 0.45 ? 120.0 : 450.0;
-        const Passage passage = simulation.advance_to(duration);
-        for (const Collision& c : passage.collisions) {
+        const AdvanceResult advanced = simulation.advance_to(duration);
+        for (const Collision& c : advanced.collisions) {
             ways.add(c.first, c.first_position);
             ways.add(c.second, c.second_position);
         }
         const Eigen::ArrayXXd& end = simulation.sample().position;
         for (std::int32_t i = 0; i < count; ++i) ways.add(i, end.row(i).transpose());
 
-        const double collisions = 2.0 * static_cast<double>(passage.counts.particle);
+        const double collisions = 2.0 * static_cast<double>(advanced.counts.particle);
         const double temperature =
             kinetic_energies(simulation.particles(), simulation.sample()).sum() / (count - 1);
         // The number of some 1e6 collisions fluctuates by 0.11 %, as 30 seeds showed; corrections
@@ -130,9 +130,9 @@ TEST_CASE("a gas of points presses as much as it has energy, over the area") {
     const Eigen::Array2d momenta =
         (gas.sample().velocity.abs().colwise() / gas.particles().inverse_mass).colwise().sum();
     const double duration = 2000.0;
-    const Passage passage = gas.advance_to(duration);
-    CHECK(passage.counts.particle == 0);
-    const std::array<double, 4>& wall = passage.transfers.wall;
+    const AdvanceResult advanced = gas.advance_to(duration);
+    CHECK(advanced.counts.particle == 0);
+    const std::array<double, 4>& wall = advanced.impulses.wall;
     const Eigen::Array2d size = gas.box().size;
     const double doubt = (momenta * size).sum() / (2.0 * duration);
     CHECK(doubt < 2e-3 * energy);

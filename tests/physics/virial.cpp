@@ -1,6 +1,6 @@
 // The virial theorem in a box of equal disks, exact at every time with its boundary term: momentum
 // on the walls, virial of the collisions and change of sum p . r add up. Checks at once the
-// simulation's transfers and both pressures made of them.
+// simulation's impulses and both pressures made of them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -70,24 +70,24 @@ TEST_CASE("momentum on the walls, virial and boundary term add up at every time"
             const double begun = momentum_times_place(simulation, simulation.sample());
             for (const double time : {0.1, 1.0, 7.0, 50.0, 400.0}) {
                 CAPTURE(time);
-                const Transfers transfers = simulation.advance_to(time).transfers;
+                const ImpulseTotals impulses = simulation.advance_to(time).impulses;
                 const Sample& sample = simulation.sample();
                 const double energy = thermal_energy(box, simulation.particles(), sample);
                 double walls = 0.0;
                 for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
                     walls += (box.size[static_cast<Eigen::Index>(a)] - 2.0 * radius) * 0.5 *
-                             (transfers.wall[2 * a] + transfers.wall[2 * a + 1]);
+                             (impulses.wall[2 * a] + impulses.wall[2 * a + 1]);
                 const double boundary = momentum_times_place(simulation, sample) - begun;
-                const double gas = 2.0 * energy * time + transfers.virial - boundary;
+                const double gas = 2.0 * energy * time + impulses.virial - boundary;
                 // Round-off of some 1e5 terms
                 CHECK(walls == doctest::Approx(gas).epsilon(1e-11));
 
                 // In a square the same holds for the two pressures.
                 const double room =
                     dimension == 1 ? 20.0 - 2.0 * radius : 2.0 * 20.0 * (20.0 - 2.0 * radius);
-                const double by_walls = *wall_pressure(box, transfers, time);
+                const double by_walls = *wall_pressure(box, impulses, time);
                 const double by_virial =
-                    *virial_pressure(box, simulation.particles(), energy, transfers, time);
+                    *virial_pressure(box, simulation.particles(), energy, impulses, time);
                 CHECK(by_walls * room * time ==
                       doctest::Approx(by_virial * room * time - boundary).epsilon(1e-11));
             }
@@ -103,11 +103,11 @@ TEST_CASE("both pressures of a long run agree, whatever the radii and the sides 
     run.equilibrate = 50.0;
     Simulation simulation(gas, run);
     constexpr double time = 3000.0;
-    const Transfers transfers = simulation.advance_to(time).transfers;
+    const ImpulseTotals impulses = simulation.advance_to(time).impulses;
     const double energy = thermal_energy(gas.box, simulation.particles(), simulation.sample());
-    const double by_walls = *wall_pressure(gas.box, transfers, time);
+    const double by_walls = *wall_pressure(gas.box, impulses, time);
     const double by_virial =
-        *virial_pressure(gas.box, simulation.particles(), energy, transfers, time);
+        *virial_pressure(gas.box, simulation.particles(), energy, impulses, time);
     CAPTURE(by_walls);
     // 1e5 hits of the walls: a standard error of 0.3 %, and a mean radius in place of two
     CHECK(by_virial == relative(by_walls, 0.015));
@@ -124,10 +124,10 @@ TEST_CASE("the virial gives Henderson's equation of state") {
     run.equilibrate = 20.0;
     Simulation simulation(gas, run);
     constexpr double time = 600.0;
-    const Transfers transfers = simulation.advance_to(time).transfers;
+    const ImpulseTotals impulses = simulation.advance_to(time).impulses;
     const double energy = thermal_energy(gas.box, simulation.particles(), simulation.sample());
     const double pressure =
-        *virial_pressure(gas.box, simulation.particles(), energy, transfers, time);
+        *virial_pressure(gas.box, simulation.particles(), energy, impulses, time);
     // Henderson 1975: within 0.1 % at this packing
     const double z = (1.0 + packing * packing / 8.0) / ((1.0 - packing) * (1.0 - packing));
     // 1/N = 0.25 % from the conserved momentum, 0.2 % of 1e5 collisions
@@ -137,12 +137,12 @@ TEST_CASE("the virial gives Henderson's equation of state") {
 TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
     Simulation simulation = sixteen_beads(0.3);
     constexpr double time = 20000.0;
-    const Transfers transfers = simulation.advance_to(time).transfers;
+    const ImpulseTotals impulses = simulation.advance_to(time).impulses;
     const double energy =
         thermal_energy(simulation.box(), simulation.particles(), simulation.sample());
     const double exact = 2.0 * energy / (20.0 - 16 * 0.6);
     // 4e4 hits of each wall
-    CHECK(*wall_pressure(simulation.box(), transfers, time) == relative(exact, 0.02));
-    CHECK(*virial_pressure(simulation.box(), simulation.particles(), energy, transfers, time) ==
+    CHECK(*wall_pressure(simulation.box(), impulses, time) == relative(exact, 0.02));
+    CHECK(*virial_pressure(simulation.box(), simulation.particles(), energy, impulses, time) ==
           relative(exact, 0.02));
 }

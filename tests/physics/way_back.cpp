@@ -36,9 +36,9 @@ Run with_bits(Run run, int bits) {
 ReturnDistance between(const Gas& gas, const Run& run, double first, double second) {
     Simulation simulation(gas, run);
     simulation.advance_to(first);
-    const Whereabouts before = simulation.whereabouts();
+    const ExactPositions before = simulation.exact_positions();
     simulation.advance_to(second);
-    return return_distance(before, simulation.whereabouts());
+    return return_distance(before, simulation.exact_positions());
 }
 
 }  // namespace
@@ -48,20 +48,20 @@ TEST_CASE("with the bits that were found a gas comes home, event by event") {
         CAPTURE(packing);
         const Gas gas = test::equal_disks(packing, 49);
         const Run run = reversed_at({15.0}, 30.0);
-        const int bits = bits_to_come_home(gas, run);
+        const int bits = bits_for_return(gas, run);
         CHECK(bits % 64 == 0);
         CHECK(bits >= 128);
         CHECK(bits <= 320);
         Simulation simulation(gas, with_bits(run, bits));
         CHECK(simulation.bits() == bits);
-        const Whereabouts start = simulation.whereabouts();
+        const ExactPositions start = simulation.exact_positions();
         simulation.record_collisions(true);
         auto out = simulation.advance_to(15.0);
         const std::int64_t there = out.counts.particle;
-        const Passage back = simulation.advance_to(30.0);
+        const AdvanceResult back = simulation.advance_to(30.0);
         CHECK(there > 200);
         CHECK(back.counts.particle == 2 * there);
-        const ReturnDistance home = return_distance(start, simulation.whereabouts());
+        const ReturnDistance home = return_distance(start, simulation.exact_positions());
         CHECK(home.largest < 0.5e-9);
         CHECK(home.largest > 0.0);
         CHECK(home.root_mean_square <= home.largest);
@@ -73,7 +73,7 @@ TEST_CASE("trials tell how far they have come") {
     const Gas gas = test::equal_disks(0.3, 36);
     const Run run = reversed_at({5.0}, 10.0);
     std::vector<std::pair<int, double>> told;
-    const int bits = bits_to_come_home(
+    const int bits = bits_for_return(
         gas, run, [&](int trying, double time) { told.emplace_back(trying, time); });
     REQUIRE(told.size() > 20);
     CHECK(told.front().first == 53);
@@ -86,9 +86,9 @@ TEST_CASE("trials tell how far they have come") {
 TEST_CASE("a finer tolerance takes more bits") {
     const Gas gas = test::equal_disks(0.3, 36);
     Run run = reversed_at({5.0}, 10.0);
-    const int usual = bits_to_come_home(gas, run);
+    const int usual = bits_for_return(gas, run);
     run.tolerance = 1e-300;
-    const int fine = bits_to_come_home(gas, run);
+    const int fine = bits_for_return(gas, run);
     CHECK(fine >= usual + 900);
     const ReturnDistance home = between(gas, with_bits(run, fine), 0.0, 10.0);
     CHECK(home.log10_largest < -300.0);
@@ -101,7 +101,7 @@ TEST_CASE("home again after several reversals, and beyond the start") {
     const Gas gas = test::equal_disks(0.3, 36);
     // Out to 8, back to 3, out to 9, home at 9 + 15 and on into the time before the start, home.
     const Run run = reversed_at({8.0, 13.0, 19.0, 33.0}, 45.0);
-    const int bits = bits_to_come_home(gas, run);
+    const int bits = bits_for_return(gas, run);
     const Run certain = with_bits(run, bits);
     CHECK(between(gas, certain, 3.0, 13.0).largest < 0.5e-9);
     CHECK(between(gas, certain, 0.0, 28.0).largest < 0.5e-9);
@@ -114,7 +114,7 @@ TEST_CASE("times that have no double on the other side do not ask for bits witho
     const Gas gas = test::equal_disks(0.3, 16);
     Run run = reversed_at({1.1, 1.7, 2.9, 4.2}, 7.3);
     run.tolerance = 1e-60;
-    const int bits = bits_to_come_home(gas, run);
+    const int bits = bits_for_return(gas, run);
     CHECK(bits >= 256);
     CHECK(bits <= 512);
 }
@@ -128,7 +128,7 @@ TEST_CASE("mixtures, walls of all kinds and wires find their bits") {
         if (!wire && test::may_crush(gas)) continue;
         Run run = reversed_at({10.0}, 20.0);
         run.equilibrate = seed % 3 == 0 ? 2.0 : 0.0;
-        const int bits = bits_to_come_home(gas, run);
+        const int bits = bits_for_return(gas, run);
         double smallest = 1e9;
         const Particles particles = place(gas).first;
         smallest = particles.radius.minCoeff();
@@ -142,9 +142,9 @@ TEST_CASE("mixtures, walls of all kinds and wires find their bits") {
 TEST_CASE("no bits are needed where nothing turns round") {
     const Gas gas = test::equal_disks(0.3, 9);
     Run run = reversed_at({}, 10.0);
-    CHECK(bits_to_come_home(gas, run) == 53);
-    run.events.push_back({5.0, Nudge{2, {"1e-300", "0"}}});
-    const int bits = bits_to_come_home(gas, run);
+    CHECK(bits_for_return(gas, run) == 53);
+    run.events.push_back({5.0, Perturbation{2, {"1e-300", "0"}}});
+    const int bits = bits_for_return(gas, run);
     CHECK(bits >= 1000 + 64);
     CHECK(bits <= 1200);
 }
@@ -154,7 +154,7 @@ TEST_CASE("what cannot come home is refused with what to change") {
     const Run run = reversed_at({20'000.0}, 40'000.0);
     std::string message, hint;
     try {
-        bits_to_come_home(gas, run);
+        bits_for_return(gas, run);
     } catch (const PrecisionError& error) {
         message = error.what();
         hint = error.hint();
@@ -171,15 +171,15 @@ TEST_CASE("a nudge moves one particle by what it says, to the last digit") {
             CAPTURE(precise);
             Run run{.until = 10.0, .events = {}};
             run.bits = precise ? 1200 : 53;
-            run.events = {{2.0, Nudge{1, {precise ? "1e-300" : "0.001", "0"}}}};
+            run.events = {{2.0, Perturbation{1, {precise ? "1e-300" : "0.001", "0"}}}};
             const Box box{dimension, {20.0, 20.0}, {}};
             Simulation nudged = test::simulation_of(
                 box, {{5.0, 5.0, 0.0, 0.0}, {10.0, 5.0, 0.0, 0.0}, {15.0, 5.0, 0.0, 0.0}}, run);
-            const Whereabouts before = nudged.whereabouts();
+            const ExactPositions before = nudged.exact_positions();
             nudged.advance_to(1.9);
-            CHECK(return_distance(before, nudged.whereabouts()).largest == 0.0);
+            CHECK(return_distance(before, nudged.exact_positions()).largest == 0.0);
             nudged.advance_to(2.0);
-            const ReturnDistance moved = return_distance(before, nudged.whereabouts());
+            const ReturnDistance moved = return_distance(before, nudged.exact_positions());
             CHECK(moved.log10_largest == doctest::Approx(precise ? -300.0 : -3.0).epsilon(1e-12));
             if (!precise) CHECK(nudged.sample().position(1, 0) == 10.001);
         }
@@ -187,13 +187,14 @@ TEST_CASE("a nudge moves one particle by what it says, to the last digit") {
 }
 
 TEST_CASE("how far nudges move a gas: of one particle they add up") {
-    const Nudge right{2, {"3e-400", "0"}}, up{2, {"0", "4e-400"}}, other{5, {"0", "-12e-400"}};
+    const Perturbation right{2, {"3e-400", "0"}}, up{2, {"0", "4e-400"}},
+        other{5, {"0", "-12e-400"}};
     const ReturnDistance moved = moved_by({right, up, other}, 2);
     CHECK(moved.log10_largest == doctest::Approx(std::log10(12.0) - 400.0).epsilon(1e-12));
     CHECK(moved.log10_root_mean_square ==
           doctest::Approx(std::log10(13.0 / std::sqrt(2.0)) - 400.0).epsilon(1e-12));
-    CHECK(moved_by({Nudge{0, {"0.25", "0"}}}, 1).largest == 0.25);
-    CHECK(moved_by({Nudge{0, {"0.25", "0"}}}, 4).root_mean_square == 0.125);
+    CHECK(moved_by({Perturbation{0, {"0.25", "0"}}}, 1).largest == 0.25);
+    CHECK(moved_by({Perturbation{0, {"0.25", "0"}}}, 4).root_mean_square == 0.125);
     CHECK(moved_by({}, 4).log10_largest == -std::numeric_limits<double>::infinity());
 }
 
@@ -205,14 +206,14 @@ TEST_CASE("a nudge into another particle or a wall is refused") {
             const auto message = [&](const char* by, bool ring) {
                 Run run{.until = 10.0, .events = {}};
                 run.bits = bits;
-                run.events = {{2.0, ReverseVelocities{}}, {2.0, Nudge{1, {by, "0"}}}};
+                run.events = {{2.0, ReverseVelocities{}}, {2.0, Perturbation{1, {by, "0"}}}};
                 const Wall wall = ring ? Wall::periodic : Wall::solid;
                 Simulation nudged =
                     test::simulation_of(Box{dimension, {20.0, 20.0}, {wall, wall}},
                                         {{1.0, 5.0, 0.0, 0.0}, {18.0, 5.0, 0.0, 0.0}}, run);
                 try {
                     nudged.advance_to(3.0);
-                } catch (const NudgeError& error) {
+                } catch (const PerturbationError& error) {
                     CHECK(error.event() == 1);
                     return std::string(error.what());
                 }
@@ -250,10 +251,9 @@ TEST_CASE("trials of a precision tell how far they are, while they equilibrate t
     Run run = reversed_at({5.0}, 10.0);
     run.equilibrate = 400.0;
     std::map<int, std::pair<double, double>> times;  // the first and the last, by bits
-    const int bits =
-        bits_to_come_home(test::equal_disks(0.3, 49), run, [&](int tried, double time) {
-            times.emplace(tried, std::pair{time, time}).first->second.second = time;
-        });
+    const int bits = bits_for_return(test::equal_disks(0.3, 49), run, [&](int tried, double time) {
+        times.emplace(tried, std::pair{time, time}).first->second.second = time;
+    });
     REQUIRE(times.contains(bits));
     for (const auto& [tried, of_trial] : times) {
         CAPTURE(tried);

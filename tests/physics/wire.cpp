@@ -25,8 +25,8 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-std::int64_t collisions(const Passage& passage) {
-    return passage.counts.particle + passage.counts.wall;
+std::int64_t collisions(const AdvanceResult& advanced) {
+    return advanced.counts.particle + advanced.counts.wall;
 }
 
 double number(const nlohmann::json& value) {
@@ -89,8 +89,8 @@ TEST_CASE("two beads collide by the exact matrix") {
                 along_a_line(dimension, 200.0, 0.5,
                              in_order ? std::vector{first, second} : std::vector{second, first});
             // They meet after 0.5 / |u1 - u2|, and go 40 before a wall is near.
-            const Passage passage = pair.advance_to(1.0 / std::abs(u1 - u2));
-            CHECK(collisions(passage) == 1);
+            const AdvanceResult advanced = pair.advance_to(1.0 / std::abs(u1 - u2));
+            CHECK(collisions(advanced) == 1);
             const Eigen::ArrayXXd& v = pair.sample().velocity;
             const double size = std::abs(u1) + std::abs(u2);
             CHECK(std::abs(v(in_order ? 0 : 1, 0) - std::stod(row[6])) <= 4.0 * epsilon * size);
@@ -129,8 +129,8 @@ TEST_CASE("collision by collision, a bead between a wall and one of 1e15 times i
         Simulation gas =
             along_a_line(dimension, 100.0, 0.5, {{2.0, 0.0}, {4.0, -1.0, 1.0 / ratio}});
         gas.record_collisions(true);
-        const Passage passage = gas.advance_to(2.5 - 1.5e-5);
-        const double bounces = static_cast<double>(passage.counts.particle);
+        const AdvanceResult advanced = gas.advance_to(2.5 - 1.5e-5);
+        const double bounces = static_cast<double>(advanced.counts.particle);
         CHECK(bounces > 40'000.0);
         const double turned = 2.0 * bounces * std::atan(1.0 / std::sqrt(ratio));
         // Every collision rounds a velocity of some `speed` once or twice.
@@ -200,11 +200,12 @@ TEST_CASE("the force on the ends of a wire is twice the energy over the free len
             const double momentum_before = (mass * gas.sample().velocity.col(0)).sum();
             for (const double time : {0.5, 20.0, 2000.0}) {
                 CAPTURE(time);
-                const Passage passage = gas.advance_to(time);
-                const double right = passage.transfers.wall[1], left = passage.transfers.wall[0];
+                const AdvanceResult advanced = gas.advance_to(time);
+                const double right = advanced.impulses.wall[1], left = advanced.impulses.wall[0];
                 const double twice = 2.0 * energy * time;
                 // Each collision adds a rounded number.
-                const double rounding = epsilon * (16.0 + static_cast<double>(collisions(passage)));
+                const double rounding =
+                    epsilon * (16.0 + static_cast<double>(collisions(advanced)));
                 CHECK(std::abs(free * right - (twice - moment() + moment_before)) <=
                       rounding * (twice + most * length));
                 const double momentum = (mass * gas.sample().velocity.col(0)).sum();

@@ -341,9 +341,9 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
     CHECK(((simulation.sample().position - start.position).abs() < 1e-12).all());
     std::int64_t pairs = 0;
     for (double time = 5.0; pairs < 200'000; time += 5.0) {
-        const Passage passage = simulation.advance_to(time);
-        pairs = passage.counts.particle;
-        for (const Collision& c : passage.collisions) {
+        const AdvanceResult advanced = simulation.advance_to(time);
+        pairs = advanced.counts.particle;
+        for (const Collision& c : advanced.collisions) {
             if (c.second < 0) continue;
             const double distance =
                 std::sqrt((c.second_position - c.first_position).square().sum());

@@ -28,12 +28,12 @@ Measured measure(double packing, int count, double melt, double duration) {
     m.temperature =
         kinetic_energies(simulation.particles(), simulation.sample()).sum() / (count - 1);
     Eigen::ArrayXd z(blocks), rate(blocks);
-    Passage before{};
+    AdvanceResult before{};
     for (int k = 0; k < blocks; ++k) {
-        const Passage now = simulation.advance_to((k + 1) * duration / blocks);
+        const AdvanceResult now = simulation.advance_to((k + 1) * duration / blocks);
         const double per_disk = blocks / (duration * count);
-        z[k] = 1.0 +
-               (now.transfers.virial - before.transfers.virial) * per_disk / (2.0 * m.temperature);
+        z[k] =
+            1.0 + (now.impulses.virial - before.impulses.virial) * per_disk / (2.0 * m.temperature);
         rate[k] =
             2.0 * static_cast<double>(now.counts.particle - before.counts.particle) * per_disk;
         before = now;

@@ -32,16 +32,16 @@ int check_comes_home(const Gas& gas, double of_each) {
     run.until = 2.0 * out;
     run.events = {{out, ReverseVelocities{}}};
     run.bits = std::nullopt;
-    const int bits = bits_to_come_home(gas, run);
+    const int bits = bits_for_return(gas, run);
     run.bits = bits;
     Simulation simulation(gas, run);
-    const Whereabouts start = simulation.whereabouts();
+    const ExactPositions start = simulation.exact_positions();
     const CollisionCounts there = simulation.advance_to(out).counts;
     const CollisionCounts back = simulation.advance_to(2.0 * out).counts;
     CHECK(back.particle == 2 * there.particle);
     CHECK(back.wall == 2 * there.wall);
     const double radius = simulation.particles().radius.minCoeff();
-    CHECK(return_distance(start, simulation.whereabouts()).largest < 1e-9 * radius);
+    CHECK(return_distance(start, simulation.exact_positions()).largest < 1e-9 * radius);
     return bits;
 }
 

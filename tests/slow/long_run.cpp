@@ -44,8 +44,8 @@ void run_long(double clock) {
         disks.sample(time, now);
         REQUIRE(deepest_overlap(gas.box, now) < 1e-12);
     }
-    CAPTURE(disks.transfers().largest_overlap);
-    CHECK(disks.transfers().largest_overlap < 1e-12);
+    CAPTURE(disks.impulses().largest_overlap);
+    CHECK(disks.impulses().largest_overlap < 1e-12);
     const double error = kinetic_energies(particles, now).sum() / energy - 1.0;
     CAPTURE(error);
     CHECK(std::abs(error) < 1e-11);

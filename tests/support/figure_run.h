@@ -6,10 +6,11 @@
 namespace carom::test {
 
 inline FigureRun run_of(const Scene& scene, int threads = 1) {
-    return {
-        scene,
-        [](const Scene& one, const TimeTold& told) { return Simulation(one.gas, one.run, told); },
-        threads};
+    return {scene,
+            [](const Scene& one, const TimeCallback& on_progress) {
+                return Simulation(one.gas, one.run, on_progress);
+            },
+            threads};
 }
 
 }  // namespace carom::test

@@ -19,11 +19,11 @@ struct FirstFrame {
         : scene(std::move(loaded)),
           simulation(scene.gas, scene.run),
           observers(scene, simulation.particles(), simulation.sample()) {
-        const Passage passage = simulation.advance_to(0.0);
+        const AdvanceResult advanced = simulation.advance_to(0.0);
         const Tick tick{};
-        observers.survey(tick, simulation.sample(), passage);
+        observers.survey(tick, simulation.sample(), advanced);
         observers.settle();
-        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        const FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);
         painter = std::make_unique<FramePainter>(scene, observers);
         view = painter->paint(frame).pixels();
     }

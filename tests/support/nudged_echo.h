@@ -35,21 +35,21 @@ inline double collisions_until_astray(double packing, const std::string& by, dou
     Run plain{.until = 1e9, .equilibrate = 1.0, .events = {}};
     plain.bits = 1024;
     Simulation way_out(gas, plain);
-    std::vector<Whereabouts> mirror;
+    std::vector<ExactPositions> mirror;
     double out = 0.0;
     while (true) {
-        const Passage passage = way_out.advance_to(out);
-        if (2.0 * static_cast<double>(passage.counts.particle) / count >= most) break;
-        mirror.push_back(way_out.whereabouts());
+        const AdvanceResult advanced = way_out.advance_to(out);
+        if (2.0 * static_cast<double>(advanced.counts.particle) / count >= most) break;
+        mirror.push_back(way_out.exact_positions());
         out += step;
     }
     Run run = plain;
-    run.events = {{out, ReverseVelocities{}}, {out, Nudge{7, {by, "0"}}}};
+    run.events = {{out, ReverseVelocities{}}, {out, Perturbation{7, {by, "0"}}}};
     Simulation back(gas, run);
     const std::int64_t there = back.advance_to(out).counts.particle;
     for (double time = out + step; !mirror.empty(); time += step) {
         const std::int64_t now = back.advance_to(time).counts.particle;
-        if (return_distance(mirror.back(), back.whereabouts()).largest > 0.5)
+        if (return_distance(mirror.back(), back.exact_positions()).largest > 0.5)
             return 2.0 * static_cast<double>(now - there) / count;
         mirror.pop_back();
     }

@@ -27,15 +27,15 @@ struct Shot {
         std::vector<Tick> ticks = timeline(scene);
         survey.record_collisions(observers->surveys_collisions());
         for (const Tick& tick : ticks) {
-            const Passage passage = survey.advance_to(tick.time);
-            observers->survey(tick, survey.sample(), passage);
+            const AdvanceResult advanced = survey.advance_to(tick.time);
+            observers->survey(tick, survey.sample(), advanced);
         }
         observers->settle();
         ticks.resize(std::min(ticks.size(), most));
         simulation.record_collisions(observers->wants_collisions());
         for (const Tick& tick : ticks) {
-            const Passage passage = simulation.advance_to(tick.time);
-            frames.push_back(observers->frame_data(tick, simulation.sample(), passage));
+            const AdvanceResult advanced = simulation.advance_to(tick.time);
+            frames.push_back(observers->frame_data(tick, simulation.sample(), advanced));
         }
     }
 };

@@ -73,7 +73,7 @@ std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
     throw std::logic_error("no such format of figures: " + format);
 }
 
-RunsTold shown_runs(const Scene& scene, Progress& progress) {
+RunsCallbacks shown_runs(const Scene& scene, Progress& progress) {
     return {
         .trial = shown_trials(scene, progress),
         .begin = [&](double time) { progress.begin("simulating", time, "time units"); },
@@ -234,8 +234,8 @@ class Maker {
         if (due.empty()) return;
         report_.made += static_cast<int>(due.size());
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const Fresh fresh = [](const Scene& scene, const TimeTold& told) {
-            return simulate(scene, told);
+        const Fresh fresh = [](const Scene& scene, const TimeCallback& on_progress) {
+            return simulate(scene, on_progress);
         };
         const FigureRun run(part.scene, fresh, options_.threads, shown_runs(part.scene, progress));
         progress.begin("drawing", static_cast<double>(due.size()), "figures");

@@ -83,7 +83,8 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
     for (const RunEvent& event : scene.run.events)
-        if (const auto* nudge = std::get_if<Nudge>(&event.action); nudge && event.at >= begins)
+        if (const auto* nudge = std::get_if<Perturbation>(&event.action);
+            nudge && event.at >= begins)
             if (const auto frame = shown_from(event.at))
                 at(*frame).nudges.push_back(words_of(*nudge));
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
@@ -106,11 +107,11 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
 }
 
 void look(Moment& moment, const Scene& scene, Simulation& simulation) {
-    const Passage passage = simulation.advance_to(moment.time);
+    const AdvanceResult advanced = simulation.advance_to(moment.time);
     const Sample& sample = simulation.sample();
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(simulation.particles(), sample);
-    moment.collisions = passage.counts.particle;
+    moment.collisions = advanced.counts.particle;
     moment.mean_speed = speed.mean();
     moment.mean_energy = energy.mean();
     moment.shares = class_shares(speed, moment.mean_speed);

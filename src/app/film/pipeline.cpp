@@ -57,9 +57,9 @@ void survey(const std::vector<Tick>& ticks, Simulation simulation,
         all, [](const Observers* observers) { return observers->surveys_collisions(); }));
     for (const Tick& tick : ticks) {
         throw_if_interrupted();
-        const Passage passage = simulation.advance_to(tick.time);
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
         const Sample sample = simulation.sample();
-        for (Observers* observers : all) observers->survey(tick, sample, passage);
+        for (Observers* observers : all) observers->survey(tick, sample, advanced);
         progress.advance();
     }
     for (Observers* observers : all) observers->settle();
@@ -76,8 +76,8 @@ void show_previews(const Scene& scene, const std::vector<Tick>& ticks, const Fra
     int shown = 0;
     for (const Tick& tick : std::span(ticks).first(static_cast<std::size_t>(span.end))) {
         throw_if_interrupted();
-        const Passage passage = simulation.advance_to(tick.time);
-        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        const FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);
         const int next = span.first + (span.frames() - 1) * shown / std::max(1, wanted - 1);
         if (tick.frame == next && shown < wanted) {
             writer.preview(painter.paint(frame));
@@ -131,9 +131,9 @@ RenderReport render(const Scene& asked, const RenderOptions& options, Progress& 
                            options.threads, *writer, progress);
     for (const Tick& tick : std::span(ticks).first(static_cast<std::size_t>(span.end))) {
         throw_if_interrupted();
-        const Passage passage = simulation.advance_to(tick.time);
-        report.collisions = passage.counts;
-        FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        report.collisions = advanced.counts;
+        FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);
         if (tick.frame >= span.first) workers.frame(std::move(frame));
     }
     report.simulate_seconds = seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_begun;
@@ -163,8 +163,8 @@ Canvas draw_still(const Scene& asked, double at, std::string_view format, Progre
     FrameData frame;
     for (std::size_t i = 0; i <= nearest; ++i) {
         throw_if_interrupted();
-        const Passage passage = simulation.advance_to(ticks[i].time);
-        frame = observers.frame_data(ticks[i], simulation.sample(), passage);
+        const AdvanceResult advanced = simulation.advance_to(ticks[i].time);
+        frame = observers.frame_data(ticks[i], simulation.sample(), advanced);
         progress.advance();
     }
     progress.finish();

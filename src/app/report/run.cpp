@@ -8,7 +8,7 @@
 
 #include "app/simulate.h"
 #include "panels/precision.h"
-#include "stats/homecoming.h"
+#include "physics/exact_positions.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -44,7 +44,7 @@ class ReversalWatch {
                          [](const Mark& a, const Mark& b) { return a.time < b.time; });
         if (reports_.empty()) return;
         if (simulation.bits() > bits_of_double)
-            start_in_full_ = simulation.whereabouts();
+            start_in_full_ = simulation.exact_positions();
         else
             start_ = simulation.sample();
     }
@@ -90,12 +90,12 @@ class ReversalWatch {
     }
 
     ReturnDistance distance_from_start(Simulation& simulation) const {
-        if (start_in_full_) return return_distance(*start_in_full_, simulation.whereabouts());
+        if (start_in_full_) return return_distance(*start_in_full_, simulation.exact_positions());
         return return_distance(simulation.box(), start_, simulation.sample());
     }
 
     Sample start_;  ///< as doubles have it, or
-    std::optional<Whereabouts> start_in_full_;
+    std::optional<ExactPositions> start_in_full_;
     std::vector<Mark> marks_;
     std::vector<ReversalReport> reports_;
     std::size_t next_ = 0;
@@ -128,8 +128,8 @@ class Course {
         return {simulation_.particles().count(),
                 simulation_.bits(),
                 samples,
-                statistics_.summary(passage_),
-                passage_.counts,
+                statistics_.summary(advanced_),
+                advanced_.counts,
                 reversals_.reports(),
                 seconds_};
     }
@@ -151,16 +151,16 @@ class Course {
     void go_on_to(double time) {
         while (now_ < time) {
             advance_to(std::min({time, reversals_.next_time(), now_ + stretch_}));
-            if (now_ == reversals_.next_time()) reversals_.look(simulation_, passage_.counts);
+            if (now_ == reversals_.next_time()) reversals_.look(simulation_, advanced_.counts);
         }
     }
 
     void advance_to(double time) {
         throw_if_interrupted();
         const Stopwatch watch(seconds_.simulate);
-        const std::int64_t before = events(passage_.counts);
-        passage_ = simulation_.advance_to(time);
-        adapt_stretch(events(passage_.counts) - before, time - now_);
+        const std::int64_t before = events(advanced_.counts);
+        advanced_ = simulation_.advance_to(time);
+        adapt_stretch(events(advanced_.counts) - before, time - now_);
         now_ = time;
         progress_.reach(now_);
     }
@@ -180,7 +180,7 @@ class Course {
     RunStatistics statistics_;
     ReversalWatch reversals_;
     Progress& progress_;
-    Passage passage_;
+    AdvanceResult advanced_;
     double now_ = 0.0;
     double stretch_;  ///< simulated time of at most some events_in_a_stretch
 };

@@ -78,7 +78,7 @@ void MeetingWatch::meet(const Collision& collision) {
 
 void MeetingWatch::survey(const Observation& observation) {
     if (is_over_) return;
-    for (const Collision& collision : observation.passage.collisions) {
+    for (const Collision& collision : observation.advanced.collisions) {
         const auto is_one_of_them = [&](Eigen::Index i) {
             return i == collision.first || i == collision.second;
         };

@@ -29,7 +29,7 @@ WalkWatch::WalkWatch(const Cast& cast, const PanelSpec& spec) : cast_(cast), spe
 
 void WalkWatch::survey(const Observation& observation) {
     if (start_.size() == 0) start_ = observation.sample.velocity.col(0);
-    for (const Collision& collision : observation.passage.collisions) {
+    for (const Collision& collision : observation.advanced.collisions) {
         if (!pair_ && collision.second < 0) {
             early_.push_back(collision);
             continue;

@@ -19,7 +19,7 @@ double bytes_of(int bits) { return bits > bits_of_double ? 64.0 + bits / 8.0 : 8
 
 }  // namespace
 
-WayHome::WayHome(const Cast& cast)
+EchoRecord::EchoRecord(const Cast& cast)
     : cast_(cast),
       reversals_(reversal_times(cast.scene.run)),
       bits_per_collision_(bits_lost_per_collision(cast.scene.gas.box, cast.particles)) {
@@ -30,13 +30,13 @@ WayHome::WayHome(const Cast& cast)
     stride_ = std::max(1, static_cast<int>(std::ceil(bytes * cast.frames / most_kept)));
 }
 
-void WayHome::survey(const Observation& observation) {
+void EchoRecord::survey(const Observation& observation) {
     const double time = observation.tick.time;
     const auto passed = std::ranges::upper_bound(reversals_, time) - reversals_.begin();
     if (passed == 0) return;
     const auto reversal = static_cast<std::size_t>(passed) - 1;
     const double since = time - reversals_[reversal];
-    const std::int64_t collisions = observation.passage.counts.particle;
+    const std::int64_t collisions = observation.advanced.counts.particle;
     while (collisions_until_.size() <= reversal) collisions_until_.push_back(collisions);
     const bool stands_still =
         !steps_.empty() && steps_.back().reversal == reversal && steps_.back().since == since;
@@ -55,7 +55,7 @@ void WayHome::survey(const Observation& observation) {
 }
 
 // Both ways once more, to compare all bits: samples have no more than those of a double.
-void WayHome::compare_in_full() {
+void EchoRecord::compare_in_full() {
     struct Moment {
         double time;
         bool is_back;
@@ -71,48 +71,49 @@ void WayHome::compare_in_full() {
         return a.time != b.time ? a.time < b.time : a.is_back < b.is_back;
     });
     Simulation both_ways(cast_.scene.gas, cast_.scene.run);
-    std::map<std::size_t, Whereabouts> out;
+    std::map<std::size_t, ExactPositions> out;
     for (const Moment& moment : moments) {
         throw_if_interrupted();
         both_ways.advance_to(moment.time);
         if (!moment.is_back) {
-            out.emplace(moment.step, both_ways.whereabouts());
+            out.emplace(moment.step, both_ways.exact_positions());
             continue;
         }
         const auto mirror = out.find(moment.step);
-        steps_[moment.step].apart = return_distance(mirror->second, both_ways.whereabouts());
+        steps_[moment.step].apart = return_distance(mirror->second, both_ways.exact_positions());
         out.erase(mirror);
     }
 }
 
-void WayHome::settle() {
+void EchoRecord::settle() {
     if (in_full_)
         compare_in_full();
     else
         compare();
-    begin_at_nudges();
+    begin_at_perturbations();
     apply_law();
 }
 
-std::vector<Nudge> WayHome::nudges_at(double time) const {
-    std::vector<Nudge> nudges;
+std::vector<Perturbation> EchoRecord::perturbations_at(double time) const {
+    std::vector<Perturbation> perturbations;
     for (const RunEvent& event : cast_.scene.run.events)
-        if (const auto* nudge = std::get_if<Nudge>(&event.action); nudge && event.at == time)
-            nudges.push_back(*nudge);
-    return nudges;
+        if (const auto* perturbation = std::get_if<Perturbation>(&event.action);
+            perturbation && event.at == time)
+            perturbations.push_back(*perturbation);
+    return perturbations;
 }
 
-// At the instant of a reversal both ways are one state, but for the nudges of that instant.
-void WayHome::begin_at_nudges() {
+// At the instant of a reversal both ways are one state, but for the perturbations of that instant.
+void EchoRecord::begin_at_perturbations() {
     for (Step& step : steps_) {
         if (!step.is_known || step.since > 0.0) continue;
-        const std::vector<Nudge> nudges = nudges_at(reversals_[step.reversal]);
-        if (!nudges.empty()) step.apart = moved_by(nudges, cast_.particles.count());
+        const std::vector<Perturbation> perturbations = perturbations_at(reversals_[step.reversal]);
+        if (!perturbations.empty()) step.apart = moved_by(perturbations, cast_.particles.count());
     }
 }
 
-// From the round-off of coordinates as large as the box, and from the nudges.
-void WayHome::apply_law() {
+// From the round-off of coordinates as large as the box, and from the perturbations.
+void EchoRecord::apply_law() {
     if (!bits_per_collision_) return;
     const double digits = std::log10(2.0);
     const int bits = cast_.scene.run.bits.value_or(bits_of_double);
@@ -128,17 +129,17 @@ void WayHome::apply_law() {
         law += (step.collisions - collisions) * *bits_per_collision_ * digits;
         collisions = step.collisions;
         for (const RunEvent& event : cast_.scene.run.events) {
-            const auto* nudge = std::get_if<Nudge>(&event.action);
+            const auto* perturbation = std::get_if<Perturbation>(&event.action);
             const double since = event.at - reversals_[step.reversal];
-            if (nudge && since > before && since >= 0.0 && since <= step.since)
-                law = std::max(law, moved_by({*nudge}, 1).log10_largest);
+            if (perturbation && since > before && since >= 0.0 && since <= step.since)
+                law = std::max(law, moved_by({*perturbation}, 1).log10_largest);
         }
         before = step.since;
         step.log10_law = law;
     }
 }
 
-void WayHome::compare() {
+void EchoRecord::compare() {
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < steps_.size(); ++k)
         if (steps_[k].is_known) order.push_back(k);
@@ -153,12 +154,12 @@ void WayHome::compare() {
     kept_ = {};
 }
 
-std::size_t WayHome::shown(int frame) const {
+std::size_t EchoRecord::shown(int frame) const {
     return static_cast<std::size_t>(std::ranges::upper_bound(steps_, frame, {}, &Step::frame) -
                                     steps_.begin());
 }
 
-std::optional<ReturnDistance> WayHome::at(int frame) const {
+std::optional<ReturnDistance> EchoRecord::at(int frame) const {
     const std::size_t count = shown(frame);
     if (count == 0 || !steps_[count - 1].is_known) return std::nullopt;
     return steps_[count - 1].apart;

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "panels/panel.h"
-#include "stats/homecoming.h"
+#include "physics/exact_positions.h"
 
 namespace carom {
 
-class WayHome {
+class EchoRecord {
   public:
     /// One comparison; it holds until the next.
     struct Step {
@@ -28,7 +28,7 @@ class WayHome {
                                                                       ///< where there is a law
     };
 
-    explicit WayHome(const Cast& cast);
+    explicit EchoRecord(const Cast& cast);
 
     /// First pass, every frame in order: keeps where the particles are after a reversal, of as many
     /// frames as memory allows.
@@ -57,9 +57,9 @@ class WayHome {
   private:
     void compare();
     void compare_in_full();
-    void begin_at_nudges();
+    void begin_at_perturbations();
     void apply_law();
-    std::vector<Nudge> nudges_at(double time) const;
+    std::vector<Perturbation> perturbations_at(double time) const;
 
     Cast cast_;
     bool in_full_ = false;  ///< numbers have more bits than samples

@@ -18,24 +18,24 @@ const char* ReturnDistancePanel::name_of(Line line) {
     return line == Line::largest ? "largest" : "root mean square";
 }
 
-double ReturnDistancePanel::value_of(const WayHome::Step& step, Line line) {
+double ReturnDistancePanel::value_of(const EchoRecord::Step& step, Line line) {
     return line == Line::largest ? step.apart.largest : step.apart.root_mean_square;
 }
 
 // -infinity for 0; finite also where the value is too small for a double.
-double ReturnDistancePanel::log_of(const WayHome::Step& step, Line line) {
+double ReturnDistancePanel::log_of(const EchoRecord::Step& step, Line line) {
     return line == Line::largest ? step.apart.log10_largest : step.apart.log10_root_mean_square;
 }
 
 ReturnDistancePanel::ReturnDistancePanel(const Cast& cast, const PanelSpec& spec)
-    : cast_(cast), spec_(spec), way_home_(cast) {}
+    : cast_(cast), spec_(spec), echo_(cast) {}
 
 std::vector<ReturnDistancePanel::Line> ReturnDistancePanel::lines() const {
     if (compares()) return {Line::largest};
     return {Line::largest, Line::root_mean_square};
 }
 
-double ReturnDistancePanel::along(const WayHome::Step& step) const {
+double ReturnDistancePanel::along(const EchoRecord::Step& step) const {
     return spec_.against_collisions ? step.collisions : step.since;
 }
 
@@ -48,7 +48,7 @@ double ReturnDistancePanel::radius() const {
 ReturnDistancePanel::Steps ReturnDistancePanel::way_back(const ReturnDistancePanel& run,
                                                          std::size_t reversal) const {
     const auto found =
-        std::ranges::equal_range(run.way_home_.steps(), reversal, {}, &WayHome::Step::reversal);
+        std::ranges::equal_range(run.echo_.steps(), reversal, {}, &EchoRecord::Step::reversal);
     return {found.begin(), found.end()};
 }
 
@@ -56,9 +56,9 @@ ReturnDistancePanel::Steps ReturnDistancePanel::way_back(const ReturnDistancePan
 std::vector<ReturnDistancePanel::LawPoint> ReturnDistancePanel::law(const ReturnDistancePanel& run,
                                                                     std::size_t reversal) const {
     std::vector<LawPoint> points;
-    if (!spec_.theory || !run.way_home_.bits_per_collision()) return points;
+    if (!spec_.theory || !run.echo_.bits_per_collision()) return points;
     const double end = std::log10(run.radius());
-    for (const WayHome::Step& step : way_back(run, reversal)) {
+    for (const EchoRecord::Step& step : way_back(run, reversal)) {
         if (!step.is_known) break;
         points.push_back({step, along(step), step.log10_law});
         if (step.log10_law < end) continue;
@@ -81,7 +81,7 @@ bool ReturnDistancePanel::has_law() const {
 }
 
 void ReturnDistancePanel::settle() {
-    way_home_.settle();
+    echo_.settle();
     fix_axes();
 }
 
@@ -90,7 +90,7 @@ void ReturnDistancePanel::settle_beside(const std::vector<Panel*>& others,
     names_ = names;
     runs_.clear();
     for (ReturnDistancePanel* run : runs_of(*this, others)) {
-        run->way_home_.settle();
+        run->echo_.settle();
         runs_.push_back(run);
     }
     fix_axes();
@@ -102,14 +102,14 @@ void ReturnDistancePanel::fix_axes() {
     double least = infinity, most = -infinity, last = 0.0;  // powers of ten, and a place
     for (const ReturnDistancePanel* run : runs_) {
         if (const double size = run->radius(); size > 0.0) most = std::max(most, std::log10(size));
-        for (const WayHome::Step& step : run->way_home_.steps()) {
+        for (const EchoRecord::Step& step : run->echo_.steps()) {
             if (!step.is_known) continue;
             last = std::max(last, along(step));
             most = std::max(most, step.apart.log10_largest);
             for (const Line line : lines())
                 if (std::isfinite(log_of(step, line))) least = std::min(least, log_of(step, line));
         }
-        for (std::size_t k = 0; k < run->way_home_.reversals().size(); ++k)
+        for (std::size_t k = 0; k < run->echo_.reversals().size(); ++k)
             for (const LawPoint& point : law(*run, k))
                 least = std::min(least, point.log10_distance);
     }
@@ -121,7 +121,7 @@ void ReturnDistancePanel::fix_axes() {
 
 std::shared_ptr<const PanelState> ReturnDistancePanel::state(const Observation& observation) {
     auto state = std::make_shared<ReturnDistanceState>();
-    state->shown = {way_home_.shown(observation.tick.frame)};
+    state->shown = {echo_.shown(observation.tick.frame)};
     return state;
 }
 
@@ -132,10 +132,10 @@ std::shared_ptr<const PanelState> ReturnDistancePanel::beside(
 
 // Whether, and when, the way back of the last reversal has left the way out.
 std::string ReturnDistancePanel::told_of(const ReturnDistancePanel& run, std::size_t shown) const {
-    const std::vector<WayHome::Step>& steps = run.way_home_.steps();
-    const WayHome::Step* last = nullptr;
+    const std::vector<EchoRecord::Step>& steps = run.echo_.steps();
+    const EchoRecord::Step* last = nullptr;
     for (std::size_t k = 0; k < shown; ++k) {
-        const WayHome::Step& step = steps[k];
+        const EchoRecord::Step& step = steps[k];
         if (step.reversal != steps[shown - 1].reversal || !step.is_known) continue;
         last = &step;
         if (run.radius() > 0.0 && step.apart.log10_largest > std::log10(run.radius()))
@@ -165,9 +165,9 @@ std::string ReturnDistancePanel::account(const PanelState& state) const {
 // The same for all runs, or there is no law to name.
 std::string ReturnDistancePanel::finding(const PanelState&) const {
     if (!has_law()) return "";
-    const double bits = *way_home_.bits_per_collision();
+    const double bits = *echo_.bits_per_collision();
     for (const ReturnDistancePanel* run : runs_)
-        if (run->way_home_.bits_per_collision() != bits) return "";
+        if (run->echo_.bits_per_collision() != bits) return "";
     return fmt::format(
         "The growth law: distances double {} times with each collision of a particle.",
         three_digits(bits));
@@ -181,14 +181,14 @@ Table ReturnDistancePanel::table_of(const ReturnDistancePanel& run, std::size_t 
     const auto logarithm = [](double value) { return std::isfinite(value) ? Cell{value} : Cell{}; };
     for (const Line line : lines())
         for (std::size_t k = 0; k < shown; ++k) {
-            const WayHome::Step& step = run.way_home_.steps()[k];
+            const EchoRecord::Step& step = run.echo_.steps()[k];
             if (step.is_known)
                 table.rows.push_back({"line", name_of(line),
                                       static_cast<std::int64_t>(step.reversal) + 1, step.since,
                                       value_of(step, line), step.collisions,
                                       logarithm(log_of(step, line))});
         }
-    for (std::size_t k = 0; k < run.way_home_.reversals().size(); ++k)
+    for (std::size_t k = 0; k < run.echo_.reversals().size(); ++k)
         for (const LawPoint& point : law(run, k))
             table.rows.push_back({"curve", "growth law", static_cast<std::int64_t>(k) + 1,
                                   point.step.since, std::pow(10.0, point.log10_distance),

@@ -19,7 +19,7 @@ class ReturnDistancePanel : public Panel {
   public:
     ReturnDistancePanel(const Cast& cast, const PanelSpec& spec);
 
-    void survey(const Observation& observation) override { way_home_.survey(observation); }
+    void survey(const Observation& observation) override { echo_.survey(observation); }
     void settle() override;
     void settle_beside(const std::vector<Panel*>& others,
                        const std::vector<std::string>& names) override;
@@ -36,10 +36,10 @@ class ReturnDistancePanel : public Panel {
   private:
     enum class Line { largest, root_mean_square };
     static const char* name_of(Line line);
-    static double value_of(const WayHome::Step& step, Line line);
-    static double log_of(const WayHome::Step& step, Line line);
+    static double value_of(const EchoRecord::Step& step, Line line);
+    static double log_of(const EchoRecord::Step& step, Line line);
 
-    using Steps = std::span<const WayHome::Step>;
+    using Steps = std::span<const EchoRecord::Step>;
     struct Scales;
     /// How a line is drawn.
     struct Look {
@@ -48,13 +48,13 @@ class ReturnDistancePanel : public Panel {
     };
     /// A place on the growth law.
     struct LawPoint {
-        WayHome::Step step;
+        EchoRecord::Step step;
         double along, log10_distance;
     };
 
     bool compares() const { return !names_.empty(); }
     std::vector<Line> lines() const;
-    double along(const WayHome::Step& step) const;
+    double along(const EchoRecord::Step& step) const;
     double radius() const;
     Steps way_back(const ReturnDistancePanel& run, std::size_t reversal) const;
     std::vector<LawPoint> law(const ReturnDistancePanel& run, std::size_t reversal) const;
@@ -82,7 +82,7 @@ class ReturnDistancePanel : public Panel {
 
     Cast cast_;
     PanelSpec spec_;
-    WayHome way_home_;
+    EchoRecord echo_;
     std::vector<const ReturnDistancePanel*> runs_{this};  // this one, then those beside it
     std::vector<std::string> names_;                      // of runs side by side; or none
     double low_ = -16.0, high_ = 0.0;                     // powers of ten

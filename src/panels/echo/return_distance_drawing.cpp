@@ -169,15 +169,15 @@ void ReturnDistancePanel::draw_level(Canvas& canvas, const Page& page) const {
 bool ReturnDistancePanel::is_crossed(const Rect& part, const Page& page) const {
     const Scales s = scales(page);
     for (const ReturnDistancePanel* run : runs_) {
-        const Steps steps = run->way_home_.steps();
+        const Steps steps = run->echo_.steps();
         for (std::size_t i = 1; i < steps.size(); ++i) {
             if (!steps[i].is_known || steps[i].reversal != steps[i - 1].reversal) continue;
-            const auto at = [&](const WayHome::Step& step) {
+            const auto at = [&](const EchoRecord::Step& step) {
                 return Point{s.x(along(step)), s.height(log_of(step, Line::largest))};
             };
             if (meets(part, at(steps[i - 1]), at(steps[i]))) return true;
         }
-        for (std::size_t reversal = 0; reversal < run->way_home_.reversals().size(); ++reversal) {
+        for (std::size_t reversal = 0; reversal < run->echo_.reversals().size(); ++reversal) {
             const std::vector<LawPoint> points = law(*run, reversal);
             for (std::size_t i = 1; i < points.size(); ++i)
                 if (meets(part, {s.x(points[i - 1].along), s.height(points[i - 1].log10_distance)},
@@ -189,11 +189,11 @@ bool ReturnDistancePanel::is_crossed(const Rect& part, const Page& page) const {
 }
 
 void ReturnDistancePanel::draw_home(Canvas& canvas, const Page& page) const {
-    if (way_home_.reversals().empty()) return;
-    const double home = way_home_.reversals().front() * (1.0 - 1e-9);
+    if (echo_.reversals().empty()) return;
+    const double home = echo_.reversals().front() * (1.0 - 1e-9);
     const Steps way = way_back(*this, 0);
     const auto there = std::ranges::find_if(
-        way, [&](const WayHome::Step& step) { return step.is_known && step.since >= home; });
+        way, [&](const EchoRecord::Step& step) { return step.is_known && step.since >= home; });
     if (there == way.end()) return;
     const Scales s = scales(page);
     const double u = page.unit;
@@ -230,7 +230,7 @@ void ReturnDistancePanel::draw_way(Canvas& canvas, const Page& page, Steps steps
     };
     Point last{}, mark{-1e9, -1e9};
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        const WayHome::Step& step = steps[k];
+        const EchoRecord::Step& step = steps[k];
         if (!step.is_known) break;
         last = {s.x(along(step)), s.height(log_of(step, line))};
         if (std::isfinite(log_of(step, line))) {
@@ -254,7 +254,7 @@ void ReturnDistancePanel::draw_start(Canvas& canvas, const Page& page) const {
     Point middle{s.area.x + s.area.width / 2, 0.5 * (s.area.y + s.y.from) + 0.35 * page.unit};
     const double level = level_baseline(page);  // whose words are not to be touched
     if (std::abs(middle.y - level) < 1.5 * page.unit) middle.y = level + 1.5 * page.unit;
-    const std::string begins = "begins at time " + three_digits(way_home_.reversals().front());
+    const std::string begins = "begins at time " + three_digits(echo_.reversals().front());
     const std::string whole = begins + ", when all turn round";
     const bool fits = measure_text(whole, style).width <= s.area.width;
     style.max_width = s.area.width;
@@ -265,11 +265,11 @@ void ReturnDistancePanel::draw_run(Canvas& canvas, const Page& page, std::size_t
                                    std::size_t shown) const {
     if (shown == 0) return;
     const ReturnDistancePanel& one = *runs_[run];
-    const Steps all = Steps(one.way_home_.steps()).first(shown);
+    const Steps all = Steps(one.echo_.steps()).first(shown);
     const std::size_t present = all.back().reversal;
     draw_law(canvas, page, one, present);
     for (std::size_t reversal = 0; reversal <= present; ++reversal) {
-        const auto way = std::ranges::equal_range(all, reversal, {}, &WayHome::Step::reversal);
+        const auto way = std::ranges::equal_range(all, reversal, {}, &EchoRecord::Step::reversal);
         for (const Line line : {Line::root_mean_square, Line::largest})
             if (!compares() || line == Line::largest)
                 draw_way(canvas, page, {way.begin(), way.end()}, line, look(line, run, page),

@@ -51,7 +51,7 @@ void Flashes::survey(const Observation& observation,
         low_ = leg_low_;
         high_ = leg_high_;
     }
-    for (const Collision& collision : observation.passage.collisions) {
+    for (const Collision& collision : observation.advanced.collisions) {
         if (collision.second < 0) continue;  // a wall
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;

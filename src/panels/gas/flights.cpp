@@ -27,7 +27,7 @@ std::vector<Flights::Corner> Flights::see(const Observation& observation) {
     const auto is_followed = [&](std::int32_t particle) {
         return std::ranges::find(particles_, particle) != particles_.end();
     };
-    for (const Collision& collision : observation.passage.collisions) {
+    for (const Collision& collision : observation.advanced.collisions) {
         if (last_.place.empty()) break;  // there is no frame before
         if (!is_followed(collision.first) && !is_followed(collision.second)) continue;
         Corner corner{collision.time, last_.place, last_.after, last_.after};
@@ -47,11 +47,11 @@ std::vector<Flights::Corner> Flights::see(const Observation& observation) {
         now.after.push_back(observation.sample.velocity(i, axis_));
     }
     now.before = now.after;
-    if (observation.passage.reversals != reversals_) {
+    if (observation.advanced.reversals != reversals_) {
         if (!last_.place.empty()) now.before = last_.after;
         corners.push_back(now);
     }
-    reversals_ = observation.passage.reversals;
+    reversals_ = observation.advanced.reversals;
     last_ = std::move(now);
     return corners;
 }

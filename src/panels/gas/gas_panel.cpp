@@ -65,7 +65,7 @@ void GasPanel::extend_trails(const Observation& observation) {
     for (std::size_t k = 0; k < chosen_.size(); ++k) {
         std::deque<TrailPoint>& trail = trails_[k];
         const auto particle = static_cast<std::int32_t>(chosen_[k].particle);
-        for (const Collision& collision : observation.passage.collisions) {
+        for (const Collision& collision : observation.advanced.collisions) {
             if (collision.first != particle && collision.second != particle) continue;
             const Eigen::Array2d& at =
                 collision.first == particle ? collision.first_position : collision.second_position;

@@ -28,7 +28,7 @@ void WirePanel::survey(const Observation& observation) {
     colors_.survey(observation);
     arrows_.survey(observation);
     survey_flashes(observation);
-    const CollisionCounts& counts = observation.passage.counts;
+    const CollisionCounts& counts = observation.advanced.counts;
     bends_.push_back(
         {observation.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
 }

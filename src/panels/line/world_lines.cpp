@@ -59,7 +59,7 @@ void WorldLines::see(const Observation& observation, const Eigen::ArrayXd& place
     };
     for (std::size_t line = 0; line < count(); ++line)
         if (bends_[line].empty()) bend(line, now, places[particles_[line]], mean_speed);
-    for (const Collision& collision : observation.passage.collisions) {
+    for (const Collision& collision : observation.advanced.collisions) {
         bend_at(collision.first, collision.time, collision.first_position[0]);
         if (collision.second >= 0)
             bend_at(collision.second, collision.time, collision.second_position[0]);

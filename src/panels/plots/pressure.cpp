@@ -19,11 +19,11 @@ namespace {
 // What has changed hands by a time.
 struct Account {
     double time = 0.0;
-    Transfers transfers;
+    ImpulseTotals impulses;
 };
 
-Transfers between(const Transfers& from, const Transfers& to) {
-    Transfers change = to;
+ImpulseTotals between(const ImpulseTotals& from, const ImpulseTotals& to) {
+    ImpulseTotals change = to;
     for (std::size_t side = 0; side < change.wall.size(); ++side)
         change.wall[side] -= from.wall[side];
     change.virial -= from.virial;
@@ -39,12 +39,12 @@ class Gauge {
         const Box& box = cast_.scene.gas.box;
         if (accounts_.empty()) accounts_.push_back({});
         if (o.tick.time > accounts_.back().time)
-            accounts_.push_back({o.tick.time, o.passage.transfers});
+            accounts_.push_back({o.tick.time, o.advanced.impulses});
         drop_old();
         const Account& from = accounts_.front();
         const Account& to = accounts_.back();
         if (!(to.time > from.time)) return {nan_, nan_};
-        const Transfers change = between(from.transfers, to.transfers);
+        const ImpulseTotals change = between(from.impulses, to.impulses);
         const double time = to.time - from.time;
         const double thermal = thermal_energy(box, cast_.particles, o.sample);
         const bool pushed = infinite_mass_moves(cast_.particles, o.sample);

@@ -170,7 +170,7 @@ double MonitorsPanel::widest_time(double unit) const {
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     const double width = measure_text(text(last, Monitor::time), style).width / unit;
     if (width < arrow_place - arrow_size) return 0.0;
-    return width + (leg_count(cast_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
+    return width + (branch_count(cast_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
 }
 
 // In units, at the smallest size of text: numbers that need a power of ten need more than usual.
@@ -206,11 +206,11 @@ MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
         numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
                     Monitor::slow, Monitor::medium,     Monitor::fast};
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
-        way_home_.emplace(cast);
+        echo_.emplace(cast);
 }
 
 void MonitorsPanel::survey(const Observation& observation) {
-    if (way_home_) way_home_->survey(observation);
+    if (echo_) echo_->survey(observation);
     largest_speed_ = std::max(largest_speed_, observation.speed.mean());
     largest_energy_ = std::max(largest_energy_, observation.energy.mean());
     smallest_speed_ = std::min(smallest_speed_, observation.speed.mean());
@@ -218,19 +218,19 @@ void MonitorsPanel::survey(const Observation& observation) {
 }
 
 void MonitorsPanel::settle() {
-    if (way_home_) way_home_->settle();
+    if (echo_) echo_->settle();
 }
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
     auto state = std::make_shared<MonitorsState>();
     state->time = folded_time(cast_.scene.run, observation.tick.time);
-    state->collisions = observation.passage.counts.particle;
-    state->with_walls = observation.passage.counts.wall;
+    state->collisions = observation.advanced.counts.particle;
+    state->with_walls = observation.advanced.counts.wall;
     state->mean_speed = observation.speed.mean();
     state->mean_energy = observation.energy.mean();
     state->shares = class_shares(observation.speed, state->mean_speed);
-    if (way_home_)
-        if (const auto apart = way_home_->at(observation.tick.frame)) {
+    if (echo_)
+        if (const auto apart = echo_->at(observation.tick.frame)) {
             state->return_distance = apart->largest;
             state->log10_return_distance = apart->log10_largest;
         }
@@ -315,7 +315,7 @@ void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& sta
         draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);
         if (numbers_[i] != Monitor::time) continue;
         draw_slowness(canvas, page, rows, state);
-        if (leg_count(cast_.scene.run) == 1) continue;
+        if (branch_count(cast_.scene.run) == 1) continue;
         const double size = rows.size * page.unit;
         const double x = std::max(arrow_place * rows.spacing,
                                   (widest_time(page.unit) - arrow_size) * rows.size) *

@@ -46,7 +46,7 @@ class MonitorsPanel : public Panel {
     double largest_energy_ = 0.0;
     double smallest_speed_ = std::numeric_limits<double>::infinity();
     double smallest_energy_ = std::numeric_limits<double>::infinity();
-    std::optional<WayHome> way_home_;  ///< if its number is shown
+    std::optional<EchoRecord> echo_;  ///< if its number is shown
 };
 
 }  // namespace carom

@@ -38,11 +38,11 @@ template <int Dimension, typename Scalar>
 EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particles,
                                         const Arithmetic& arithmetic)
     : box_(box),
-      bodies_(Space::bodies_of(particles)),
-      space_(box, particles, arithmetic),
+      bodies_(Geometry::bodies_of(particles)),
+      geometry_(box, particles, arithmetic),
       queue_(static_cast<std::int32_t>(particles.count())),
       bits_(arithmetic.bits) {
-    if constexpr (!of_doubles) clock_ = WholeClock(arithmetic.bits);
+    if constexpr (!of_doubles) clock_ = MpClock(arithmetic.bits);
     number_.reserve(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         number_.push_back(static_cast<std::int32_t>(i));
@@ -51,7 +51,7 @@ EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particl
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::forget() {
     counts_ = {};
-    transfers_ = {};
+    impulses_ = {};
 }
 
 template <int Dimension, typename Scalar>
@@ -74,8 +74,8 @@ void EventLoop<Dimension, Scalar>::start(const Sample& state) {
         body_has_changed(b);
     }
     put_in_order();
-    space_.enter(bodies_);
-    foresee_all();
+    geometry_.enter(bodies_);
+    predict_all();
 }
 
 // With doubles a body knows what will happen to it and the queue when; else the queue knows both.
@@ -83,25 +83,25 @@ template <int Dimension, typename Scalar>
 auto EventLoop<Dimension, Scalar>::event_of(std::int32_t i) const
     -> std::conditional_t<of_doubles, Event, const Event&> {
     if constexpr (of_doubles)
-        return {bodies_[static_cast<std::size_t>(i)].prospect, queue_.time(i)};
+        return {bodies_[static_cast<std::size_t>(i)].prediction, queue_.time(i)};
     else
         return queue_.event(i);
 }
 
 template <int Dimension, typename Scalar>
-auto EventLoop<Dimension, Scalar>::foresee(std::int32_t i) {
-    if constexpr (std::is_same_v<Space, FinePlane>)
-        return space_.foresee(bodies_, i, now_, queue_);
+auto EventLoop<Dimension, Scalar>::predict(std::int32_t i) {
+    if constexpr (std::is_same_v<Geometry, MpPlane>)
+        return geometry_.predict(bodies_, i, now_, queue_);
     else
-        return space_.foresee(bodies_, i, now_);
+        return geometry_.predict(bodies_, i, now_);
 }
 
 // Tells where each body was before.
 template <int Dimension, typename Scalar>
 std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
     laps_since_sorted_ = 0;
-    std::vector<std::int32_t> order = space_.order(bodies_);
-    typename Space::Bodies bodies(bodies_.size());
+    std::vector<std::int32_t> order = geometry_.order(bodies_);
+    typename Geometry::Bodies bodies(bodies_.size());
     std::vector<std::int32_t> number(number_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         bodies[k] = body(order[k]);
@@ -112,39 +112,39 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
     return order;
 }
 
-// The same at any time, with the events already foreseen.
+// The same at any time, with the events already predicted.
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::sort_again() {
     if constexpr (Dimension == 2 && of_doubles) {
         const std::vector<std::int32_t> before = put_in_order();
         queue_.renumber(before);
-        space_.renumber(bodies_, before);
+        geometry_.renumber(bodies_, before);
         last_pair_[0] = last_pair_[1] = -1;  // it collided in the lap before
     }
 }
 
 // All bodies are at the present.
 template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::foresee_all() {
+void EventLoop<Dimension, Scalar>::predict_all() {
     last_collision_ = -1.0;
     at_one_instant_ = 0;
     for (Body& b : bodies_) b.collisions = 0;
     const auto count = static_cast<std::int32_t>(bodies_.size());
     if constexpr (of_doubles) {
-        for (Body& b : bodies_) b.prospect = {};
-        std::vector<Prospect> prospects;
+        for (Body& b : bodies_) b.prediction = {};
+        std::vector<Prediction> predictions;
         std::vector<double> times;
         for (std::int32_t i = 0; i < count; ++i) {
-            times.push_back(foresee(i));
-            prospects.push_back(std::exchange(body(i).prospect, {}));
+            times.push_back(predict(i));
+            predictions.push_back(std::exchange(body(i).prediction, {}));
         }
         for (std::int32_t i = 0; i < count; ++i)
-            body(i).prospect = prospects[static_cast<std::size_t>(i)];
+            body(i).prediction = predictions[static_cast<std::size_t>(i)];
         queue_.reset(times);
     } else {
         std::vector<Event> events(bodies_.size());
         queue_.reset(events);
-        for (std::int32_t i = 0; i < count; ++i) events[static_cast<std::size_t>(i)] = foresee(i);
+        for (std::int32_t i = 0; i < count; ++i) events[static_cast<std::size_t>(i)] = predict(i);
         queue_.reset(events);
     }
 }
@@ -153,7 +153,7 @@ void EventLoop<Dimension, Scalar>::foresee_all() {
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
     now_ = local_time;
-    for (Body& b : bodies_) fly(b, now_);
+    for (Body& b : bodies_) advance_body(b, now_);
     now_ = clock_.move_epoch_to(now_);
     for (Body& b : bodies_) {
         b.time = now_;
@@ -168,7 +168,7 @@ void EventLoop<Dimension, Scalar>::reverse(double time) {
         for (Scalar& v : b.v) v = -v;
         body_has_changed(b);
     }
-    foresee_all();
+    predict_all();
 }
 
 template <int Dimension, typename Scalar>
@@ -194,9 +194,9 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar>::displace(
             if (b.x[a] >= size) b.x[a] -= size;
         }
         for (Body& one : bodies_) body_has_changed(one);
-        space_.enter(bodies_);
+        geometry_.enter(bodies_);
     }
-    foresee_all();
+    predict_all();
     return obstacle;
 }
 
@@ -205,7 +205,7 @@ template <int Dimension, typename Scalar>
 std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
-    const double radius = space_.properties(bodies_, moved).radius;
+    const double radius = geometry_.properties(bodies_, moved).radius;
     for (std::size_t a = 0; a < Dimension; ++a) {
         if (box_.walls[a] == Wall::periodic) continue;
         const double size = box_.size[static_cast<Eigen::Index>(a)];
@@ -214,28 +214,28 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t
         if (b.x[a] > size - radius + slack * size) return -2 - low;
     }
     if constexpr (Dimension == 1) {
-        const auto k = space_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
+        const auto k = geometry_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
         return k ? std::optional(number_of(*k)) : std::nullopt;
     } else {
-        const auto k = disk_overlapped(space_, bodies_, moved, box_, slack);
+        const auto k = disk_overlapped(geometry_, bodies_, moved, box_, slack);
         return k ? std::optional(number_[*k]) : std::nullopt;
     }
 }
 
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* record,
-                                           const TimeTold& told) {
+                                           const TimeCallback& on_progress) {
     constexpr int events_between_looks = 4096;
     int until_look = events_between_looks;
     Collision collision;
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
-        if constexpr (Dimension == 2 && of_doubles) fetch_ahead_.step(bodies_, space_, queue_);
+        if constexpr (Dimension == 2 && of_doubles) fetch_ahead_.step(bodies_, geometry_, queue_);
         if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
         if (--until_look == 0) {
             throw_if_interrupted();
-            if (told) told(clock_.absolute(now_));
+            if (on_progress) on_progress(clock_.absolute(now_));
             until_look = events_between_looks;
         }
     }
@@ -302,9 +302,9 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
             last_collision_ -= shift;
             for (Body& b : bodies_) {
                 b.time -= shift;
-                b.prospect.contact_time -= shift;
+                b.prediction.contact_time -= shift;
             }
-            if (!Space::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
+            if (!Geometry::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
                 continue;
             sort_again();
         }
@@ -326,27 +326,27 @@ bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision)
                          collide(i, j, collision);
         if constexpr (Dimension == 2 && of_doubles) {
             std::array<double, 2> when;
-            if (met && space_.foresee_both(bodies_, i, j, now_, when)) {
+            if (met && geometry_.predict_both(bodies_, i, j, now_, when)) {
                 queue_.schedule(i, when[0]);
                 queue_.schedule(j, when[1]);
                 return true;
             }
         }
-        queue_.schedule(i, foresee(i));
-        if (met) queue_.schedule(j, foresee(j));
+        queue_.schedule(i, predict(i));
+        if (met) queue_.schedule(j, predict(j));
         return met;
     }
     if (event.border < first_cell_side) {
         bounce(i, static_cast<int>(event.border), collision);
-        queue_.schedule(i, foresee(i));
+        queue_.schedule(i, predict(i));
         return true;
     }
     const int side = static_cast<int>(event.border - first_cell_side);
-    space_.cross(bodies_, i, side, now_);
-    if constexpr (std::is_same_v<Space, FinePlane>)
-        queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, event, now_, queue_));
+    geometry_.cross(bodies_, i, side, now_);
+    if constexpr (std::is_same_v<Geometry, MpPlane>)
+        queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, event, now_, queue_));
     else
-        queue_.schedule(i, space_.foresee_after_crossing(bodies_, i, side, now_));
+        queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, now_));
     return false;
 }
 
@@ -367,16 +367,16 @@ bool EventLoop<Dimension, Scalar>::collide(std::int32_t first, std::int32_t seco
                                            Collision* collision) {
     Body& a = body(first);
     Body& b = body(second);
-    fly(a, now_);
-    fly(b, now_);
+    advance_body(a, now_);
+    advance_body(b, now_);
     Contact<Dimension> contact;
     const auto first_before = in_doubles(a.v), second_before = in_doubles(b.v);
-    if (!space_.collide(bodies_, first, second, contact)) return false;
+    if (!geometry_.collide(bodies_, first, second, contact)) return false;
     ++a.collisions;
     ++b.collisions;
     ++counts_.particle;
-    transfers_.virial += contact.virial;
-    transfers_.largest_overlap = std::max(transfers_.largest_overlap, contact.overlap);
+    impulses_.virial += contact.virial;
+    impulses_.largest_overlap = std::max(impulses_.largest_overlap, contact.overlap);
     count_tie(first, second);
     if (collision) {
         const Eigen::Array2d position = in_plane(a.x);
@@ -407,11 +407,11 @@ void EventLoop<Dimension, Scalar>::count_tie(std::int32_t first, std::int32_t se
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* collision) {
     Body& b = body(i);
-    fly(b, now_);
+    advance_body(b, now_);
     Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
-    transfers_.wall[static_cast<std::size_t>(side)] +=
+    impulses_.wall[static_cast<std::size_t>(side)] +=
         2.0 * std::abs(static_cast<double>(v)) /
-        space_.properties(bodies_, static_cast<std::size_t>(i)).inverse_mass;
+        geometry_.properties(bodies_, static_cast<std::size_t>(i)).inverse_mass;
     const auto before = in_doubles(b.v);
     v = -v;
     body_has_changed(b);

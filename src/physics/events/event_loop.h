@@ -2,10 +2,10 @@
 // event to the next and nothing else. Each particle has its own time, up to which it has been
 // moved; only those that collide are touched. One source for doubles and for numbers of many bits
 // (multiprecision.h). Does not know runs, reversals at given times or placement (simulation.h), nor
-// who is near whom (plane.h, fine_plane.h, wire.h).
+// who is near whom (plane.h, mp_plane.h, line.h).
 //
 // A particle's next event is the first of: its contact with another, with a wall, or its leaving a
-// cell. It foresees a contact with a particle whose own next event comes earlier; if that changes
+// cell. It predicts a contact with a particle whose own next event comes earlier; if that changes
 // the other's path (its collision count tells), the event is stale and the particle looks again.
 #pragma once
 
@@ -36,31 +36,31 @@ template <int Dimension, typename Scalar>
 struct LoopParts;
 template <>
 struct LoopParts<1, double> {
-    using Space = Wire<double>;
+    using Geometry = Line<double>;
     using Queue = EventQueue;
     using Event = carom::Event;
     using Clock = LocalClock;
 };
 template <>
 struct LoopParts<2, double> {
-    using Space = Plane;
+    using Geometry = Plane;
     using Queue = EventQueue;
     using Event = carom::Event;
     using Clock = LocalClock;
 };
 template <>
 struct LoopParts<1, Real> {
-    using Space = Wire<Real>;
-    using Queue = ExactQueue;
-    using Event = ExactEvent;
-    using Clock = WholeClock;
+    using Geometry = Line<Real>;
+    using Queue = MpEventQueue;
+    using Event = MpEvent;
+    using Clock = MpClock;
 };
 template <>
 struct LoopParts<2, Real> {
-    using Space = FinePlane;
-    using Queue = ExactQueue;
-    using Event = ExactEvent;
-    using Clock = WholeClock;
+    using Geometry = MpPlane;
+    using Queue = MpEventQueue;
+    using Event = MpEvent;
+    using Clock = MpClock;
 };
 
 template <int Dimension, typename Scalar = double>
@@ -69,23 +69,23 @@ class EventLoop {
     /// Particles without state: start() gives it.
     EventLoop(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
 
-    /// Puts all particles where `state` says, at its time, and foresees all events anew.
+    /// Puts all particles where `state` says, at its time, and predicts all events anew.
     void start(const Sample& state);
 
     /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
     /// `told` hears the time of the latest event now and then. Throws Interrupted, and
     /// std::runtime_error when particles collide without end at one instant, or two of infinite
     /// mass meet on a wire.
-    void advance(double time, std::vector<Collision>* record, const TimeTold& told = {});
+    void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
 
     /// Goes on to the next collision at a time <= `time`, false if there is none.
     bool advance_one(double time, Collision& collision);
 
     /// Turns all velocities round at `time`, which is not before the last event processed nor after
-    /// the next, and foresees all events anew.
+    /// the next, and predicts all events anew.
     void reverse(double time);
 
-    /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and foresees
+    /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and predicts
     /// all events anew. Returns what it would overlap then, if anything: a particle, or -1 - side
     /// for a wall.
     std::optional<std::int32_t> displace(std::int64_t particle,
@@ -101,14 +101,14 @@ class EventLoop {
 
     /// Collisions, and what they transferred, since the construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
-    const Transfers& transfers() const { return transfers_; }
+    const ImpulseTotals& impulses() const { return impulses_; }
     void forget();
 
   private:
     using Parts = LoopParts<Dimension, Scalar>;
-    using Space = typename Parts::Space;
+    using Geometry = typename Parts::Geometry;
     using Event = typename Parts::Event;
-    using Body = typename Space::Body;
+    using Body = typename Geometry::Body;
     static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
@@ -124,10 +124,10 @@ class EventLoop {
 
     std::optional<std::int32_t> overlapped(std::size_t moved) const;
     std::conditional_t<of_doubles, Event, const Event&> event_of(std::int32_t i) const;
-    auto foresee(std::int32_t i);
+    auto predict(std::int32_t i);
     std::vector<std::int32_t> put_in_order();
     void sort_again();
-    void foresee_all();
+    void predict_all();
     void move_epoch_to(const Scalar& local_time);
     std::int32_t next_particle();
     bool process(std::int32_t i, Collision* collision);
@@ -138,9 +138,9 @@ class EventLoop {
     void count_tie(std::int32_t first, std::int32_t second);
 
     Box box_;
-    typename Space::Bodies bodies_;
+    typename Geometry::Bodies bodies_;
     std::vector<std::int32_t> number_;  ///< of each body as listed by the user
-    Space space_;
+    Geometry geometry_;
     typename Parts::Queue queue_;
     typename Parts::Clock clock_;
     Scalar now_ = 0.0;  ///< local
@@ -148,7 +148,7 @@ class EventLoop {
     int laps_since_sorted_ = 0;
     FetchAhead fetch_ahead_;
     CollisionCounts counts_;
-    Transfers transfers_;
+    ImpulseTotals impulses_;
     Scalar last_collision_ = -1.0;
     std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
     std::int32_t last_pair_[2] = {-1, -1};

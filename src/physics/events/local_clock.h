@@ -37,10 +37,10 @@ class LocalClock {
     double low_ = 0.0;
 };
 
-class WholeClock {
+class MpClock {
   public:
     /// Times have as many bits as all numbers: a difference of two with fewer would be rounded.
-    explicit WholeClock(int bits = bits_of_double) : bits_(bits) {}
+    explicit MpClock(int bits = bits_of_double) : bits_(bits) {}
 
     Real local(double time) const { return {time, bits_}; }
     double absolute(const Real& time) const { return static_cast<double>(time); }

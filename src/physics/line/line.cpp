@@ -9,18 +9,18 @@
 namespace carom {
 
 template <typename Scalar>
-Wire<Scalar>::Wire(const Box& box, const Particles& particles, const Arithmetic&)
+Line<Scalar>::Line(const Box& box, const Particles& particles, const Arithmetic&)
     : length_(box.size[0]),
       periodic_(box.walls[0] == Wall::periodic),
       count_(static_cast<std::int32_t>(particles.count())) {}
 
 template <typename Scalar>
-auto Wire<Scalar>::bodies_of(const Particles& particles) -> Bodies {
+auto Line<Scalar>::bodies_of(const Particles& particles) -> Bodies {
     return with_properties<Bodies>(particles);
 }
 
 template <typename Scalar>
-std::vector<std::int32_t> Wire<Scalar>::order(const Bodies& bodies) {
+std::vector<std::int32_t> Line<Scalar>::order(const Bodies& bodies) {
     std::vector<std::int32_t> numbers(bodies.size());
     std::iota(numbers.begin(), numbers.end(), 0);
     std::stable_sort(numbers.begin(), numbers.end(), [&](std::int32_t a, std::int32_t b) {
@@ -30,14 +30,14 @@ std::vector<std::int32_t> Wire<Scalar>::order(const Bodies& bodies) {
 }
 
 template <typename Scalar>
-void Wire<Scalar>::enter(Bodies& bodies) {
+void Line<Scalar>::enter(Bodies& bodies) {
     for (Body& body : bodies) body.turns = 0;
 }
 
 // From the right end of one body to the left end of the next; `around`: across the end of a
 // periodic wire.
 template <typename Scalar>
-Scalar Wire<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
+Scalar Line<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
                          bool around) const {
     const Scalar there = right.x[0] + right.v[0] * (now - right.time);
     const Scalar here = left.x[0] + left.v[0] * (now - left.time);
@@ -46,7 +46,7 @@ Scalar Wire<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
 }
 
 template <typename Scalar>
-void Wire<Scalar>::foresee_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
+void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
                                 const Scalar& now, Event& first) const {
     const bool at_end = i == (to_the_right ? last() : 0);
     if (at_end && (!periodic_ || count_ == 1)) return;
@@ -65,7 +65,7 @@ void Wire<Scalar>::foresee_pair(const Bodies& bodies, std::int32_t i, bool to_th
 
 // The wall beside the first or the last bead, or the end of a periodic wire.
 template <typename Scalar>
-void Wire<Scalar>::foresee_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
+void Line<Scalar>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                Event& first) const {
     const Body& body = bodies[static_cast<std::size_t>(i)];
     const bool up = body.v[0] > 0.0;
@@ -80,13 +80,13 @@ void Wire<Scalar>::foresee_end(const Bodies& bodies, std::int32_t i, const Scala
 }
 
 template <typename Scalar>
-auto Wire<Scalar>::foresee(Bodies& bodies, std::int32_t i, const Scalar& now) const -> When {
+auto Line<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const -> When {
     Event first;
-    foresee_pair(bodies, i, true, now, first);
-    foresee_pair(bodies, i, false, now, first);
-    foresee_end(bodies, i, now, first);
+    predict_pair(bodies, i, true, now, first);
+    predict_pair(bodies, i, false, now, first);
+    predict_end(bodies, i, now, first);
     if constexpr (std::is_same_v<Scalar, double>) {
-        bodies[static_cast<std::size_t>(i)].prospect = first;
+        bodies[static_cast<std::size_t>(i)].prediction = first;
         return first.time;
     } else {
         return first;
@@ -94,13 +94,13 @@ auto Wire<Scalar>::foresee(Bodies& bodies, std::int32_t i, const Scalar& now) co
 }
 
 template <typename Scalar>
-auto Wire<Scalar>::foresee_after_crossing(Bodies& bodies, std::int32_t i, int,
+auto Line<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i, int,
                                           const Scalar& now) const -> When {
-    return foresee(bodies, i, now);
+    return predict(bodies, i, now);
 }
 
 template <typename Scalar>
-void Wire<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
+void Line<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
     Body& body = bodies[static_cast<std::size_t>(i)];
     body.x[0] += body.v[0] * (now - body.time);
     body.time = now;
@@ -111,7 +111,7 @@ void Wire<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar&
 // Beads of equal mass exchange their velocities to the last bit. Of two alone on a ring either may
 // be the left one.
 template <typename Scalar>
-bool Wire<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
+bool Line<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                            Contact<1>& contact) const {
     Body& a = bodies[static_cast<std::size_t>(i)];
     Body& b = bodies[static_cast<std::size_t>(j)];
@@ -143,7 +143,7 @@ bool Wire<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
 }
 
 template <typename Scalar>
-std::optional<std::int32_t> Wire<Scalar>::overlapped(const Bodies& bodies, std::int32_t i,
+std::optional<std::int32_t> Line<Scalar>::overlapped(const Bodies& bodies, std::int32_t i,
                                                      const Scalar& now, double slack) const {
     const auto at = [&](std::int32_t k) -> const Body& {
         return bodies[static_cast<std::size_t>(k)];
@@ -156,7 +156,7 @@ std::optional<std::int32_t> Wire<Scalar>::overlapped(const Bodies& bodies, std::
     return std::nullopt;
 }
 
-template class Wire<double>;
-template class Wire<Real>;
+template class Line<double>;
+template class Line<Real>;
 
 }  // namespace carom

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "physics/collision/arena.h"
+#include "physics/collision/loop_types.h"
 #include "physics/multiprecision/mp_event_queue.h"
 #include "physics/particles.h"
 #include "util/large_pages.h"
@@ -18,7 +18,7 @@
 namespace carom {
 
 template <typename Scalar>
-class Wire {
+class Line {
   public:
     struct Body {
         std::array<Scalar, 1> x;  ///< at the body's own time
@@ -27,12 +27,12 @@ class Wire {
         double radius;  ///< half its length
         double inverse_mass;
         std::uint32_t collisions;
-        std::int32_t turns;  ///< how often it has gone round a periodic wire
-        Prospect prospect;   ///< of doubles; one of many bits is in the queue
+        std::int32_t turns;     ///< how often it has gone round a periodic wire
+        Prediction prediction;  ///< of doubles; one of many bits is in the queue
     };
     using Bodies = LargeVector<Body>;
 
-    Wire(const Box& box, const Particles& particles, const Arithmetic& = {});
+    Line(const Box& box, const Particles& particles, const Arithmetic& = {});
 
     /// The bodies of these particles, and what the one or the other is.
     static Bodies bodies_of(const Particles& particles);
@@ -50,9 +50,9 @@ class Wire {
     void enter(Bodies& bodies);
 
     /// As those of Plane; of many bits the whole event is returned.
-    using When = std::conditional_t<std::is_same_v<Scalar, double>, double, ExactEvent>;
-    When foresee(Bodies& bodies, std::int32_t i, const Scalar& now) const;
-    When foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now) const;
+    using When = std::conditional_t<std::is_same_v<Scalar, double>, double, MpEvent>;
+    When predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
+    When predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now) const;
 
     /// The body leaves a periodic wire at one end and enters at the other.
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
@@ -68,20 +68,20 @@ class Wire {
                                            double slack) const;
 
   private:
-    using Event = std::conditional_t<std::is_same_v<Scalar, double>, carom::Event, ExactEvent>;
+    using Event = std::conditional_t<std::is_same_v<Scalar, double>, carom::Event, MpEvent>;
 
     std::int32_t last() const { return count_ - 1; }
     Scalar gap(const Body& left, const Body& right, const Scalar& now, bool around) const;
-    void foresee_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,
+    void predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,
                       Event& first) const;
-    void foresee_end(const Bodies& bodies, std::int32_t i, const Scalar& now, Event& first) const;
+    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now, Event& first) const;
 
     double length_;
     bool periodic_;
     std::int32_t count_;
 };
 
-extern template class Wire<double>;
-extern template class Wire<Real>;
+extern template class Line<double>;
+extern template class Line<Real>;
 
 }  // namespace carom

@@ -12,14 +12,15 @@ namespace carom {
 
 /// The first disk that `moved` overlaps by more than `slack` times the distance of contact, in the
 /// nearest image, when all are at one time. For the planes of doubles and of many bits.
-template <typename Space>
-std::optional<std::size_t> disk_overlapped(const Space& space, const typename Space::Bodies& bodies,
+template <typename Geometry>
+std::optional<std::size_t> disk_overlapped(const Geometry& geometry,
+                                           const typename Geometry::Bodies& bodies,
                                            std::size_t moved, const Box& box, double slack) {
     const auto& x = bodies[moved].x;
-    const double radius = space.properties(bodies, moved).radius;
+    const double radius = geometry.properties(bodies, moved).radius;
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         if (k == moved) continue;
-        const double sigma = radius + space.properties(bodies, k).radius;
+        const double sigma = radius + geometry.properties(bodies, k).radius;
         auto square = as_precise_as(x[0], 0.0);
         for (std::size_t a = 0; a < 2; ++a) {
             auto apart = bodies[k].x[a] - x[a];

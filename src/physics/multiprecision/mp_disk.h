@@ -10,7 +10,7 @@
 
 namespace carom {
 
-struct alignas(64) FineDisk {
+struct alignas(64) MpDisk {
     /// Each number rounded to a double: one cache line, all that most pairs are tested by.
     struct Shadow {
         std::array<double, 2> x{}, v{};
@@ -28,9 +28,9 @@ struct alignas(64) FineDisk {
     std::uint32_t collisions = 0;
     Cell cell{};
 };
-static_assert(sizeof(FineDisk::Shadow) == 64);
+static_assert(sizeof(MpDisk::Shadow) == 64);
 
-inline void fly(FineDisk& d, const Real& now) {
+inline void advance_body(MpDisk& d, const Real& now) {
     const Real age = now - d.time;
     Real way = age;
     for (std::size_t a = 0; a < 2; ++a) {
@@ -40,8 +40,8 @@ inline void fly(FineDisk& d, const Real& now) {
     d.time = now;
 }
 
-inline void body_has_changed(FineDisk& d) {
-    FineDisk::Shadow& s = d.shadow;
+inline void body_has_changed(MpDisk& d) {
+    MpDisk::Shadow& s = d.shadow;
     for (std::size_t a = 0; a < 2; ++a) {
         s.x[a] = static_cast<double>(d.x[a]);
         s.v[a] = static_cast<double>(d.v[a]);

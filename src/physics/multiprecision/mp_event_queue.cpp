@@ -7,18 +7,18 @@
 
 namespace carom {
 
-ExactQueue::ExactQueue(std::int32_t count)
+MpEventQueue::MpEventQueue(std::int32_t count)
     : events_(index(count)), keys_(index(count)), heap_(index(count)), places_(index(count)) {}
 
 // Rounding keeps the order: only times that become one double need be looked at in full.
-bool ExactQueue::earlier(std::int32_t a, std::int32_t b) const {
+bool MpEventQueue::earlier(std::int32_t a, std::int32_t b) const {
     const double key_a = keys_[index(a)], key_b = keys_[index(b)];
     if (key_a != key_b) return key_a < key_b;
     const auto order = events_[index(a)].time <=> events_[index(b)].time;
     return order < 0 || (order == 0 && a < b);
 }
 
-void ExactQueue::reset(const std::vector<ExactEvent>& events) {
+void MpEventQueue::reset(const std::vector<MpEvent>& events) {
     assert(events.size() == events_.size());
     events_ = events;
     for (std::size_t i = 0; i < events_.size(); ++i) keys_[i] = events_[i].time.rounded_down();
@@ -27,23 +27,23 @@ void ExactQueue::reset(const std::vector<ExactEvent>& events) {
     for (std::size_t place = heap_.size() / 2; place-- > 0;) sink(place);
 }
 
-void ExactQueue::schedule(std::int32_t particle, ExactEvent event) {
+void MpEventQueue::schedule(std::int32_t particle, MpEvent event) {
     keys_[index(particle)] = event.time.rounded_down();
     events_[index(particle)] = std::move(event);
     rise(places_[index(particle)]);
     sink(places_[index(particle)]);
 }
 
-std::int32_t ExactQueue::earliest() const {
+std::int32_t MpEventQueue::earliest() const {
     return heap_.empty() || std::isinf(keys_[index(heap_[0])]) ? -1 : heap_[0];
 }
 
-void ExactQueue::put(std::size_t place, std::int32_t particle) {
+void MpEventQueue::put(std::size_t place, std::int32_t particle) {
     heap_[place] = particle;
     places_[index(particle)] = place;
 }
 
-void ExactQueue::rise(std::size_t place) {
+void MpEventQueue::rise(std::size_t place) {
     const std::int32_t particle = heap_[place];
     while (place > 0) {
         const std::size_t above = (place - 1) / 2;
@@ -54,7 +54,7 @@ void ExactQueue::rise(std::size_t place) {
     put(place, particle);
 }
 
-void ExactQueue::sink(std::size_t place) {
+void MpEventQueue::sink(std::size_t place) {
     const std::int32_t particle = heap_[place];
     while (2 * place + 1 < heap_.size()) {
         std::size_t below = 2 * place + 1;

@@ -14,10 +14,10 @@
 namespace carom {
 
 /// What happens next to a particle, at `time`: a contact with `partner`, or reaching a border. A
-/// contact that would come after the border is foreseen when that has been crossed.
-struct ExactEvent {
+/// contact that would come after the border is predicted when that has been crossed.
+struct MpEvent {
     static constexpr double never = std::numeric_limits<double>::infinity();
-    explicit ExactEvent(int bits = 53) : time(never, bits) {}
+    explicit MpEvent(int bits = 53) : time(never, bits) {}
 
     bool is_contact() const { return partner >= 0; }
 
@@ -28,17 +28,17 @@ struct ExactEvent {
     std::uint32_t border : 3 = 0;
 };
 
-class ExactQueue {
+class MpEventQueue {
   public:
-    explicit ExactQueue(std::int32_t count);
+    explicit MpEventQueue(std::int32_t count);
 
     /// Replaces all events at once.
-    void reset(const std::vector<ExactEvent>& events);
+    void reset(const std::vector<MpEvent>& events);
 
     /// Replaces the event of `particle`.
-    void schedule(std::int32_t particle, ExactEvent event);
+    void schedule(std::int32_t particle, MpEvent event);
 
-    const ExactEvent& event(std::int32_t particle) const { return events_[index(particle)]; }
+    const MpEvent& event(std::int32_t particle) const { return events_[index(particle)]; }
 
     const Real& time(std::int32_t particle) const { return event(particle).time; }
 
@@ -53,7 +53,7 @@ class ExactQueue {
     void rise(std::size_t place);
     void sink(std::size_t place);
 
-    std::vector<ExactEvent> events_;
+    std::vector<MpEvent> events_;
     std::vector<double> keys_;         ///< the time of each, rounded down
     std::vector<std::int32_t> heap_;   ///< each no earlier than the one at half its place
     std::vector<std::size_t> places_;  ///< of each particle in it

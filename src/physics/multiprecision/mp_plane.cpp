@@ -14,13 +14,13 @@ constexpr double ulp = std::numeric_limits<double>::epsilon() / 2;
 // More than the errors of a few operations in working out a bound itself.
 constexpr double more = 1.0 + 1e-12, less = 1.0 - 1e-12;
 
-const FineDisk& at(const FinePlane::Bodies& bodies, std::int32_t i) {
+const MpDisk& at(const MpPlane::Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
 }  // namespace
 
-FinePlane::FinePlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic)
+MpPlane::MpPlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic)
     : box_(box),
       grid_(box, particles.radius),
       screened_(arithmetic.screened),
@@ -36,30 +36,30 @@ FinePlane::FinePlane(const Box& box, const Particles& particles, const Arithmeti
         *number = Real(0.0, bits_);
 }
 
-FinePlane::Bodies FinePlane::bodies_of(const Particles& particles) {
+MpPlane::Bodies MpPlane::bodies_of(const Particles& particles) {
     return with_properties<Bodies>(particles);
 }
 
-std::vector<std::int32_t> FinePlane::order(const Bodies& bodies) {
+std::vector<std::int32_t> MpPlane::order(const Bodies& bodies) {
     std::vector<std::int32_t> numbers(bodies.size());
     std::iota(numbers.begin(), numbers.end(), 0);
     return numbers;
 }
 
-void FinePlane::enter(Bodies& bodies) {
+void MpPlane::enter(Bodies& bodies) {
     grid_.clear();
     for (std::size_t k = 0; k < bodies.size(); ++k) {
-        FineDisk& body = bodies[k];
+        MpDisk& body = bodies[k];
         body.cell = grid_.cell_at(body.shadow.x[0], body.shadow.x[1]);
         grid_.add(static_cast<std::int32_t>(k), body.radius, body.cell);
     }
 }
 
 // Its age comes from the full times, which doubles may be too coarse for late in a long run.
-FinePlane::Viewer FinePlane::viewer(const FineDisk& disk, const Real& now) {
+MpPlane::Viewer MpPlane::viewer(const MpDisk& disk, const Real& now) {
     a_.set_difference(now, disk.time);
     const double age = static_cast<double>(a_);
-    const FineDisk::Shadow& s = disk.shadow;
+    const MpDisk::Shadow& s = disk.shadow;
     placed_ = false;
     return {disk,
             {s.x[0] + s.v[0] * age, s.x[1] + s.v[1] * age},
@@ -69,9 +69,9 @@ FinePlane::Viewer FinePlane::viewer(const FineDisk& disk, const Real& now) {
 
 // A time before which two disks surely do not touch; never when they surely miss each other. The
 // letters are those of time_of_contact(), each with a bound on its error.
-double FinePlane::soonest_contact(const Viewer& a, const FineDisk& other,
-                                  const std::array<double, 2>& shift) const {
-    const FineDisk::Shadow &s = a.disk.shadow, &b = other.shadow;
+double MpPlane::soonest_contact(const Viewer& a, const MpDisk& other,
+                                const std::array<double, 2>& shift) const {
+    const MpDisk::Shadow &s = a.disk.shadow, &b = other.shadow;
     const double sigma = s.radius + b.radius;
     const double age = a.now - b.time;
     const double x = (b.x[0] + b.v[0] * age - a.x[0]) + shift[0];
@@ -105,7 +105,7 @@ double FinePlane::soonest_contact(const Viewer& a, const FineDisk& other,
     return (a.now + time) - 4.0 * ulp * (std::abs(a.now) + time);
 }
 
-void FinePlane::place_viewer(const FineDisk& a, const Real& now) {
+void MpPlane::place_viewer(const MpDisk& a, const Real& now) {
     if (placed_) return;
     a_.set_difference(now, a.time);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -116,9 +116,9 @@ void FinePlane::place_viewer(const FineDisk& a, const Real& now) {
 }
 
 // Whether r . v, in approach_, is below zero by more than its round-off (approach_round_off()).
-bool FinePlane::approaches(const FineDisk& a, const FineDisk& b) {
+bool MpPlane::approaches(const MpDisk& a, const MpDisk& b) {
     if (approach_.sign() >= 0) return false;
-    const FineDisk::Shadow &s = a.shadow, &t = b.shadow;
+    const MpDisk::Shadow &s = a.shadow, &t = b.shadow;
     const double scale =
         std::abs(static_cast<double>(r_[0])) * (std::abs(s.v[0]) + std::abs(t.v[0])) +
         std::abs(static_cast<double>(r_[1])) * (std::abs(s.v[1]) + std::abs(t.v[1]));
@@ -129,7 +129,7 @@ bool FinePlane::approaches(const FineDisk& a, const FineDisk& b) {
 }
 
 // Most pairs are of one size.
-const Real& FinePlane::squared(double sigma) {
+const Real& MpPlane::squared(double sigma) {
     if (sigma != sigma_) {
         sigma_ = sigma;
         sigma_square_.set(sigma);
@@ -140,8 +140,8 @@ const Real& FinePlane::squared(double sigma) {
 
 // The time of contact in full, in time_; false if they miss each other. Plain arithmetic: what it
 // loses by cancellation is no more than the places have lost by rounding.
-bool FinePlane::solve_contact(const FineDisk& a, const FineDisk& b,
-                              const std::array<double, 2>& shift, const Real& now) {
+bool MpPlane::solve_contact(const MpDisk& a, const MpDisk& b, const std::array<double, 2>& shift,
+                            const Real& now) {
     place_viewer(a, now);
     a_.set_difference(now, b.time);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -184,13 +184,13 @@ bool FinePlane::solve_contact(const FineDisk& a, const FineDisk& b,
 
 // Takes the contact with a candidate if it is the one to wait for: the earliest, and not after the
 // next event of the other, which will look again then.
-void FinePlane::consider(const Bodies& bodies, const FineDisk& a, const Candidate& candidate,
-                         const Real& now, const ExactQueue& queue, ExactEvent& first) {
-    const FineDisk& b = at(bodies, candidate.other);
+void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& candidate,
+                       const Real& now, const MpEventQueue& queue, MpEvent& first) {
+    const MpDisk& b = at(bodies, candidate.other);
     if (!solve_contact(a, b, candidate.shift, now)) return;
     const auto order = time_ <=> first.time;
     if (order > 0 || (order == 0 && first.is_contact() && candidate.other >= first.partner)) return;
-    const ExactEvent& its_next = queue.event(candidate.other);
+    const MpEvent& its_next = queue.event(candidate.other);
     if (its_next.is_contact() && time_ > its_next.time) return;
     first.time.set(time_);
     first.late = time_.rounded_up();
@@ -200,12 +200,12 @@ void FinePlane::consider(const Bodies& bodies, const FineDisk& a, const Candidat
 
 // The candidates are taken as they come into question, until the next surely comes too late. One
 // that waits for this very disk already is left out: its event will do.
-ExactEvent FinePlane::foresee(const Bodies& bodies, std::int32_t i, const Real& now,
-                              const ExactQueue& queue) {
-    const FineDisk& disk = at(bodies, i);
+MpEvent MpPlane::predict(const Bodies& bodies, std::int32_t i, const Real& now,
+                         const MpEventQueue& queue) {
+    const MpDisk& disk = at(bodies, i);
     const Viewer a = viewer(disk, now);
-    ExactEvent first(bits_);
-    foresee_border(a, now, first);
+    MpEvent first(bits_);
+    predict_border(a, now, first);
     candidates_.clear();
     grid_.for_each_near(
         disk.radius, disk.cell, [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
@@ -213,8 +213,8 @@ ExactEvent FinePlane::foresee(const Bodies& bodies, std::int32_t i, const Real& 
             grid_.append(slots, near_, count);
             for (std::size_t k = 0; k < count; ++k) {
                 const std::int32_t j = near_[k];
-                const FineDisk& other = at(bodies, j);
-                const ExactEvent& its_next = queue.event(j);
+                const MpDisk& other = at(bodies, j);
+                const MpEvent& its_next = queue.event(j);
                 if (j == i || !(disk.radius + other.radius > 0.0) ||
                     !(disk.inverse_mass + other.inverse_mass > 0.0))
                     continue;
@@ -241,15 +241,14 @@ ExactEvent FinePlane::foresee(const Bodies& bodies, std::int32_t i, const Real& 
     return first;
 }
 
-ExactEvent FinePlane::foresee_after_crossing(const Bodies& bodies, std::int32_t i, int,
-                                             const ExactEvent&, const Real& now,
-                                             const ExactQueue& queue) {
-    return foresee(bodies, i, now, queue);
+MpEvent MpPlane::predict_after_crossing(const Bodies& bodies, std::int32_t i, int, const MpEvent&,
+                                        const Real& now, const MpEventQueue& queue) {
+    return predict(bodies, i, now, queue);
 }
 
 // A disk that leaves a periodic box is moved by it, and not flown: that loses nothing.
-void FinePlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
-    FineDisk& body = bodies[static_cast<std::size_t>(i)];
+void MpPlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
+    MpDisk& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;
     const auto axis = static_cast<std::size_t>(side / 2);
     const bool up = side % 2 == 1;
@@ -267,8 +266,8 @@ void FinePlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
 }
 
 // As in Plane, the wall comes in sight where the disk may touch it.
-FinePlane::Border FinePlane::border_ahead(const Viewer& a, std::size_t axis) const {
-    const FineDisk& d = a.disk;
+MpPlane::Border MpPlane::border_ahead(const Viewer& a, std::size_t axis) const {
+    const MpDisk& d = a.disk;
     const double v = d.shadow.v[axis];
     const int in = d.cell[axis];
     const int up = v > 0.0 ? 1 : 0;
@@ -291,7 +290,7 @@ FinePlane::Border FinePlane::border_ahead(const Viewer& a, std::size_t axis) con
     return border;
 }
 
-void FinePlane::solve_wall(const FineDisk& a, std::size_t axis, double place, const Real& now) {
+void MpPlane::solve_wall(const MpDisk& a, std::size_t axis, double place, const Real& now) {
     place_viewer(a, now);
     a_.set_difference(place, here_[axis]);
     time_.set_quotient(a_, a.v[axis]);
@@ -303,7 +302,7 @@ void FinePlane::solve_wall(const FineDisk& a, std::size_t axis, double place, co
 
 // The first of the borders ahead. A border of a cell is as far away as doubles say; a wall is
 // solved in full unless the cell surely ends before.
-void FinePlane::foresee_border(const Viewer& a, const Real& now, ExactEvent& first) {
+void MpPlane::predict_border(const Viewer& a, const Real& now, MpEvent& first) {
     const std::array<Border, 2> borders{border_ahead(a, 0), border_ahead(a, 1)};
     double cell = never<double>;
     for (const Border& border : borders) {
@@ -324,7 +323,7 @@ void FinePlane::foresee_border(const Viewer& a, const Real& now, ExactEvent& fir
     first.late = first.time.rounded_up();
 }
 
-void FinePlane::separate(const FineDisk& a, const FineDisk& b, double shift_x, double shift_y) {
+void MpPlane::separate(const MpDisk& a, const MpDisk& b, double shift_x, double shift_y) {
     const std::array<double, 2> shift{shift_x, shift_y};
     for (std::size_t k = 0; k < 2; ++k) {
         r_[k].set_difference(b.x[k], a.x[k]);
@@ -336,7 +335,7 @@ void FinePlane::separate(const FineDisk& a, const FineDisk& b, double shift_x, d
 }
 
 // As Plane::separation_at_contact(): r_, v_ and approach_ of the image of b in contact with a.
-bool FinePlane::find_image(const FineDisk& a, const FineDisk& b) {
+bool MpPlane::find_image(const MpDisk& a, const MpDisk& b) {
     std::array<std::array<double, 2>, 2> shifts{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         v_[axis].set_difference(b.v[axis], a.v[axis]);
@@ -369,9 +368,9 @@ bool FinePlane::find_image(const FineDisk& a, const FineDisk& b) {
     return approach_.sign() < 0;
 }
 
-bool FinePlane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) {
-    FineDisk& a = bodies[static_cast<std::size_t>(i)];
-    FineDisk& b = bodies[static_cast<std::size_t>(j)];
+bool MpPlane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) {
+    MpDisk& a = bodies[static_cast<std::size_t>(i)];
+    MpDisk& b = bodies[static_cast<std::size_t>(j)];
     if (!find_image(a, b)) {
         body_has_changed(a);
         body_has_changed(b);

@@ -11,19 +11,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/collision/arena.h"
+#include "physics/collision/loop_types.h"
 #include "physics/multiprecision/mp_disk.h"
 #include "physics/multiprecision/mp_event_queue.h"
 #include "physics/plane/cell_grid.h"
 
 namespace carom {
 
-class FinePlane {
+class MpPlane {
   public:
-    using Body = FineDisk;
-    using Bodies = std::vector<FineDisk>;
+    using Body = MpDisk;
+    using Bodies = std::vector<MpDisk>;
 
-    FinePlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic);
+    MpPlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic);
 
     // As those of Plane.
     static Bodies bodies_of(const Particles& particles);
@@ -33,18 +33,18 @@ class FinePlane {
     static std::vector<std::int32_t> order(const Bodies& bodies);
     static bool sorts_again(std::size_t) { return false; }
     void enter(Bodies& bodies);
-    ExactEvent foresee(const Bodies& bodies, std::int32_t i, const Real& now,
-                       const ExactQueue& queue);
-    ExactEvent foresee_after_crossing(const Bodies& bodies, std::int32_t i, int side,
-                                      const ExactEvent& before, const Real& now,
-                                      const ExactQueue& queue);
+    MpEvent predict(const Bodies& bodies, std::int32_t i, const Real& now,
+                    const MpEventQueue& queue);
+    MpEvent predict_after_crossing(const Bodies& bodies, std::int32_t i, int side,
+                                   const MpEvent& before, const Real& now,
+                                   const MpEventQueue& queue);
     void cross(Bodies& bodies, std::int32_t i, int side, const Real& now);
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
   private:
     /// The disk that looks, as doubles see it at the present.
     struct Viewer {
-        const FineDisk& disk;
+        const MpDisk& disk;
         std::array<double, 2> x;
         double distance;  ///< |x| + |y| and what it flew: a scale of its error
         double now;
@@ -62,21 +62,21 @@ class FinePlane {
         double soonest;  ///< time from now before which it is surely not reached
     };
 
-    Viewer viewer(const FineDisk& disk, const Real& now);
-    double soonest_contact(const Viewer& a, const FineDisk& other,
+    Viewer viewer(const MpDisk& disk, const Real& now);
+    double soonest_contact(const Viewer& a, const MpDisk& other,
                            const std::array<double, 2>& shift) const;
-    void consider(const Bodies& bodies, const FineDisk& a, const Candidate& candidate,
-                  const Real& now, const ExactQueue& queue, ExactEvent& first);
-    bool solve_contact(const FineDisk& a, const FineDisk& b, const std::array<double, 2>& shift,
+    void consider(const Bodies& bodies, const MpDisk& a, const Candidate& candidate,
+                  const Real& now, const MpEventQueue& queue, MpEvent& first);
+    bool solve_contact(const MpDisk& a, const MpDisk& b, const std::array<double, 2>& shift,
                        const Real& now);
     const Real& squared(double sigma);
-    void place_viewer(const FineDisk& a, const Real& now);
-    bool approaches(const FineDisk& a, const FineDisk& b);
+    void place_viewer(const MpDisk& a, const Real& now);
+    bool approaches(const MpDisk& a, const MpDisk& b);
     Border border_ahead(const Viewer& a, std::size_t axis) const;
-    void foresee_border(const Viewer& a, const Real& now, ExactEvent& first);
-    void solve_wall(const FineDisk& a, std::size_t axis, double place, const Real& now);
-    bool find_image(const FineDisk& a, const FineDisk& b);
-    void separate(const FineDisk& a, const FineDisk& b, double shift_x, double shift_y);
+    void predict_border(const Viewer& a, const Real& now, MpEvent& first);
+    void solve_wall(const MpDisk& a, std::size_t axis, double place, const Real& now);
+    bool find_image(const MpDisk& a, const MpDisk& b);
+    void separate(const MpDisk& a, const MpDisk& b, double shift_x, double shift_y);
 
     Box box_;
     CellGrid grid_;

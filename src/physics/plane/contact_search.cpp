@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/collision/arena.h"
+#include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
 
 // Only GCC takes the attribute at the definition; its resolver would run before the address
@@ -28,7 +28,7 @@ struct Viewer {
 
 // What a search is about: all disks, the numbers of those looked at, and how they are met.
 struct Scope {
-    const FlyingDisk* disks;
+    const DiskState* disks;
     const DiskProperties& properties;
     const Pairing& pairing;
     const std::int32_t* near;
@@ -36,13 +36,13 @@ struct Scope {
     /// Earlier than now by more than a contact's time is rounded.
     double just_before = now - 8 * std::numeric_limits<double>::epsilon() * std::abs(now);
 
-    [[gnu::always_inline]] const FlyingDisk& disk(std::size_t k) const { return disks[near[k]]; }
+    [[gnu::always_inline]] const DiskState& disk(std::size_t k) const { return disks[near[k]]; }
     [[gnu::always_inline]] const Properties& properties_of(std::size_t k) const {
         return properties[near[k]];
     }
 
     [[gnu::always_inline]] Viewer viewer(std::int32_t i, const FirstContact& first) const {
-        const FlyingDisk& d = disks[i];
+        const DiskState& d = disks[i];
         const double age = now - d.time;
         return {(d.x[0] + d.v[0] * age) - pairing.shift[0],
                 (d.x[1] + d.v[1] * age) - pairing.shift[1],
@@ -72,8 +72,8 @@ struct Pairs {
 template <bool several_images, bool alike>
 [[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
                                                     std::size_t k, Pairs& pairs) {
-    const FlyingDisk &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
-                     &b3 = scope.disk(k + 3);
+    const DiskState &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
+                    &b3 = scope.disk(k + 3);
     // Each disk's x and y lie side by side, and vx and vy: turned over, two pairs at a time.
     const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
     const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
@@ -102,8 +102,8 @@ template <bool several_images, bool alike>
     store_lanes(vy, &pairs.vy[k]);
     const RelativeMotion<FourLanes> motion{x, y, vx, vy};
     const auto look = quick_look(motion, sigma);
-    const FourLanes others_latest{b0.prospect.contact_time, b1.prospect.contact_time,
-                                  b2.prospect.contact_time, b3.prospect.contact_time};
+    const FourLanes others_latest{b0.prediction.contact_time, b1.prediction.contact_time,
+                                  b2.prediction.contact_time, b3.prediction.contact_time};
     const FourLanes latest =
         select(others_latest < a.latest, others_latest, FourLanes{} + a.latest);
     return (look.approach > 0.0) & (look.slack >= 0.0) &
@@ -133,7 +133,7 @@ template <bool alike>
 [[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
                                          const Pairs& p, std::size_t k, std::size_t l,
                                          FirstContact& first_of_a, FirstContact& first_of_b) {
-    const FlyingDisk &c = scope.disk(k), &d = scope.disk(l);
+    const DiskState &c = scope.disk(k), &d = scope.disk(l);
     RelativeMotion<TwoLanes> motion{
         {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
     TwoLanes sigma = both(scope.pairing.sigma);
@@ -144,7 +144,7 @@ template <bool alike>
         approach_round_off(motion, TwoLanes{a.vx, b.vx}, TwoLanes{a.vy, b.vy},
                            TwoLanes{c.v[0], d.v[0]}, TwoLanes{c.v[1], d.v[1]});
     const TwoLanes met = scope.now + contact_times(motion, sigma, round_off);
-    TwoMasks possible = met <= TwoLanes{c.prospect.contact_time, d.prospect.contact_time};
+    TwoMasks possible = met <= TwoLanes{c.prediction.contact_time, d.prediction.contact_time};
     if (!alike) {
         const TwoLanes weight =
             TwoLanes{a.properties.inverse_mass, b.properties.inverse_mass} +
@@ -254,14 +254,14 @@ Pairing Pairing::shifted(double x, double y) {
 }
 
 CAROM_FOR_EACH_PROCESSOR
-void search_contact(const FlyingDisks& disks, const DiskProperties& properties, std::int32_t i,
+void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
     search_by_kind(Scope{disks.data(), properties, pairing, near, now}, i, count, first);
 }
 
 CAROM_FOR_EACH_PROCESSOR
-void search_two_contacts(const FlyingDisks& disks, const DiskProperties& properties,
+void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {

@@ -13,7 +13,7 @@
 #include "physics/collision/lanes.h"
 #include "physics/collision/pair_collision.h"
 #include "physics/gas.h"
-#include "physics/plane/flying_disk.h"
+#include "physics/plane/disk_state.h"
 
 namespace carom {
 
@@ -33,7 +33,7 @@ struct Pairing {
     static Pairing shifted(double x, double y);
 };
 
-/// A contact that is foreseen, in the form in which a search exchanges it for another.
+/// A contact that is predicted, in the form in which a search exchanges it for another.
 struct FirstContact {
     double time = never<double>;
     std::uint64_t who = 0;  ///< the partner and, in the upper half, its count of collisions
@@ -53,7 +53,7 @@ inline constexpr std::size_t most_searched = 64;
 /// (a whole number of lanes; i itself may be among them and is never met), becomes `first` if it
 /// comes before that; of equal times the lowest number counts. A contact with a disk
 /// that has one before is left out: that disk will look again before.
-void search_contact(const FlyingDisks& disks, const DiskProperties& properties, std::int32_t i,
+void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
 
@@ -61,7 +61,7 @@ void search_contact(const FlyingDisks& disks, const DiskProperties& properties, 
 /// numbers of `near` the first `split` are those of the first disk, the others those of the second,
 /// whole numbers of lanes. The processor works on both at once, where two searches would wait for
 /// one another.
-void search_two_contacts(const FlyingDisks& disks, const DiskProperties& properties,
+void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts);

@@ -27,10 +27,10 @@ auto& at(Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
-bool crosses_cells(const Prospect& prospect, double time) {
-    return (prospect.contact_time > time) & (prospect.border >= first_cell_side);
+bool crosses_cells(const Prediction& prediction, double time) {
+    return (prediction.contact_time > time) & (prediction.border >= first_cell_side);
 }
-int cell_side(const Prospect& prospect) { return static_cast<int>(prospect.border & 3U); }
+int cell_side(const Prediction& prediction) { return static_cast<int>(prediction.border & 3U); }
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void Plane::renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
     for (std::size_t k = 0; k < before.size(); ++k)
         now[static_cast<std::size_t>(before[k])] = static_cast<std::int32_t>(k);
     for (Body& body : bodies)
-        body.prospect.partner = now[static_cast<std::size_t>(body.prospect.partner)];
+        body.prediction.partner = now[static_cast<std::size_t>(body.prediction.partner)];
     fill_grid(bodies);
 }
 
@@ -207,10 +207,10 @@ inline double Plane::next_event(Body& d, double radius, double now,
     const TwoMasks first_kind = other_first ? swapped(kind) : kind;
     const TwoLanes border_time = select(other_first, swapped(time), time);
     const TwoLanes contact_time = both(contact.time);
-    d.prospect = {.contact_time = contact.time,
-                  .partner = contact.partner(),
-                  .partner_collisions = contact.collisions() & most_collisions,
-                  .border = static_cast<std::uint32_t>(first_kind[0]) & 7U};
+    d.prediction = {.contact_time = contact.time,
+                    .partner = contact.partner(),
+                    .partner_collisions = contact.collisions() & most_collisions,
+                    .border = static_cast<std::uint32_t>(first_kind[0]) & 7U};
     return select(contact_time < border_time, contact_time, border_time)[0];
 }
 
@@ -252,7 +252,7 @@ inline auto Plane::search_slots(const Bodies& bodies, std::int32_t i, double now
     };
 }
 
-double Plane::foresee(Bodies& bodies, std::int32_t i, double now) {
+double Plane::predict(Bodies& bodies, std::int32_t i, double now) {
     Body& a = at(bodies, i);
     const double radius = properties_[i].radius;
     FirstContact first;
@@ -266,7 +266,7 @@ double Plane::foresee(Bodies& bodies, std::int32_t i, double now) {
 }
 
 // The nearest image of the other recedes, and no other image comes into question.
-bool Plane::foresee_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+bool Plane::predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
                          std::array<double, 2>& when) {
     Body &a = at(bodies, i), &b = at(bodies, j);
     const std::array radius{properties_[i].radius, properties_[j].radius};
@@ -287,10 +287,10 @@ bool Plane::foresee_both(Bodies& bodies, std::int32_t i, std::int32_t j, double 
     return true;
 }
 
-double Plane::foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, double now) {
+double Plane::predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now) {
     Body& a = at(bodies, i);
     const double radius = properties_[i].radius;
-    const Prospect& before = a.prospect;
+    const Prediction& before = a.prediction;
     FirstContact first(before.contact_time, before.partner, before.partner_collisions);
     if (grid_.plain(radius)) {
         grid_.append_newly_around(a.cell, side, near_, near_count_);
@@ -302,9 +302,9 @@ double Plane::foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, d
 }
 
 std::int32_t Plane::partner_ahead(const Bodies& bodies, std::int32_t i, double time) {
-    const Prospect& prospect = at(bodies, i).prospect;
-    const std::int32_t meets = prospect.contact_time <= time ? -1 : 0;
-    return i ^ ((i ^ prospect.partner) & meets);
+    const Prediction& prediction = at(bodies, i).prediction;
+    const std::int32_t meets = prediction.contact_time <= time ? -1 : 0;
+    return i ^ ((i ^ prediction.partner) & meets);
 }
 
 // How many are listed the processor cannot foretell, so a few more are asked for, which have been
@@ -324,8 +324,8 @@ void Plane::fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
 // Without a branch: which event comes the processor cannot foretell.
 void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const {
     const Body& a = at(bodies, i);
-    const Cell next = next_cell(a.cell, cell_side(a.prospect));
-    const unsigned crosses = crosses_cells(a.prospect, time) ? ~0U : 0U;
+    const Cell next = next_cell(a.cell, cell_side(a.prediction));
+    const unsigned crosses = crosses_cells(a.prediction, time) ? ~0U : 0U;
     Cell about;
     for (std::size_t k = 0; k < 2; ++k)
         about[k] = static_cast<std::uint16_t>(a.cell[k] ^ ((a.cell[k] ^ next[k]) & crosses));
@@ -336,8 +336,8 @@ void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time)
 void Plane::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time) {
     if (!grid_.plain(properties_[i].radius)) return;
     const Body& a = at(bodies, i);
-    if (crosses_cells(a.prospect, time)) {
-        const int side = cell_side(a.prospect);
+    if (crosses_cells(a.prediction, time)) {
+        const int side = cell_side(a.prediction);
         grid_.append_newly_around(next_cell(a.cell, side), side, near_, near_count_);
         fetch_listed<4>(bodies);
     } else {

@@ -7,18 +7,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/collision/arena.h"
 #include "physics/collision/lanes.h"
+#include "physics/collision/loop_types.h"
 #include "physics/plane/cell_grid.h"
 #include "physics/plane/contact_search.h"
-#include "physics/plane/flying_disk.h"
+#include "physics/plane/disk_state.h"
 
 namespace carom {
 
 class Plane {
   public:
-    using Body = FlyingDisk;
-    using Bodies = FlyingDisks;
+    using Body = DiskState;
+    using Bodies = DiskStates;
 
     Plane(const Box& box, const Particles& particles, const Arithmetic& = {});
 
@@ -41,16 +41,16 @@ class Plane {
     void renumber(Bodies& bodies, const std::vector<std::int32_t>& before);
 
     /// Finds out what happens next to a body, which keeps it, and returns when (local time).
-    double foresee(Bodies& bodies, std::int32_t i, double now);
+    double predict(Bodies& bodies, std::int32_t i, double now);
 
     /// The same for two bodies that have just collided; false, and nothing is found, where one
     /// might meet the other again before it meets a third.
-    bool foresee_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+    bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
                       std::array<double, 2>& when);
 
-    /// The same for a body that has just crossed the side of a cell: the contact that was foreseen
+    /// The same for a body that has just crossed the side of a cell: the contact that was predicted
     /// before still holds.
-    double foresee_after_crossing(Bodies& bodies, std::int32_t i, int side, double now);
+    double predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now);
 
     /// The body goes over to the next cell.
     void cross(Bodies& bodies, std::int32_t i, int side, double now);

@@ -111,7 +111,7 @@ class Itinerary {
 
 Run without_nudges(Run run) {
     std::erase_if(run.events, [](const RunEvent& event) {
-        return std::holds_alternative<Nudge>(event.action);
+        return std::holds_alternative<Perturbation>(event.action);
     });
     return run;
 }
@@ -192,9 +192,9 @@ class Diary {
     double low_ = 0.0, high_ = 0.0;
 };
 
-TimeTold times_told(const TrialTold& told, int bits) {
-    if (!told) return {};
-    return [&told, bits](double time) { told(bits, time); };
+TimeCallback times_of(const TrialCallback& on_progress, int bits) {
+    if (!on_progress) return {};
+    return [&on_progress, bits](double time) { on_progress(bits, time); };
 }
 
 /// How a run in so many bits came home.
@@ -208,11 +208,14 @@ template <int Dimension>
 class EchoRun {
   public:
     EchoRun(const Gas& gas, const Particles& particles, Sample start, const Run& run, int bits,
-            const TrialTold& told)
-        : box_(gas.box), loop_(gas.box, particles, {.bits = bits}), bits_(bits), told_(told) {
+            const TrialCallback& on_progress)
+        : box_(gas.box),
+          loop_(gas.box, particles, {.bits = bits}),
+          bits_(bits),
+          on_progress_(on_progress) {
         start.time = -run.equilibrate;
         loop_.start(start);
-        loop_.advance(0.0, nullptr, times_told(told, bits));
+        loop_.advance(0.0, nullptr, times_of(on_progress, bits));
     }
 
     Echo go(const Itinerary& way, Diary& diary, double tolerance, double fastest) {
@@ -226,7 +229,7 @@ class EchoRun {
             for (; next != visits.end() && next->time <= leg.end; ++next) {
                 const Meeting& meeting = way.meetings()[next->meeting];
                 if (!advance(leg, next->time, diary)) return {.meets_the_same = false};
-                const Whereabouts here(box_, loop_.places(next->time));
+                const ExactPositions here(box_, loop_.places(next->time));
                 Seen& before = seen_[next->meeting];
                 if (!next->again) {
                     before = {here, diary.bookmarks()};
@@ -251,7 +254,7 @@ class EchoRun {
         bool again;
     };
     struct Seen {
-        std::optional<Whereabouts> where;
+        std::optional<ExactPositions> where;
         std::vector<std::ptrdiff_t> marks;
     };
 
@@ -278,7 +281,7 @@ class EchoRun {
             for (const Collision& collision : collisions_)
                 if (!diary.write(leg, collision)) return false;
             throw_if_interrupted();
-            if (told_ && now_ > 0.0) told_(bits_, now_);
+            if (on_progress_ && now_ > 0.0) on_progress_(bits_, now_);
         }
         diary.reach(leg.at(now_));
         return true;
@@ -290,17 +293,17 @@ class EchoRun {
     std::vector<Collision> collisions_;
     double now_ = 0.0;
     int bits_;
-    const TrialTold& told_;
+    const TrialCallback& on_progress_;
 };
 
 /// A gas in search of its bits.
 class Search {
   public:
-    Search(const Gas& gas, const Run& run, const Itinerary& way, const TrialTold& told)
+    Search(const Gas& gas, const Run& run, const Itinerary& way, const TrialCallback& on_progress)
         : gas_(gas),
           run_(run),
           way_(way),
-          told_(told),
+          on_progress_(on_progress),
           placed_(place(gas)),
           tolerance_(tolerance_length()) {}
 
@@ -331,7 +334,7 @@ class Search {
     void count_collisions() {
         Run run = without_nudges(run_);
         run.bits = bits_of_double;
-        Simulation simulation(gas_, run, times_told(told_, bits_of_double));
+        Simulation simulation(gas_, run, times_of(on_progress_, bits_of_double));
         std::int64_t before = 0;
         for (const Leg& leg : way_.legs()) {
             const std::int64_t now = simulation.advance_to(leg.end).counts.particle;
@@ -340,7 +343,7 @@ class Search {
             if (each >= of_each_) longest_ = leg.end - leg.begin;
             of_each_ = std::max(of_each_, each);
             before = now;
-            if (told_) told_(bits_of_double, leg.end);
+            if (on_progress_) on_progress_(bits_of_double, leg.end);
         }
     }
 
@@ -364,7 +367,7 @@ class Search {
         // The times of collisions come as doubles.
         const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * run_.until;
         Diary diary(particles.count(), (fastest > 0.0 ? tolerance_ / fastest : 0.0) + round_off);
-        return EchoRun<Dimension>(gas_, particles, start, run_, bits, told_)
+        return EchoRun<Dimension>(gas_, particles, start, run_, bits, on_progress_)
             .go(way_, diary, tolerance_, fastest);
     }
 
@@ -399,7 +402,7 @@ class Search {
     const Gas& gas_;
     const Run& run_;
     const Itinerary& way_;
-    const TrialTold& told_;
+    const TrialCallback& on_progress_;
     std::pair<Particles, Sample> placed_;
     double tolerance_;      ///< length
     double of_each_ = 0.0;  ///< collisions with others, on the leg with most
@@ -408,18 +411,18 @@ class Search {
 
 }  // namespace
 
-int bits_for(const Nudge& nudge, double size) {
-    const ReturnDistance moved = moved_by({nudge}, 1);
+int bits_for(const Perturbation& perturbation, double size) {
+    const ReturnDistance moved = moved_by({perturbation}, 1);
     if (!std::isfinite(moved.log10_largest)) return least_bits;
     return up_to_whole_words((std::log10(size) - moved.log10_largest) / std::log10(2.0) + 64.0);
 }
 
-ReturnDistance moved_by(const std::vector<Nudge>& nudges, Eigen::Index particles) {
+ReturnDistance moved_by(const std::vector<Perturbation>& perturbations, Eigen::Index particles) {
     std::map<std::int64_t, std::array<Real, 2>> displaced;
-    for (const Nudge& nudge : nudges) {
-        std::array<Real, 2>& by = displaced[nudge.particle];
+    for (const Perturbation& perturbation : perturbations) {
+        std::array<Real, 2>& by = displaced[perturbation.particle];
         for (std::size_t axis = 0; axis < by.size(); ++axis)
-            by[axis] += Real::from_text(nudge.by[axis], least_bits);
+            by[axis] += Real::from_text(perturbation.by[axis], least_bits);
     }
     Real largest = 0.0, sum = 0.0;
     for (const auto& [particle, by] : displaced) {
@@ -437,13 +440,13 @@ ReturnDistance moved_by(const std::vector<Nudge>& nudges, Eigen::Index particles
     return {most, mean, log10_most, log10_mean};
 }
 
-int bits_to_come_home(const Gas& gas, const Run& run, const TrialTold& told) {
+int bits_for_return(const Gas& gas, const Run& run, const TrialCallback& on_progress) {
     const Itinerary way(run);
     int bits = bits_of_double;
-    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run, way, told).bits());
+    if (!way.meetings().empty()) bits = std::max(bits, Search(gas, run, way, on_progress).bits());
     for (const RunEvent& event : run.events)
-        if (const auto* nudge = std::get_if<Nudge>(&event.action))
-            bits = std::max(bits, bits_for(*nudge, gas.box.size.maxCoeff()));
+        if (const auto* perturbation = std::get_if<Perturbation>(&event.action))
+            bits = std::max(bits, bits_for(*perturbation, gas.box.size.maxCoeff()));
     return bits;
 }
 

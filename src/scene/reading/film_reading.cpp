@@ -213,7 +213,7 @@ bool check_frames(const Film& film, const Fields& fields, const Fields& scene, E
 
 // Each part of the run between reversals needs a frame for its end.
 void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& errors) {
-    const int legs = leg_count(run);
+    const int legs = branch_count(run);
     const int steps = moving_steps(film, run);
     const auto fields = scene.inner("run");
     if (legs <= steps || !fields || fields->given("events") == nullptr) return;

@@ -204,7 +204,7 @@ void check_theory(const Fields& fields, const Gas& gas, Errors& errors) {
 
 // The way home begins with a reversal, and is kept in memory.
 void check_way_home(const Node& place, const Shown& shown, Errors& errors) {
-    if (leg_count(shown.run) < 2)
+    if (branch_count(shown.run) < 2)
         errors.add(place, "`return-distance` is measured from a reversal on, and this run has none",
                    "give one in `run`: events: [{at: TIME, reverse: velocities}]");
     const std::int64_t count = particles_in(shown.gas).value_or(0);

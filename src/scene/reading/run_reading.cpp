@@ -32,7 +32,7 @@ void read_nudge(const Fields& fields, double at, RunDraft& draft) {
     const Node* by = fields.given("by");
     const auto particle = fields.integer("particle");
     if (by == nullptr || !particle) return;
-    Nudge nudge{.particle = *particle};
+    Perturbation nudge{.particle = *particle};
     if (by->is_scalar())
         nudge.by[0] = by->text;
     else
@@ -131,7 +131,7 @@ void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors) {
     const auto count = particles_in(gas);
     const double size = gas.box.size.maxCoeff();
     for (std::size_t k = 0; k < draft.run.events.size(); ++k) {
-        const auto* nudge = std::get_if<Nudge>(&draft.run.events[k].action);
+        const auto* nudge = std::get_if<Perturbation>(&draft.run.events[k].action);
         if (nudge == nullptr) continue;
         const Node& node = *draft.event_nodes[k];
         if (count && nudge->particle >= *count)

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-std::string words_of(const Nudge& nudge) {
+std::string words_of(const Perturbation& nudge) {
     const auto length = [&](std::size_t axis) {
         return parse_number(nudge.by[axis]).value_or(0.0);
     };
@@ -27,7 +27,7 @@ std::string words_of_events(const Run& run) {
         text += fmt::format(" At time {} every velocity is turned round.", listed(times));
     std::vector<std::string> nudges;
     for (const RunEvent& event : run.events)
-        if (const auto* nudge = std::get_if<Nudge>(&event.action))
+        if (const auto* nudge = std::get_if<Perturbation>(&event.action))
             nudges.push_back(fmt::format(" {} at time {}.", words_of(*nudge), event.at));
     if (nudges.size() > most_told)
         text += fmt::format(" {} times a particle is moved by a little.", nudges.size());

@@ -8,7 +8,7 @@
 namespace carom {
 
 /// "Particle 3 is moved by 1.00×10⁻²⁰": a whole sentence without its full stop.
-std::string words_of(const Nudge& nudge);
+std::string words_of(const Perturbation& nudge);
 
 /// What the events of a run do, in whole sentences; empty if there are none. Of many nudges only
 /// how many they are.

@@ -120,11 +120,11 @@ CardFrames card_frames(const Film& film) {
     return {count(film.title_card), count(wanted - film.title_card)};
 }
 
-int leg_count(const Run& run) { return static_cast<int>(reversals_on_the_way(run).size()) + 1; }
+int branch_count(const Run& run) { return static_cast<int>(reversals_on_the_way(run).size()) + 1; }
 
 int moving_steps(const Film& film, const Run& run) {
     const int frames = gas_frames(film);
-    const int reversals = leg_count(run) - 1;
+    const int reversals = branch_count(run) - 1;
     const Pauses pause = pauses(frames, film.fps, reversals);
     return frames - 1 - pause.opening - pause.closing - pause.reversal * reversals;
 }
@@ -134,7 +134,8 @@ std::vector<Tick> timeline(const Scene& scene) {
     if (frames == 1) return {Tick{}};
     const CardFrames cards = card_frames(scene.film);
     std::vector<double> ends = reversals_on_the_way(scene.run);
-    const Pauses pause = pauses(gas_frames(scene.film), scene.film.fps, leg_count(scene.run) - 1);
+    const Pauses pause =
+        pauses(gas_frames(scene.film), scene.film.fps, branch_count(scene.run) - 1);
     ends.push_back(scene.run.until);
     const int most = moving_steps(scene.film, scene.run);
     assert(static_cast<int>(ends.size()) <= most);

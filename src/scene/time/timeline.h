@@ -28,7 +28,7 @@ struct Tick {
 /// All frames of the film of `scene`, round(seconds * fps) of them, times never falling; the first
 /// is at 0, the last at `until` (a single frame is at 0), and every reversal's time has one.
 /// Opening 1.5 s, closing 2 s, 1 s for each reversal; together at most a quarter of the film,
-/// scaled down in short ones. Slow motion takes more frames of the rest. Needs leg_count <=
+/// scaled down in short ones. Slow motion takes more frames of the rest. Needs branch_count <=
 /// moving_steps, as every loaded scene has it.
 std::vector<Tick> timeline(const Scene& scene);
 
@@ -54,7 +54,7 @@ double card_seconds(const Film& film);
 int frame_count(const Film& film);
 
 /// The stretches of a run between its start, its reversals and its end.
-int leg_count(const Run& run);
+int branch_count(const Run& run);
 
 /// The steps from frame to frame in which the gas may move: the film without its cards and pauses.
 /// At least 3/4 of the frames that are no cards, less one.

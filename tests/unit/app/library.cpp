@@ -116,9 +116,9 @@ TEST_CASE("two disks meet once, and the lighter one changes its velocity by twic
     Simulation simulation(loaded.gas, loaded.run);
     simulation.advance_to(0.0);
     const Sample before = simulation.sample();
-    const Passage passage = simulation.advance_to(loaded.run.until);
-    CHECK(passage.counts.particle == 1);
-    CHECK(passage.counts.wall == 0);
+    const AdvanceResult advanced = simulation.advance_to(loaded.run.until);
+    CHECK(advanced.counts.particle == 1);
+    CHECK(advanced.counts.wall == 0);
     const Sample after = simulation.sample();
     for (const int axis : {0, 1}) {
         const double heavy = after.velocity(0, axis) - before.velocity(0, axis);
@@ -133,9 +133,9 @@ TEST_CASE("the hot particle is seen to fly, and gives its energy away blow by bl
     Simulation simulation(loaded.gas, loaded.run);
     const auto hot = static_cast<std::int32_t>(simulation.particles().count() - 1);
     simulation.record_collisions(true);
-    const Passage passage = simulation.advance_to(0.7);
+    const AdvanceResult advanced = simulation.advance_to(0.7);
     std::vector<double> blows;
-    for (const Collision& collision : passage.collisions)
+    for (const Collision& collision : advanced.collisions)
         if (collision.first == hot || collision.second == hot) blows.push_back(collision.time);
     REQUIRE(blows.size() >= 4);
     CHECK(blows[0] * 30.0 > 8.0 * 0.7);  // a way of eight radii at least, at speed 30
@@ -150,9 +150,9 @@ TEST_CASE("the hot particle is seen to fly, and gives its energy away blow by bl
 TEST_CASE("the disks of the single collision meet once, off centre, and part at right angles") {
     const Scene loaded = scene("single-collision");
     Simulation simulation(loaded.gas, loaded.run);
-    const Passage passage = simulation.advance_to(loaded.run.until);
-    CHECK(passage.counts.particle == 1);
-    CHECK(passage.counts.wall == 0);
+    const AdvanceResult advanced = simulation.advance_to(loaded.run.until);
+    CHECK(advanced.counts.particle == 1);
+    CHECK(advanced.counts.wall == 0);
     const Eigen::ArrayXXd& velocity = simulation.sample().velocity;
     CHECK(std::abs((velocity.row(0) * velocity.row(1)).sum()) < 1e-14);
     CHECK(velocity.square().rowwise().sum().minCoeff() > 0.2);

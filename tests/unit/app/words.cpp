@@ -111,7 +111,7 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
           "4.5. Particle 2 is moved by 0.00100 at time 8.");
     Run many;
     CHECK(words_of_events(many).empty());
-    for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Nudge{0, {"0.1", "0"}}});
+    for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Perturbation{0, {"0.1", "0"}}});
     CHECK(words_of_events(many) == "4 times a particle is moved by a little.");
 }
 

@@ -37,8 +37,8 @@ class StillFilm {
           simulation_(scene.gas, scene.run),
           observers_(scene, simulation_.particles(), simulation_.sample()),
           tick_(timeline(scene).front()),
-          passage_(simulation_.advance_to(0.0)) {
-        observers_.survey(tick_, simulation_.sample(), passage_);
+          advanced_(simulation_.advance_to(0.0)) {
+        observers_.survey(tick_, simulation_.sample(), advanced_);
         observers_.settle();
     }
 
@@ -57,7 +57,7 @@ class StillFilm {
         SegmentWorkers workers(scene_, observers_, segment_starts(frames, segment), threads,
                                *writer, silent);
         for (int i = 0; i < frames; ++i)
-            workers.frame(observers_.frame_data(tick_, simulation_.sample(), passage_));
+            workers.frame(observers_.frame_data(tick_, simulation_.sample(), advanced_));
         workers.finish();
     }
 
@@ -68,7 +68,7 @@ class StillFilm {
     Simulation simulation_;
     Observers observers_;
     Tick tick_;
-    Passage passage_;
+    AdvanceResult advanced_;
 };
 
 }  // namespace

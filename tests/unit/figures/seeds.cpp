@@ -136,7 +136,7 @@ TEST_CASE("runs of several seeds take no more threads than they are given") {
         const Scene scene = scene_of(bars + ", seeds: 8}\n");
         const FigureRun run(
             scene,
-            [&](const Scene& one, const TimeTold&) {
+            [&](const Scene& one, const TimeCallback&) {
                 const std::lock_guard lock(mutex);
                 seen.insert(std::this_thread::get_id());
                 return Simulation(one.gas, one.run);
@@ -160,7 +160,7 @@ TEST_CASE("all runs together tell how far they have come, each of its two passes
         double all = 0.0, done = 0.0;
         const Scene scene = scene_of(figures);
         const FigureRun run(scene,
-                            [](const Scene& one, const TimeTold& told) {
+                            [](const Scene& one, const TimeCallback& told) {
                                 return Simulation(one.gas, one.run, told);
                             },
                             2,

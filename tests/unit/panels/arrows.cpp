@@ -40,9 +40,9 @@ struct Shot {
         Tick tick{};
         observers.survey(tick, simulation.sample(), simulation.advance_to(0.0));
         observers.settle();
-        const Passage passage = simulation.advance_to(time);
+        const AdvanceResult advanced = simulation.advance_to(time);
         tick.time = time;
-        const FrameData frame = observers.frame_data(tick, simulation.sample(), passage);
+        const FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);
         painter = std::make_unique<FramePainter>(scene, observers);
         view = painter->paint(frame).pixels();
         box = observers.gas().frame_in(

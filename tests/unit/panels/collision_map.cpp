@@ -60,8 +60,8 @@ struct Seen {
                 Tick tick;
                 tick.frame = frame;
                 tick.time = scene.run.until * frame / 40;
-                const Passage passage = simulation.advance_to(tick.time);
-                const Observation seen{tick, simulation.sample(), zeros, zeros, passage};
+                const AdvanceResult advanced = simulation.advance_to(tick.time);
+                const Observation seen{tick, simulation.sample(), zeros, zeros, advanced};
                 if (survey)
                     panel.survey(seen);
                 else

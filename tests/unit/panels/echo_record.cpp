@@ -36,14 +36,14 @@ struct Walk {
     Scene scene;
     Particles particles;
     std::optional<EquilibriumGas> equilibrium;
-    WayHome way_home;
-    Passage passage;
+    EchoRecord echo;
+    AdvanceResult advanced;
     int frames = 0;
 
     explicit Walk(Scene loaded)
         : scene(std::move(loaded)),
           particles(Simulation(scene.gas, scene.run).particles()),
-          way_home(Cast{scene, particles, 100, equilibrium}) {}
+          echo(Cast{scene, particles, 100, equilibrium}) {}
 
     // The disks of `lanes` at x, each beside its lane by so much.
     void see(double time, double x, double first_aside, double second_aside, double ahead = 0.0) {
@@ -54,7 +54,7 @@ struct Walk {
         tick.frame = frames++;
         tick.time = time;
         const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(2);
-        way_home.survey({tick, sample, none, none, passage});
+        echo.survey({tick, sample, none, none, advanced});
     }
 };
 
@@ -68,16 +68,16 @@ TEST_CASE(
     walk.see(6.0, 20.0, 0.0, 0.0);        // at the border: 0 and 20 are one place
     walk.see(7.0, 17.0, -0.4, 0.0, 0.3);  // as at 5
     walk.see(12.0, 2.0, 0.0, -0.02);      // home
-    walk.way_home.settle();
-    CHECK(!walk.way_home.at(0));
-    CHECK(!walk.way_home.at(1));
-    REQUIRE(walk.way_home.at(2));
-    CHECK(walk.way_home.at(2)->largest == 0.0);
-    REQUIRE(walk.way_home.at(3));
-    CHECK(walk.way_home.at(3)->largest == relative(0.5, 1e-12));
-    CHECK(walk.way_home.at(3)->root_mean_square == relative(0.5 / std::sqrt(2.0), 1e-12));
-    CHECK(walk.way_home.at(4)->largest == relative(0.02, 1e-12));
-    CHECK(walk.way_home.at(9)->largest == relative(0.02, 1e-12));
+    walk.echo.settle();
+    CHECK(!walk.echo.at(0));
+    CHECK(!walk.echo.at(1));
+    REQUIRE(walk.echo.at(2));
+    CHECK(walk.echo.at(2)->largest == 0.0);
+    REQUIRE(walk.echo.at(3));
+    CHECK(walk.echo.at(3)->largest == relative(0.5, 1e-12));
+    CHECK(walk.echo.at(3)->root_mean_square == relative(0.5 / std::sqrt(2.0), 1e-12));
+    CHECK(walk.echo.at(4)->largest == relative(0.02, 1e-12));
+    CHECK(walk.echo.at(9)->largest == relative(0.02, 1e-12));
 }
 
 TEST_CASE("after another reversal the way back is the way out, and beyond home nothing is known") {
@@ -86,11 +86,11 @@ TEST_CASE("after another reversal the way back is the way out, and beyond home n
     walk.see(7.0, 11.0, 0.2, 0.0);  // as at 5, not as it should have been
     walk.see(8.0, 14.0, 0.3, 0.0);  // as at 4: home, for the second reversal
     walk.see(9.0, 17.0, 0.4, 0.0);  // where it has never been
-    walk.way_home.settle();
-    CHECK(walk.way_home.at(0)->largest == relative(0.1, 1e-12));
-    CHECK(walk.way_home.at(1)->largest == relative(0.2, 1e-12));
-    CHECK(walk.way_home.at(2)->largest == relative(0.3, 1e-12));
-    CHECK(!walk.way_home.at(3));
+    walk.echo.settle();
+    CHECK(walk.echo.at(0)->largest == relative(0.1, 1e-12));
+    CHECK(walk.echo.at(1)->largest == relative(0.2, 1e-12));
+    CHECK(walk.echo.at(2)->largest == relative(0.3, 1e-12));
+    CHECK(!walk.echo.at(3));
 }
 
 TEST_CASE("a film's last distance is that of the run from its start") {
@@ -106,17 +106,17 @@ TEST_CASE("a film's last distance is that of the run from its start") {
     CHECK(truth.largest > 0.0);
 
     std::optional<EquilibriumGas> none;
-    WayHome way_home(Cast{scene, run.particles(), 8, none});
+    EchoRecord echo(Cast{scene, run.particles(), 8, none});
     Simulation film(scene.gas, scene.run);
     const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(30);
     const std::vector<Tick> ticks = timeline(scene);
     for (const Tick& tick : ticks) {
-        const Passage passage = film.advance_to(tick.time);
-        way_home.survey({tick, film.sample(), zeros, zeros, passage});
+        const AdvanceResult advanced = film.advance_to(tick.time);
+        echo.survey({tick, film.sample(), zeros, zeros, advanced});
     }
-    way_home.settle();
-    CHECK(way_home.at(ticks.back().frame)->largest == truth.largest);
-    CHECK(way_home.at(ticks.back().frame)->root_mean_square == truth.root_mean_square);
+    echo.settle();
+    CHECK(echo.at(ticks.back().frame)->largest == truth.largest);
+    CHECK(echo.at(ticks.back().frame)->root_mean_square == truth.root_mean_square);
 }
 
 TEST_CASE("the panel says when it begins, and then draws what it has seen") {

@@ -83,10 +83,10 @@ std::vector<std::vector<Flash>> all_flashes(const Scene& scene, std::vector<std:
     Flashes flashes(cast);
     simulation.record_collisions(true);
     for (const Tick& tick : timeline(scene)) {
-        const Passage passage = simulation.advance_to(tick.time);
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
         const Sample& sample = simulation.sample();
         const Eigen::ArrayXd unused;
-        flashes.survey({tick, sample, unused, unused, passage}, [](const Collision& collision) {
+        flashes.survey({tick, sample, unused, unused, advanced}, [](const Collision& collision) {
             const Eigen::Array2d middle =
                 0.5 * (collision.first_position + collision.second_position);
             return Point{middle[0], middle[1]};

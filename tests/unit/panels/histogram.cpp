@@ -35,10 +35,10 @@ HistogramSubject speeds_with(Density density) {
 
 void survey(HistogramPanel& panel, const std::vector<Eigen::ArrayXd>& frames) {
     const Sample sample;
-    const Passage passage;
+    const AdvanceResult advanced;
     for (const Eigen::ArrayXd& speed : frames) {
         const Tick tick;
-        panel.survey({tick, sample, speed, speed, passage});
+        panel.survey({tick, sample, speed, speed, advanced});
     }
     panel.settle();
 }
@@ -104,13 +104,13 @@ std::vector<std::vector<MeanHistogram>> shown(HistogramPanel& panel,
                                               const std::vector<double>& times,
                                               const std::vector<Eigen::ArrayXd>& speeds) {
     const Sample sample;
-    const Passage passage;
+    const AdvanceResult advanced;
     std::vector<std::vector<MeanHistogram>> result;
     for (const bool surveying : {true, false}) {
         for (std::size_t i = 0; i < times.size(); ++i) {
             Tick tick;
             tick.time = times[i];
-            const Observation observation{tick, sample, speeds[i], speeds[i], passage};
+            const Observation observation{tick, sample, speeds[i], speeds[i], advanced};
             if (surveying) panel.survey(observation);
             if (!surveying) result.push_back(HistogramPanel::histograms(*panel.state(observation)));
         }
@@ -190,8 +190,8 @@ TEST_CASE("the number beyond the lower end is told beside the axis, which stays 
     const std::vector<std::uint32_t> ground = test::pixels_of(canvas);
     const Tick tick;
     const Sample sample;
-    const Passage passage;
-    panel.draw(canvas, page, *panel.state({tick, sample, values, values, passage}));
+    const AdvanceResult advanced;
+    panel.draw(canvas, page, *panel.state({tick, sample, values, values, advanced}));
     const std::vector<std::uint32_t> drawn = test::pixels_of(canvas);
     CHECK(drawn != ground);
     // The axis is the column with most ink.

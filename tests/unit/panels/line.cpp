@@ -47,8 +47,8 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
         Eigen::ArrayXd last = map.places(simulation.sample(), {});
         int meetings = 0;
         for (double time = 0.02; time < 8.0; time += 0.02) {
-            const Passage passage = simulation.advance_to(time);
-            for (const Collision& c : passage.collisions) {
+            const AdvanceResult advanced = simulation.advance_to(time);
+            for (const Collision& c : advanced.collisions) {
                 const double first = map.place(c.first, c.first_position[0], last[c.first]);
                 const double r = map.radius(c.first);
                 if (c.second < 0) {

@@ -37,8 +37,8 @@ Meeting meeting_in(const Scene& scene, Simulation simulation, const PanelSpec& s
         Tick tick;
         tick.frame = frame;
         tick.time = scene.run.until * frame / 10;
-        const Passage passage = simulation.advance_to(tick.time);
-        watch.survey({tick, simulation.sample(), zeros, zeros, passage});
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        watch.survey({tick, simulation.sample(), zeros, zeros, advanced});
     }
     return watch.meeting();
 }

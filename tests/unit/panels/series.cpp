@@ -24,7 +24,7 @@ struct Stage {
     Scene scene;
     Particles particles;
     std::optional<EquilibriumGas> equilibrium;
-    Passage passage;
+    AdvanceResult advanced;
 
     explicit Stage(Eigen::Index each) {
         scene.gas.box.size = {10.0, 10.0};
@@ -49,7 +49,7 @@ struct Stage {
         tick.time = time;
         const Eigen::ArrayXd speed = speeds(sample);
         const Eigen::ArrayXd energy = kinetic_energies(particles, sample);
-        panel.survey({tick, sample, speed, energy, passage});
+        panel.survey({tick, sample, speed, energy, advanced});
     }
 };
 
@@ -106,8 +106,8 @@ TEST_CASE("pressures are of what changed hands since the start, in a while, or s
         double received = 0.0;
         for (const double t : {0.0, 1.0, 1.0, 2.0, 4.0}) {
             received = 10.0 * t * t;  // by each wall
-            stage.passage.transfers.wall = {received, received, received, received};
-            stage.passage.transfers.virial = 8.0 * t;
+            stage.advanced.impulses.wall = {received, received, received, received};
+            stage.advanced.impulses.virial = 8.0 * t;
             stage.show(*panel, t, velocity);
         }
         CHECK(std::isnan(panel->line(0)[0]));
@@ -151,7 +151,7 @@ TEST_CASE("points are positions against velocities, or against another particle'
     const Sample sample{0.0, position, velocity};
     const Eigen::ArrayXd speed = speeds(sample);
     const Tick tick;
-    const Observation observation{tick, sample, speed, speed, stage.passage};
+    const Observation observation{tick, sample, speed, speed, stage.advanced};
     const auto points = [&](const PanelSpec& spec, std::size_t set) {
         const std::unique_ptr<Panel> panel = make_panel(cast, spec);
         panel->survey(observation);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "physics/collision/arena.h"
+#include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
 #include "util/random.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double size = 20.0;
 
 struct Disks {
-    FlyingDisks flying;
+    DiskStates flying;
     DiskProperties properties;
     Pairing pairing;  ///< as drawn below
     double shift;
@@ -41,14 +41,14 @@ DiskProperties draw_properties(Random& random, std::size_t count, bool alike) {
 // contact before, and are left to look again themselves.
 Disks draw_disks(Random& random, std::size_t count) {
     const bool alike = random.uniform() < 0.5;
-    Disks disks{FlyingDisks(count),
+    Disks disks{DiskStates(count),
                 draw_properties(random, count, alike),
                 {},
                 0.0,
                 false,
                 random.uniform() < 0.5 ? 1.0 : 4096.7};
     for (std::size_t k = 0; k < count; ++k) {
-        FlyingDisk& d = disks.flying[k];
+        DiskState& d = disks.flying[k];
         if (k > 1 && random.uniform() < 0.2) {
             d = disks.flying[k - 1];
         } else {
@@ -57,8 +57,9 @@ Disks draw_disks(Random& random, std::size_t count) {
             d.time = disks.now - random.uniform();
             d.collisions = static_cast<std::uint32_t>(random.below(1000));
         }
-        d.prospect = {};
-        if (random.uniform() < 0.5) d.prospect.contact_time = disks.now + random.uniform(-1.0, 8.0);
+        d.prediction = {};
+        if (random.uniform() < 0.5)
+            d.prediction.contact_time = disks.now + random.uniform(-1.0, 8.0);
     }
     disks.nearest = random.uniform() < 0.5;
     disks.shift = disks.nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
@@ -77,10 +78,10 @@ double nearest_image(double x) {
 // One after the other, as the header has it.
 FirstContact slow_search(const Disks& disks, std::int32_t i, const std::vector<std::int32_t>& near,
                          FirstContact first) {
-    const FlyingDisk& a = disks.flying[std::size_t(i)];
+    const DiskState& a = disks.flying[std::size_t(i)];
     const double now = disks.now;
     for (const std::int32_t other : near) {
-        const FlyingDisk& b = disks.flying[std::size_t(other)];
+        const DiskState& b = disks.flying[std::size_t(other)];
         const auto apart = [&](std::size_t axis) {
             const double here = a.x[axis] + a.v[axis] * (now - a.time);
             const double there = b.x[axis] + b.v[axis] * (now - b.time);
@@ -93,7 +94,7 @@ FirstContact slow_search(const Disks& disks, std::int32_t i, const std::vector<s
             now + contact_time(m, one.radius + two.radius,
                                approach_round_off(m, a.v[0], a.v[1], b.v[0], b.v[1]));
         if (other == i || !std::isfinite(time) || one.inverse_mass + two.inverse_mass == 0.0 ||
-            one.radius + two.radius == 0.0 || time > b.prospect.contact_time)
+            one.radius + two.radius == 0.0 || time > b.prediction.contact_time)
             continue;
         if (time < first.time || (time == first.time && other < first.partner()))
             first = FirstContact(time, other, b.collisions);
@@ -118,8 +119,8 @@ void let_contacts_coincide(Random& random, Disks& disks, std::int32_t i,
     for (const double chance : {0.5, 0.2}) {
         const FirstContact first = slow_search(disks, i, near, {});
         if (!std::isfinite(first.time) || random.uniform() > chance) continue;
-        FlyingDisk& other = disks.flying[std::size_t(first.partner())];
-        other.prospect.contact_time =
+        DiskState& other = disks.flying[std::size_t(first.partner())];
+        other.prediction.contact_time =
             random.uniform() < 0.5 ? first.time : std::nextafter(first.time, 0.0);
     }
 }
@@ -188,17 +189,17 @@ TEST_CASE("a disk so fast that it touches before the clock moves is found") {
     // The other's own contact is now, as the clock has it; this one comes 0.4 of its steps later.
     const double now = 4096.0, step = now * 0x1p-52, v = 1e12;
     Random random(6, "fast");
-    Disks disks{FlyingDisks(2), draw_properties(random, 2, true), {}, 0.0, false, now};
+    Disks disks{DiskStates(2), draw_properties(random, 2, true), {}, 0.0, false, now};
     disks.pairing = Pairing::shifted(0.0, 0.0);
     disks.pairing.sigma = 1.2;
     disks.flying[0] = {
-        .x = {0.0, 0.0}, .v = {v, 0.0}, .time = now, .collisions = 0, .cell = {}, .prospect = {}};
+        .x = {0.0, 0.0}, .v = {v, 0.0}, .time = now, .collisions = 0, .cell = {}, .prediction = {}};
     disks.flying[1] = {.x = {1.2 + 0.4 * step * v, 0.0},
                        .v = {0.0, 0.0},
                        .time = now,
                        .collisions = 7,
                        .cell = {},
-                       .prospect = {.contact_time = now}};
+                       .prediction = {.contact_time = now}};
     const std::vector<std::int32_t> near{1, 0, 0, 0};
     FirstContact first;
     search_contact(disks.flying, disks.properties, 0, now, near.data(), near.size(), disks.pairing,

@@ -46,36 +46,36 @@ bool same(const Collision& a, const Collision& b) {
 }  // namespace
 
 TEST_CASE("times that are one double are ordered by all their bits, equal ones by number") {
-    ExactQueue queue(4);
+    MpEventQueue queue(4);
     const Real one(1.0, 256);
     const auto at = [&](const Real& time) {
-        ExactEvent event(256);
+        MpEvent event(256);
         event.time = time;
         return event;
     };
     const Real later = one + Real::from_text("1e-60", 256);
     const Real earlier = one - Real::from_text("1e-60", 256);
-    queue.reset({at(later), at(one), at(one), ExactEvent(256)});
+    queue.reset({at(later), at(one), at(one), MpEvent(256)});
     CHECK(queue.earliest() == 1);
     queue.schedule(3, at(earlier));
     CHECK(queue.earliest() == 3);
     queue.schedule(3, at(later));
-    queue.schedule(1, ExactEvent(256));
+    queue.schedule(1, MpEvent(256));
     CHECK(queue.earliest() == 2);
-    queue.schedule(2, ExactEvent(256));
+    queue.schedule(2, MpEvent(256));
     CHECK(queue.earliest() == 0);
-    queue.schedule(0, ExactEvent(256));
+    queue.schedule(0, MpEvent(256));
     CHECK(queue.earliest() == 3);
-    queue.schedule(3, ExactEvent(256));
+    queue.schedule(3, MpEvent(256));
     CHECK(queue.earliest() == -1);
 }
 
 TEST_CASE("many events come out of the queue in order of time") {
     Random random(1, "queue");
     constexpr int count = 50;
-    ExactQueue queue(count);
+    MpEventQueue queue(count);
     std::vector<Real> times(count, Real(0.0, 128));
-    std::vector<ExactEvent> events(count, ExactEvent(128));
+    std::vector<MpEvent> events(count, MpEvent(128));
     const auto draw = [&](double from) {
         return Real(from, 128) + Real(static_cast<double>(random.below(8)), 128) * 0x1p-70 +
                static_cast<double>(random.below(3));
@@ -88,7 +88,7 @@ TEST_CASE("many events come out of the queue in order of time") {
             const auto order = queue.event(first).time <=> queue.event(i).time;
             REQUIRE((order < 0 || (order == 0 && first <= i)));
         }
-        ExactEvent event(128);
+        MpEvent event(128);
         event.time = queue.event(first).time + draw(0.0);
         queue.schedule(first, event);
     }

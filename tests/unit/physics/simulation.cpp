@@ -29,9 +29,9 @@ TEST_CASE("collisions are told exactly, those at the end included") {
     Simulation simulation = simulation_of(box_of(10.0, 10.0), {{2, 5, 1, 0}, {5, 5, 0, 0}});
     simulation.record_collisions(true);
     CHECK(simulation.advance_to(1.75).collisions.empty());
-    Passage passage = simulation.advance_to(2.0);
-    REQUIRE(passage.collisions.size() == 1);
-    const Collision pair = passage.collisions[0];
+    AdvanceResult advanced = simulation.advance_to(2.0);
+    REQUIRE(advanced.collisions.size() == 1);
+    const Collision pair = advanced.collisions[0];
     CHECK(pair.time == 2.0);
     CHECK(pair.first == 0);
     CHECK(pair.second == 1);
@@ -43,16 +43,16 @@ TEST_CASE("collisions are told exactly, those at the end included") {
     CHECK(pair.second_before[0] == 0.0);
     CHECK(pair.first_after[0] == 0.0);
     CHECK(pair.second_after[0] == 1.0);
-    passage = simulation.advance_to(7.0);
-    REQUIRE(passage.collisions.size() == 1);
-    CHECK(passage.collisions[0].time == 6.5);
-    CHECK(passage.collisions[0].second == -2);  // the right wall
-    CHECK(passage.collisions[0].second_position[0] == 10.0);
-    CHECK(passage.collisions[0].first_before[0] == 1.0);
-    CHECK(passage.collisions[0].first_after[0] == -1.0);
-    CHECK(passage.collisions[0].second_before[0] == 0.0);
-    CHECK(passage.counts.particle == 1);
-    CHECK(passage.counts.wall == 1);
+    advanced = simulation.advance_to(7.0);
+    REQUIRE(advanced.collisions.size() == 1);
+    CHECK(advanced.collisions[0].time == 6.5);
+    CHECK(advanced.collisions[0].second == -2);  // the right wall
+    CHECK(advanced.collisions[0].second_position[0] == 10.0);
+    CHECK(advanced.collisions[0].first_before[0] == 1.0);
+    CHECK(advanced.collisions[0].first_after[0] == -1.0);
+    CHECK(advanced.collisions[0].second_before[0] == 0.0);
+    CHECK(advanced.counts.particle == 1);
+    CHECK(advanced.counts.wall == 1);
     CHECK(simulation.sample().position(1, 0) == 9.0);
     simulation.record_collisions(false);
     CHECK(simulation.advance_to(20.0).collisions.empty());
@@ -85,12 +85,12 @@ TEST_CASE("time before t = 0 is not counted") {
                                           {.until = 0.0, .equilibrate = 5.0, .events = {}});
     CHECK(simulation.sample().position(1, 0) == 8.0);
     CHECK(simulation.sample().time == 0.0);
-    const Passage passage = simulation.advance_to(1.5);
-    CHECK(passage.counts.particle == 0);
-    CHECK(passage.counts.wall == 1);
+    const AdvanceResult advanced = simulation.advance_to(1.5);
+    CHECK(advanced.counts.particle == 0);
+    CHECK(advanced.counts.wall == 1);
 }
 
-TEST_CASE("a reversal at its time, also when several lie in one passage") {
+TEST_CASE("a reversal at its time, also when several lie in one advance") {
     const Run run{.until = 20.0,
                   .equilibrate = 0.0,
                   .events = {{3.0, ReverseVelocities{}},
@@ -103,9 +103,9 @@ TEST_CASE("a reversal at its time, also when several lie in one passage") {
     CHECK(simulation.sample().velocity(1, 0) == -1.0);
     // back to the collision at 4, processed at the instant of the second and third reversal
     CHECK(simulation.advance_to(3.999).counts.particle == 1);
-    const Passage passage = simulation.advance_to(4.0);
-    CHECK(passage.reversals == 3);
-    CHECK(passage.counts.particle >= 2);
+    const AdvanceResult advanced = simulation.advance_to(4.0);
+    CHECK(advanced.reversals == 3);
+    CHECK(advanced.counts.particle >= 2);
     CHECK(simulation.advance_to(6.0).reversals == 4);
 }
 
@@ -122,8 +122,8 @@ TEST_CASE("two disks around a periodic box meet on both sides") {
     // Two nearly fill it, and each meets two images of the other.
     Simulation pair =
         simulation_of(box_of(2.5, 4.0, Wall::periodic), {{0.5, 2, 0, 0}, {1.5, 2, 1, 0}});
-    const Passage passage = pair.advance_to(0.5 + 0.5 + 0.25);
-    CHECK(passage.counts.particle == 2);  // at 0.5 across the border, at 1.0 inside
+    const AdvanceResult advanced = pair.advance_to(0.5 + 0.5 + 0.25);
+    CHECK(advanced.counts.particle == 2);  // at 0.5 across the border, at 1.0 inside
 }
 
 TEST_CASE(
@@ -140,8 +140,8 @@ TEST_CASE("a disk that falls between two images of another hits both") {
     // Half of the box apart along x, to the last bit: which image is nearest does not tell.
     Simulation simulation =
         simulation_of(box_of(1.75, 10.0, Wall::periodic), {{0.4375, 2, 0, 0}, {1.3125, 5, 0, -1}});
-    const Passage passage = simulation.advance_to(6.0);
-    CHECK(passage.counts.particle >= 2);
+    const AdvanceResult advanced = simulation.advance_to(6.0);
+    CHECK(advanced.counts.particle >= 2);
     CHECK(simulation.sample().velocity.square().sum() == relative(1.0, 1e-14));
     CHECK(std::abs(simulation.sample().velocity.col(0).sum()) <= 1e-15);
 }
@@ -150,9 +150,9 @@ TEST_CASE("ties are decided by number and counted") {
     // One disk hits two at rest at the same instant.
     Simulation simulation =
         simulation_of(box_of(20.0, 20.0), {{5, 10, 1, 0}, {8, 10.5, 0, 0}, {8, 9.5, 0, 0}});
-    const Passage passage = simulation.advance_to(3.0);
-    CHECK(passage.counts.particle >= 2);
-    CHECK(passage.counts.ties >= 1);
+    const AdvanceResult advanced = simulation.advance_to(3.0);
+    CHECK(advanced.counts.particle >= 2);
+    CHECK(advanced.counts.ties >= 1);
 }
 
 TEST_CASE("what changes hands is added up") {
@@ -160,12 +160,12 @@ TEST_CASE("what changes hands is added up") {
     // right wall.
     Simulation simulation = simulation_of(
         box_of(10.0, 10.0), {{2, 5, 1, 0, 0.5, 1.0 / 3.0}, {5, 5, 0, 0, 0.5, 1.0 / 3.0}});
-    CHECK(simulation.advance_to(1.0).transfers.virial == 0.0);
-    const Transfers transfers = simulation.advance_to(7.0).transfers;
-    CHECK(transfers.virial == 3.0);  // a distance of 1 times a momentum of 3
-    CHECK(transfers.wall[0] == 0.0);
-    CHECK(transfers.wall[1] == 6.0);
-    CHECK(transfers.largest_overlap == 0.0);
+    CHECK(simulation.advance_to(1.0).impulses.virial == 0.0);
+    const ImpulseTotals impulses = simulation.advance_to(7.0).impulses;
+    CHECK(impulses.virial == 3.0);  // a distance of 1 times a momentum of 3
+    CHECK(impulses.wall[0] == 0.0);
+    CHECK(impulses.wall[1] == 6.0);
+    CHECK(impulses.largest_overlap == 0.0);
 }
 
 TEST_CASE("a gas tells how far it has equilibrated, and is none the worse for it") {

@@ -400,13 +400,13 @@ TEST_CASE("the precision of a run, and nudges with all their digits") {
                               "{at: 5, nudge: {particle: 2, by: [-" +
                                   digits + ", 0]}}]");
     REQUIRE(nudged.events.size() == 2);
-    const auto* nudge = std::get_if<Nudge>(&nudged.events[1].action);
+    const auto* nudge = std::get_if<Perturbation>(&nudged.events[1].action);
     REQUIRE(nudge != nullptr);
     CHECK(nudge->particle == 2);
     CHECK(nudge->by[0] == "-" + digits);
     CHECK(nudge->by[1] == "0");
     const Run beads = run_of(wire, ", events: [{at: 5, nudge: {particle: 0, by: 1e-3}}]");
-    CHECK(std::get<Nudge>(beads.events.at(0).action).by[0] == "1e-3");
+    CHECK(std::get<Perturbation>(beads.events.at(0).action).by[0] == "1e-3");
 }
 
 TEST_CASE("rings, labels and monitors are read") {

@@ -123,7 +123,7 @@ TEST_CASE("equal legs have equal steps also where few frames fall to each") {
 TEST_CASE("a film can have as many legs as moving steps") {
     const std::vector<double> reversals = spaced(88, 0.2);
     const Scene scene = film(24.0, 3.0, 30, reversals);
-    REQUIRE(moving_steps(scene.film, scene.run) == leg_count(scene.run));
+    REQUIRE(moving_steps(scene.film, scene.run) == branch_count(scene.run));
     const std::vector<Tick> ticks = timeline(scene);
     CHECK(ticks.size() == 90);
     CHECK(ticks.back().time == 24.0);

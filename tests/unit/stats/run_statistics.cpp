@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "stats/homecoming.h"
+#include "physics/exact_positions.h"
 #include "stats/mechanics.h"
 #include "stats/overlap.h"
 #include "stats/pressure.h"
@@ -114,17 +114,17 @@ TEST_CASE("a drift is no heat where nothing can stop it") {
 }
 
 TEST_CASE("pressure on the walls is momentum for each time and length of those that are solid") {
-    Transfers transfers;
-    transfers.wall = {6.0, 10.0, 3.0, 5.0};
-    CHECK(wall_pressure(box_of(4, 2), transfers, 2.0) == 24.0 / (2.0 * 12.0));
-    CHECK(wall_pressure(box_of(4, 2, Wall::periodic), transfers, 2.0) == 8.0 / (2.0 * 8.0));
-    CHECK(wall_pressure(box_of(4, 2, Wall::solid, Wall::periodic), transfers, 2.0) ==
+    ImpulseTotals impulses;
+    impulses.wall = {6.0, 10.0, 3.0, 5.0};
+    CHECK(wall_pressure(box_of(4, 2), impulses, 2.0) == 24.0 / (2.0 * 12.0));
+    CHECK(wall_pressure(box_of(4, 2, Wall::periodic), impulses, 2.0) == 8.0 / (2.0 * 8.0));
+    CHECK(wall_pressure(box_of(4, 2, Wall::solid, Wall::periodic), impulses, 2.0) ==
           16.0 / (2.0 * 4.0));
-    CHECK(!wall_pressure(box_of(4, 2, Wall::periodic, Wall::periodic), transfers, 2.0));
-    CHECK(wall_pressure(wire_of(4), transfers, 2.0) == 4.0);  // (6 + 10) / 2 walls / 2
-    CHECK(!wall_pressure(wire_of(4, Wall::periodic), transfers, 2.0));
-    transfers.wall[1] = infinite;
-    CHECK(!wall_pressure(box_of(4, 2), transfers, 2.0));
+    CHECK(!wall_pressure(box_of(4, 2, Wall::periodic, Wall::periodic), impulses, 2.0));
+    CHECK(wall_pressure(wire_of(4), impulses, 2.0) == 4.0);  // (6 + 10) / 2 walls / 2
+    CHECK(!wall_pressure(wire_of(4, Wall::periodic), impulses, 2.0));
+    impulses.wall[1] = infinite;
+    CHECK(!wall_pressure(box_of(4, 2), impulses, 2.0));
 }
 
 TEST_CASE("the pressure of points is that of an ideal gas in the whole box") {
@@ -135,21 +135,21 @@ TEST_CASE("the pressure of points is that of an ideal gas in the whole box") {
 TEST_CASE("pressure by the virial is that of an ideal gas and what collisions add") {
     const std::vector<Body> bodies{{1, 1, 0, 0, 0.5}, {3, 3, 0, 0, 0.5}, {2, 2, 0, 0, 9, infinite}};
     const Particles particles = particles_of(bodies);
-    Transfers transfers;
-    transfers.virial = 12.0;
+    ImpulseTotals impulses;
+    impulses.virial = 12.0;
     const Box around = box_of(6, 4, Wall::periodic, Wall::periodic);
     // P A = N T + W / 2t = 5 + 2
-    CHECK(*virial_pressure(around, particles, 5.0, transfers, 3.0) == relative(7.0 / 24.0, 1e-14));
+    CHECK(*virial_pressure(around, particles, 5.0, impulses, 3.0) == relative(7.0 / 24.0, 1e-14));
     // Between walls A is (6 * 3 + 4 * 5) / 2 for disks of radius 1/2
-    CHECK(*virial_pressure(box_of(6, 4), particles, 5.0, transfers, 3.0) ==
+    CHECK(*virial_pressure(box_of(6, 4), particles, 5.0, impulses, 3.0) ==
           relative(7.0 / 19.0, 1e-14));
     // P L = 2K + W / t = 10 + 4
-    CHECK(*virial_pressure(wire_of(6, Wall::periodic), particles, 5.0, transfers, 3.0) ==
+    CHECK(*virial_pressure(wire_of(6, Wall::periodic), particles, 5.0, impulses, 3.0) ==
           relative(14.0 / 6.0, 1e-14));
-    CHECK(*virial_pressure(wire_of(6), particles, 5.0, transfers, 3.0) ==
+    CHECK(*virial_pressure(wire_of(6), particles, 5.0, impulses, 3.0) ==
           relative(14.0 / 5.0, 1e-14));
     CHECK(
-        !virial_pressure(around, particles_of({{1, 1, 0, 0, 0.5, infinite}}), 0.0, transfers, 3.0));
+        !virial_pressure(around, particles_of({{1, 1, 0, 0, 0.5, infinite}}), 0.0, impulses, 3.0));
 }
 
 TEST_CASE("the deepest overlap is found, across periodic borders too") {
@@ -285,8 +285,8 @@ TEST_CASE("the overlap is the deepest at a collision or in a sample") {
     const std::vector<Body> bodies{{1, 1, 0, 0}, {1.9, 1, 0, 0}};
     RunStatistics statistics(box_of(10, 8), particles_of(bodies), 1, 1);
     statistics.see(sample_of(bodies));
-    Passage passage;
-    CHECK(statistics.summary(passage).largest_overlap == relative(0.1, 1e-14));
-    passage.transfers.largest_overlap = 0.25;
-    CHECK(statistics.summary(passage).largest_overlap == 0.25);
+    AdvanceResult advanced;
+    CHECK(statistics.summary(advanced).largest_overlap == relative(0.1, 1e-14));
+    advanced.impulses.largest_overlap = 0.25;
+    CHECK(statistics.summary(advanced).largest_overlap == 0.25);
 }

@@ -1,4 +1,4 @@
-#include "physics/plane/flying_disk.h"
+#include "physics/plane/disk_state.h"
 
 namespace carom {
 

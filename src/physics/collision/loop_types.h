@@ -1,5 +1,5 @@
-// The words in which the two spaces, the plane of disks (plane.h) and the wire of beads (wire.h),
-// talk with the event loop (event_loop.h), which is one source for both.
+// The types shared by the event loop (event_loop.h), which is one source for both dimensions, and
+// its geometries: the plane of disks (plane.h, mp_plane.h) and the line of beads (line.h).
 #pragma once
 
 #include <array>
@@ -30,16 +30,16 @@ struct Contact {
 };
 
 /// What will happen to a particle: the earlier of a contact with another and of reaching a border.
-struct Prospect {
-    double contact_time = never<double>;  ///< local; of the contact foreseen, which may come after
+struct Prediction {
+    double contact_time = never<double>;  ///< local; of the contact predicted, which may come after
                                           ///< the border
     std::int32_t partner = 0;             ///< in that contact
     std::uint32_t partner_collisions : 29 = 0;
     std::uint32_t border : 3 = 0;
 };
 
-/// The same, and when. Of many bits: exact_queue.h.
-struct Event : Prospect {
+/// The same, and when. Of many bits: mp_event_queue.h.
+struct Event : Prediction {
     double time = never<double>;  ///< local
 
     bool is_contact() const { return contact_time <= time; }
@@ -71,7 +71,7 @@ Bodies with_properties(const Particles& particles) {
 
 /// Moves a body on to a time.
 template <typename Body, typename Scalar>
-inline void fly(Body& b, const Scalar& now) {
+inline void advance_body(Body& b, const Scalar& now) {
     for (std::size_t a = 0; a < b.x.size(); ++a) b.x[a] += b.v[a] * (now - b.time);
     b.time = now;
 }

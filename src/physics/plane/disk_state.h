@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/collision/arena.h"
 #include "physics/collision/lanes.h"
+#include "physics/collision/loop_types.h"
 #include "physics/particles.h"
 #include "physics/plane/cell_grid.h"
 #include "util/large_pages.h"
@@ -15,25 +15,25 @@
 namespace carom {
 
 /// All that a pair of disks alike needs to be tested and to collide: one cache line.
-struct alignas(64) FlyingDisk {
+struct alignas(64) DiskState {
     std::array<double, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
     std::array<double, 2> v;
     double time;  ///< local
     std::uint32_t collisions;
     Cell cell;
-    Prospect prospect;
+    Prediction prediction;
 };
-static_assert(sizeof(FlyingDisk) == 64);
+static_assert(sizeof(DiskState) == 64);
 
 /// As for any body. What is read as a pair is written as a pair: a processor can hand on at once
 /// only what it stored in one piece.
-inline void fly(FlyingDisk& d, double now) {
+inline void advance_body(DiskState& d, double now) {
     const TwoLanes x = load_two(d.x.data()), v = load_two(d.v.data());
     store_two(x + v * (now - d.time), d.x.data());
     d.time = now;
 }
 
-using FlyingDisks = LargeVector<FlyingDisk>;
+using DiskStates = LargeVector<DiskState>;
 
 /// The properties of each disk; of disks that are all alike, once.
 class DiskProperties {

@@ -14,8 +14,8 @@
 namespace carom {
 namespace {
 
-// A lap is some eight events of each disk; it takes a few for neighbours to part.
-constexpr int laps_between_sorts = 2;
+// A cycle is some eight events of each disk; it takes a few for neighbours to part.
+constexpr int cycles_between_sorts = 2;
 
 template <typename Scalar, std::size_t Dimension>
 Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
@@ -99,7 +99,7 @@ auto EventLoop<Dimension, Scalar>::predict(std::int32_t i) {
 // Tells where each body was before.
 template <int Dimension, typename Scalar>
 std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
-    laps_since_sorted_ = 0;
+    cycles_since_sorted_ = 0;
     std::vector<std::int32_t> order = geometry_.order(bodies_);
     typename Geometry::Bodies bodies(bodies_.size());
     std::vector<std::int32_t> number(number_.size());
@@ -114,12 +114,12 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
 
 // The same at any time, with the events already predicted.
 template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::sort_again() {
+void EventLoop<Dimension, Scalar>::resort() {
     if constexpr (Dimension == 2 && of_doubles) {
         const std::vector<std::int32_t> before = put_in_order();
         queue_.renumber(before);
         geometry_.renumber(bodies_, before);
-        last_pair_[0] = last_pair_[1] = -1;  // it collided in the lap before
+        last_pair_[0] = last_pair_[1] = -1;  // it collided in the cycle before
     }
 }
 
@@ -149,7 +149,7 @@ void EventLoop<Dimension, Scalar>::predict_all() {
     }
 }
 
-// All bodies fly to a local time, which becomes the epoch.
+// Advances all bodies to a local time, which becomes the epoch.
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
     now_ = local_time;
@@ -285,8 +285,9 @@ Scalar EventLoop<Dimension, Scalar>::place(const Body& b, std::size_t axis,
     return b.x[axis] + b.v[axis] * (local_time - b.time);
 }
 
-// The particle with the earliest event, -1 when nothing will ever happen. Between laps all times
-// are counted from a new epoch, so that they stay small (a whole number of laps: exact).
+// The particle with the earliest event, -1 when nothing will ever happen. At the end of a cycle of
+// the queue all times are counted from a new epoch, so that they stay small (the shift is a whole
+// number of cycles: exact).
 template <int Dimension, typename Scalar>
 std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
     if constexpr (!of_doubles) return queue_.earliest();
@@ -294,9 +295,9 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
         const std::int32_t i = queue_.earliest();
         if (i >= 0) return i;
         if constexpr (of_doubles) {
-            const double shift = queue_.next_lap();
+            const double shift = queue_.next_cycle();
             if (!std::isfinite(shift)) return -1;
-            queue_.begin_lap(shift);
+            queue_.begin_cycle(shift);
             clock_.advance(shift);
             now_ -= shift;
             last_collision_ -= shift;
@@ -304,9 +305,10 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
                 b.time -= shift;
                 b.prediction.contact_time -= shift;
             }
-            if (!Geometry::sorts_again(bodies_.size()) || ++laps_since_sorted_ < laps_between_sorts)
+            if (!Geometry::is_resorted(bodies_.size()) ||
+                ++cycles_since_sorted_ < cycles_between_sorts)
                 continue;
-            sort_again();
+            resort();
         }
     }
 }

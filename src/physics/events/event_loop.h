@@ -1,4 +1,4 @@
-// The event loop of hard particles, disks in the plane or beads on a wire: flies them from one
+// The event loop of hard particles, disks in the plane or beads on a line: advances them from one
 // event to the next and nothing else. Each particle has its own time, up to which it has been
 // moved; only those that collide are touched. One source for doubles and for numbers of many bits
 // (multiprecision.h). Does not know runs, reversals at given times or placement (simulation.h), nor
@@ -126,7 +126,7 @@ class EventLoop {
     std::conditional_t<of_doubles, Event, const Event&> event_of(std::int32_t i) const;
     auto predict(std::int32_t i);
     std::vector<std::int32_t> put_in_order();
-    void sort_again();
+    void resort();
     void predict_all();
     void move_epoch_to(const Scalar& local_time);
     std::int32_t next_particle();
@@ -145,7 +145,7 @@ class EventLoop {
     typename Parts::Clock clock_;
     Scalar now_ = 0.0;  ///< local
     int bits_;
-    int laps_since_sorted_ = 0;
+    int cycles_since_sorted_ = 0;
     FetchAhead fetch_ahead_;
     CollisionCounts counts_;
     ImpulseTotals impulses_;

@@ -9,20 +9,20 @@
 namespace carom {
 namespace {
 
-// Few enough to find the earliest quickly, enough not to step through empty hours.
-constexpr double events_per_hour = 0.5;
+// Few enough to find the earliest quickly, enough not to step through empty buckets.
+constexpr double events_per_bucket = 0.5;
 constexpr int most_in_list = 32;
 
-// A lap is as long as several events of each particle, so that beginning one costs each event
+// A cycle is as long as several events of each particle, so that beginning one costs each event
 // little.
-constexpr std::uint64_t hours_per_particle = 16;
-constexpr std::uint64_t least_hours = 8, most_hours = std::uint64_t{1} << 30;
+constexpr std::uint64_t buckets_per_particle = 16;
+constexpr std::uint64_t least_buckets = 8, most_buckets = std::uint64_t{1} << 30;
 
-// Hours of a day, as a power of two, unless the lap has fewer.
-constexpr int most_day_bits = 13;
+// Buckets of a year, as a power of two, unless the cycle has fewer.
+constexpr int most_year_bits = 13;
 
-// At most, on average; one and a half are usual.
-constexpr std::size_t notes_per_particle = 4;
+// Deferred numbers at most, on average; one and a half are usual.
+constexpr std::size_t deferred_per_particle = 4;
 
 double power_of_two_near(double value) {
     const int exponent = std::ilogb(std::clamp(value, 0x1p-900, 0x1p900));
@@ -35,7 +35,7 @@ double width_for(std::vector<double> times) {
     if (times.empty()) return 1.0;
     const auto median = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::nth_element(times.begin(), median, times.end());
-    return events_per_hour * 2.0 * *median / static_cast<double>(times.size());
+    return events_per_bucket * 2.0 * *median / static_cast<double>(times.size());
 }
 
 bool later(double time_a, std::int32_t a, double time_b, std::int32_t b) {
@@ -51,31 +51,31 @@ constexpr auto is_later = [](const auto& a, const auto& b) {
 EventQueue::EventQueue(std::int32_t count)
     : count_(count),
       nodes_(index(count) + 1),
-      hours_(static_cast<std::int32_t>(
-          std::bit_ceil(std::clamp(hours_per_particle * index(count), least_hours, most_hours)))),
-      hours_in_lap_(hours_),
-      day_bits_(std::min(most_day_bits, std::countr_zero(static_cast<std::uint32_t>(hours_)))),
-      elsewhere_(1 << day_bits_) {
+      buckets_(static_cast<std::int32_t>(std::bit_ceil(
+          std::clamp(buckets_per_particle * index(count), least_buckets, most_buckets)))),
+      buckets_in_cycle_(buckets_),
+      year_bits_(std::min(most_year_bits, std::countr_zero(static_cast<std::uint32_t>(buckets_)))),
+      overflow_(1 << year_bits_) {
     clear();
 }
 
 void EventQueue::clear() {
-    forget_notes();
-    heads_.assign(index(elsewhere_) + 1, nobody());
-    nodes_[index(nobody())].next = nobody();
-    occupied_.assign(index(elsewhere_) / 64 + 1, 0);
-    occupied_.back() = std::uint64_t{1} << (index(elsewhere_) % 64);
+    clear_deferred();
+    heads_.assign(index(overflow_) + 1, null_link());
+    nodes_[index(null_link())].next = null_link();
+    occupied_.assign(index(overflow_) / 64 + 1, 0);
+    occupied_.back() = std::uint64_t{1} << (index(overflow_) % 64);
     heap_.clear();
     crowded_ = false;
-    hour_ = midnight_ = 0;
-    ahead_ = asked_ = -1;
-    events_in_lap_ = 0;
+    bucket_ = year_begin_ = 0;
+    looked_at_ = prefetched_ = -1;
+    events_in_cycle_ = 0;
 }
 
 void EventQueue::set_width(double width) {
     width_ = power_of_two_near(width);
     per_width_ = 1.0 / width_;
-    lap_ = width_ * hours_;
+    cycle_ = width_ * buckets_;
 }
 
 void EventQueue::reset(const std::vector<double>& times) {
@@ -94,12 +94,12 @@ void EventQueue::renumber(const std::vector<std::int32_t>& before) {
     reset(times);
 }
 
-// In the lap, or hours_ for a time beyond.
-std::int32_t EventQueue::hour_of(double time) const {
+// In the cycle, or buckets_ for a time beyond.
+std::int32_t EventQueue::bucket_of(double time) const {
     double due = time * per_width_;
-    due = due < hours_in_lap_ ? due : hours_in_lap_;
+    due = due < buckets_in_cycle_ ? due : buckets_in_cycle_;
 #ifdef __x86_64__
-    asm("" : "+x"(due));  // lest the compiler makes a branch of it
+    asm("" : "+x"(due));  // so that the compiler does not turn it into a branch
 #endif
     return static_cast<std::int32_t>(due);
 }
@@ -122,120 +122,122 @@ inline void EventQueue::unlink(std::int32_t particle) {
                                              &heads_[index(list)]};
     *links[index(-at_head)] = node.next;
     nodes_[index(node.next)].previous = node.previous;
-    const bool emptied = (at_head != 0) & (node.next == nobody()) & (list != elsewhere_);
+    const bool emptied = (at_head != 0) & (node.next == null_link()) & (list != overflow_);
     occupied_[index(list) / 64] &= ~(std::uint64_t{emptied} << (index(list) % 64));
 }
 
-// Whether it is for the present day, for a later one or beyond the lap the processor cannot
-// foretell either: it is always linked, be it elsewhere, and always noted, be it for nothing.
+// Whether the event is in the present year, in a later one or beyond the cycle cannot be predicted
+// by the processor either: the particle is always linked, if only into the overflow list, and
+// always deferred, if only to a place that is written over.
 inline void EventQueue::insert(std::int32_t particle, double time) {
-    const std::int32_t hour = std::max(hour_, hour_of(time));
-    if (crowded_ && hour == hour_) [[unlikely]] {
+    const std::int32_t bucket = std::max(bucket_, bucket_of(time));
+    if (crowded_ && bucket == bucket_) [[unlikely]] {
         insert_into_heap(particle);
         return;
     }
-    const std::int32_t hour_of_day = hour - midnight_;
-    link(particle, std::min(hour_of_day, elsewhere_));
-    heads_[index(elsewhere_)] = nobody();
-    note(hour, (hour_of_day >= elsewhere_) & (hour < hours_), particle);
+    const std::int32_t bucket_in_year = bucket - year_begin_;
+    link(particle, std::min(bucket_in_year, overflow_));
+    heads_[index(overflow_)] = null_link();
+    defer(bucket, (bucket_in_year >= overflow_) & (bucket < buckets_), particle);
 }
 
 void EventQueue::insert_into_heap(std::int32_t particle) {
-    set_elsewhere(nodes_[index(particle)]);
+    put_in_overflow(nodes_[index(particle)]);
     heap_.push_back({nodes_[index(particle)].time, particle});
     std::push_heap(heap_.begin(), heap_.end(), is_later);
-    if (heap_.size() > 2 * nodes_.size() + 64) forget_replaced();
+    if (heap_.size() > 2 * nodes_.size() + 64) drop_replaced();
 }
 
-void EventQueue::set_elsewhere(Node& node) {
-    node.previous = ~elsewhere_;
-    node.next = nobody();
+void EventQueue::put_in_overflow(Node& node) {
+    node.previous = ~overflow_;
+    node.next = null_link();
 }
 
-// It is written down in any case, and written over by the next unless it is to be kept.
-void EventQueue::note(std::int32_t hour, bool keep, std::int32_t particle) {
-    Day& day = days_[index(hour >> day_bits_)];
-    leaves_[index(day.leaf)].particle[index(day.used)] = particle;
-    day.used += keep;
-    if (day.used < Leaf::most) [[likely]]
+// The number is written in any case, and written over by the next one unless it is to be kept.
+void EventQueue::defer(std::int32_t bucket, bool keep, std::int32_t particle) {
+    Year& year = years_[index(bucket >> year_bits_)];
+    chunks_[index(year.chunk)].particle[index(year.used)] = particle;
+    year.used += keep;
+    if (year.used < Chunk::most) [[likely]]
         return;
-    if (free_leaf_ == none && leaves_.size() > most_leaves())
-        note_all_anew();
+    if (free_chunk_ == none && chunks_.size() > most_chunks())
+        defer_all_again();
     else
-        day = {new_leaf(day.leaf), 0};
+        year = {new_chunk(year.chunk), 0};
 }
 
-// Some for each particle and one more for each day: enough unless a few collide very often.
-std::size_t EventQueue::most_leaves() const {
-    return days_.size() + 16 + notes_per_particle * index(count_) / Leaf::most;
+// Some for each particle and one more for each year: enough unless a few collide very often.
+std::size_t EventQueue::most_chunks() const {
+    return years_.size() + 16 + deferred_per_particle * index(count_) / Chunk::most;
 }
 
-void EventQueue::note_all_anew() {
-    forget_notes();
+void EventQueue::defer_all_again() {
+    clear_deferred();
     for (std::int32_t i = 0; i < count_; ++i) {
         const Node& node = nodes_[index(i)];
-        const std::int32_t hour = hour_of(node.time);
-        if (is_elsewhere(node) && hour - midnight_ >= elsewhere_) note(hour, hour < hours_, i);
+        const std::int32_t bucket = bucket_of(node.time);
+        if (is_in_overflow(node) && bucket - year_begin_ >= overflow_)
+            defer(bucket, bucket < buckets_, i);
     }
 }
 
-void EventQueue::forget_notes() {
-    leaves_.clear();
-    free_leaf_ = none;
-    days_.clear();
-    for (std::int32_t day = 0; day <= hours_ >> day_bits_; ++day)
-        days_.push_back({new_leaf(none), 0});
+void EventQueue::clear_deferred() {
+    chunks_.clear();
+    free_chunk_ = none;
+    years_.clear();
+    for (std::int32_t year = 0; year <= buckets_ >> year_bits_; ++year)
+        years_.push_back({new_chunk(none), 0});
 }
 
-std::int32_t EventQueue::new_leaf(std::int32_t before) {
-    std::int32_t leaf = free_leaf_;
-    if (leaf == none) {
-        leaf = static_cast<std::int32_t>(leaves_.size());
-        leaves_.emplace_back();
+std::int32_t EventQueue::new_chunk(std::int32_t before) {
+    std::int32_t chunk = free_chunk_;
+    if (chunk == none) {
+        chunk = static_cast<std::int32_t>(chunks_.size());
+        chunks_.emplace_back();
     } else {
-        free_leaf_ = leaves_[index(leaf)].before;
-        __builtin_prefetch(&leaves_[index(std::max(free_leaf_, 0))]);
+        free_chunk_ = chunks_[index(chunk)].before;
+        __builtin_prefetch(&chunks_[index(std::max(free_chunk_, 0))]);
     }
-    leaves_[index(leaf)].before = before;
-    return leaf;
+    chunks_[index(chunk)].before = before;
+    return chunk;
 }
 
-// Some are noted twice, some are due at another time now.
-void EventQueue::begin_day() {
-    ahead_ = asked_ = -1;
-    const std::int32_t day = midnight_ >> day_bits_;
-    Day& its = days_[index(day)];
-    // Two leaves ahead their particles' nodes are asked for, and four ahead the leaves: no sooner
-    // is a leaf there than it tells which was filled before.
-    std::int32_t soon = its.leaf, later = its.leaf;
+// Links those deferred to this year. Some are there twice, some are due at another time now.
+void EventQueue::begin_year() {
+    looked_at_ = prefetched_ = -1;
+    const std::int32_t year = year_begin_ >> year_bits_;
+    Year& its = years_[index(year)];
+    // The nodes of the particles of a chunk are prefetched two chunks ahead, and chunks four ahead:
+    // only when a chunk has arrived is it known which one was filled before.
+    std::int32_t soon = its.chunk, later = its.chunk;
     const auto fetch_ahead = [&] {
-        for (const std::int32_t particle : leaves_[index(soon)].particle)
+        for (const std::int32_t particle : chunks_[index(soon)].particle)
             __builtin_prefetch(&nodes_[index(particle)]);
         soon = later;
-        const std::int32_t before = leaves_[index(later)].before;
+        const std::int32_t before = chunks_[index(later)].before;
         later = before == none ? later : before;
-        __builtin_prefetch(&leaves_[index(later)]);
+        __builtin_prefetch(&chunks_[index(later)]);
     };
     for (int k = 0; k < 3; ++k) fetch_ahead();
     while (true) {
         fetch_ahead();
-        Leaf& leaf = leaves_[index(its.leaf)];
+        Chunk& chunk = chunks_[index(its.chunk)];
         for (std::int32_t k = 0; k < its.used; ++k) {
-            const std::int32_t particle = leaf.particle[index(k)];
+            const std::int32_t particle = chunk.particle[index(k)];
             const Node& node = nodes_[index(particle)];
-            const std::int32_t hour = hour_of(node.time);
-            // without a branch, which the processor could not foretell
+            const std::int32_t bucket = bucket_of(node.time);
+            // without a branch, which the processor could not predict
             const std::int32_t due =
-                -static_cast<std::int32_t>((hour >> day_bits_ == day) & is_elsewhere(node));
-            link((particle & due) | (nobody() & ~due),
-                 ((hour - midnight_) & due) | (elsewhere_ & ~due));
-            heads_[index(elsewhere_)] = nobody();
+                -static_cast<std::int32_t>((bucket >> year_bits_ == year) & is_in_overflow(node));
+            link((particle & due) | (null_link() & ~due),
+                 ((bucket - year_begin_) & due) | (overflow_ & ~due));
+            heads_[index(overflow_)] = null_link();
         }
-        const std::int32_t before = leaf.before;
+        const std::int32_t before = chunk.before;
         if (before == none) break;
-        leaf.before = free_leaf_;
-        free_leaf_ = its.leaf;
-        its = {before, Leaf::most};
+        chunk.before = free_chunk_;
+        free_chunk_ = its.chunk;
+        its = {before, Chunk::most};
     }
     its.used = 0;
 }
@@ -244,62 +246,65 @@ void EventQueue::schedule(std::int32_t particle, double time) {
     unlink(particle);
     nodes_[index(particle)].time = time;
     insert(particle, time);
-    ++events_in_lap_;
+    ++events_in_cycle_;
 }
 
-// From an hour of the day on; elsewhere_ when there is none.
-std::int32_t EventQueue::next_occupied(std::int32_t hour_of_day) const {
-    std::size_t word = index(hour_of_day) / 64;
-    const std::uint64_t bits = occupied_[word] >> (index(hour_of_day) % 64);
-    if (bits != 0) return hour_of_day + std::countr_zero(bits);
+// The first from a bucket of the year on; the overflow list when there is none.
+std::int32_t EventQueue::next_occupied(std::int32_t bucket_in_year) const {
+    std::size_t word = index(bucket_in_year) / 64;
+    const std::uint64_t bits = occupied_[word] >> (index(bucket_in_year) % 64);
+    if (bits != 0) return bucket_in_year + std::countr_zero(bits);
     while (occupied_[++word] == 0) {
     }
     return static_cast<std::int32_t>(64 * word) + std::countr_zero(occupied_[word]);
 }
 
-// On to the next hour with events, if it is not more than `hours` ahead. Without branches: how far
-// it is the processor cannot foretell.
-inline bool EventQueue::step_ahead(std::int32_t& from, std::int32_t hours) const {
-    const std::int32_t present = hour_ - midnight_;
+// On to the next bucket with events, if it is not more than `buckets` ahead. Without branches: how
+// far it is cannot be predicted by the processor.
+inline bool EventQueue::step_ahead(std::int32_t& from, std::int32_t buckets) const {
+    const std::int32_t present = bucket_ - year_begin_;
     from = std::max(from, present);
-    const std::int32_t next = next_occupied(std::min(from + 1, elsewhere_));
-    const bool near = next <= std::min(present + hours, elsewhere_ - 1);
+    const std::int32_t next = next_occupied(std::min(from + 1, overflow_));
+    const bool near = next <= std::min(present + buckets, overflow_ - 1);
     from ^= (from ^ next) & -static_cast<std::int32_t>(near);
     return near;
 }
 
-std::uint32_t EventQueue::look_ahead(std::int32_t hours, std::array<std::int32_t, 3>& who) {
-    step_ahead(asked_, hours + hours / 2);
-    fetch(heads_[index(asked_)]);
-    const std::uint32_t any = step_ahead(ahead_, hours) ? 1 : 0;
-    who[0] = heads_[index(ahead_)];
+std::uint32_t EventQueue::look_ahead(std::int32_t buckets, std::array<std::int32_t, 3>& who) {
+    step_ahead(prefetched_, buckets + buckets / 2);
+    fetch(heads_[index(prefetched_)]);
+    const std::uint32_t any = step_ahead(looked_at_, buckets) ? 1 : 0;
+    who[0] = heads_[index(looked_at_)];
     who[1] = nodes_[index(who[0])].next;
     who[2] = nodes_[index(who[1])].next;
-    return any + (any & (who[1] != nobody() ? 1U : 0U)) + (any & (who[2] != nobody() ? 1U : 0U));
+    return any + (any & (who[1] != null_link() ? 1U : 0U)) +
+           (any & (who[2] != null_link() ? 1U : 0U));
 }
 
-bool EventQueue::is_current(const Present& entry) const {
+bool EventQueue::is_current(const HeapEntry& entry) const {
     const Node& node = nodes_[index(entry.particle)];
-    return is_elsewhere(node) && node.time == entry.time;
+    return is_in_overflow(node) && node.time == entry.time;
 }
 
-void EventQueue::forget_replaced() {
-    std::erase_if(heap_, [this](const Present& entry) { return !is_current(entry); });
-    std::sort(heap_.begin(), heap_.end(), [](const Present& a, const Present& b) {
+void EventQueue::drop_replaced() {
+    std::erase_if(heap_, [this](const HeapEntry& entry) { return !is_current(entry); });
+    std::sort(heap_.begin(), heap_.end(), [](const HeapEntry& a, const HeapEntry& b) {
         return later(b.time, b.particle, a.time, a.particle);
     });
-    const auto same = [](const Present& a, const Present& b) { return a.particle == b.particle; };
+    const auto same = [](const HeapEntry& a, const HeapEntry& b) {
+        return a.particle == b.particle;
+    };
     heap_.erase(std::unique(heap_.begin(), heap_.end(), same), heap_.end());
 }
 
-void EventQueue::order_present_hour() {
+void EventQueue::heapify_present_bucket() {
     crowded_ = true;
-    const std::int32_t list = (hour_ - midnight_);
-    while (heads_[index(list)] != nobody()) {
+    const std::int32_t list = (bucket_ - year_begin_);
+    while (heads_[index(list)] != null_link()) {
         const std::int32_t particle = heads_[index(list)];
         heap_.push_back({nodes_[index(particle)].time, particle});
         unlink(particle);
-        set_elsewhere(nodes_[index(particle)]);
+        put_in_overflow(nodes_[index(particle)]);
     }
     std::make_heap(heap_.begin(), heap_.end(), is_later);
 }
@@ -320,19 +325,19 @@ std::int32_t EventQueue::earliest() {
             const std::int32_t particle = earliest_in_heap();
             if (particle >= 0) return particle;
         }
-        const std::int32_t list = next_occupied((hour_ - midnight_));
-        if (list == elsewhere_) {
-            hour_ = midnight_ + elsewhere_;
-            if (hour_ == hours_) {
-                --hour_;
+        const std::int32_t list = next_occupied((bucket_ - year_begin_));
+        if (list == overflow_) {
+            bucket_ = year_begin_ + overflow_;
+            if (bucket_ == buckets_) {
+                --bucket_;
                 return -1;
             }
-            midnight_ = hour_;
-            begin_day();
+            year_begin_ = bucket_;
+            begin_year();
             continue;
         }
-        hour_ = midnight_ + list;
-        // there is mostly one, sometimes a second, who is nobody otherwise
+        bucket_ = year_begin_ + list;
+        // mostly there is one, sometimes a second, otherwise the null link in its place
         std::int32_t best = heads_[index(list)];
         std::int32_t i = nodes_[index(best)].next;
         double time = nodes_[index(best)].time;
@@ -345,28 +350,28 @@ std::int32_t EventQueue::earliest() {
             best ^= (best ^ i) & mask;
             i = nodes_[index(i)].next;
             ++count;
-        } while (i != nobody());
+        } while (i != null_link());
         if (count <= most_in_list) return best;
-        order_present_hour();
+        heapify_present_bucket();
     }
 }
 
-// When the lap is over all events lie beyond it.
-double EventQueue::next_lap() const {
+// When the cycle is over all events lie beyond it.
+double EventQueue::next_cycle() const {
     double first = never<double>;
     for (std::size_t i = 0; i < index(count_); ++i) first = std::min(first, nodes_[i].time);
-    const double laps = std::floor(first / lap_);
-    return std::isfinite(laps * lap_) ? std::min(first, laps * lap_) : first;
+    const double cycles = std::floor(first / cycle_);
+    return std::isfinite(cycles * cycle_) ? std::min(first, cycles * cycle_) : first;
 }
 
-// The lap is over: whoever has an event has it beyond.
-void EventQueue::begin_lap(double shift) {
-    const double width = events_per_hour * shift / static_cast<double>(events_in_lap_ + 1);
-    // Twice too wide or too narrow does no harm, and a width that changes often costs exactness.
+// The cycle is over: every event that is left lies beyond it.
+void EventQueue::begin_cycle(double shift) {
+    const double width = events_per_bucket * shift / static_cast<double>(events_in_cycle_ + 1);
+    // Twice too wide or too narrow does no harm, and each change of width costs exactness.
     if (width > 2.0 * width_ || width < 0.5 * width_) set_width(width);
-    hour_ = midnight_ = 0;
-    ahead_ = asked_ = -1;
-    events_in_lap_ = 0;
+    bucket_ = year_begin_ = 0;
+    looked_at_ = prefetched_ = -1;
+    events_in_cycle_ = 0;
     for (std::int32_t i = 0; i < count_; ++i) {
         Node& node = nodes_[index(i)];
         node.time -= shift;

@@ -3,16 +3,16 @@
 namespace carom {
 namespace {
 
-// How many hours ahead, each of half an event, disks are asked for; and how many disks later their
-// partners, the cells about both, and the disks in these: each farther apart than memory takes to
-// answer.
-constexpr std::int32_t hours_ahead = 48;
+// How many buckets ahead, each of half an event, disks are prefetched; and how many disks later
+// their partners, the cells about both, and the disks in these: each farther apart than the latency
+// of memory.
+constexpr std::int32_t buckets_ahead = 48;
 constexpr std::uint32_t partner_after = 2;
 constexpr std::uint32_t cells_after = 4;
 constexpr std::uint32_t neighbours_after = 6;
 
-// When more wait, two are asked for at a time; and so many at most, with the six before them well
-// within the ring.
+// When more disks than this wait, two are prefetched at a time; and so many wait at most, which
+// leaves room in the ring buffer for the six before them.
 constexpr std::uint32_t many_waiting = 6;
 constexpr std::uint32_t most_waiting = 32;
 
@@ -20,8 +20,8 @@ constexpr std::uint32_t most_waiting = 32;
 
 void FetchAhead::ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
     listen(queue);
-    // when a day begins nothing has been told of it
-    if (queue.hours_told() < hours_ahead / 2) listen(queue);
+    // when a year begins none of its buckets has been looked at
+    if (queue.buckets_looked_at() < buckets_ahead / 2) listen(queue);
     if (begin_ == end_) return;
     if (end_ - begin_ > most_waiting) begin_ = end_ - most_waiting;
     fetch(bodies, plane, queue);
@@ -30,7 +30,7 @@ void FetchAhead::ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queu
 
 void FetchAhead::listen(EventQueue& queue) {
     std::array<std::int32_t, 3> who;
-    const std::uint32_t more = queue.look_ahead(hours_ahead, who);
+    const std::uint32_t more = queue.look_ahead(buckets_ahead, who);
     for (std::uint32_t k = 0; k < who.size(); ++k) coming(end_ + k) = who[k];
     end_ += more;
 }

@@ -44,7 +44,7 @@ class Line {
     static std::vector<std::int32_t> order(const Bodies& bodies);
 
     /// Whether bodies are put in order again now and then.
-    static bool sorts_again(std::size_t) { return false; }
+    static bool is_resorted(std::size_t) { return false; }
 
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);

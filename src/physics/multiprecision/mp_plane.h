@@ -31,7 +31,7 @@ class MpPlane {
         return {bodies[i].radius, bodies[i].inverse_mass};
     }
     static std::vector<std::int32_t> order(const Bodies& bodies);
-    static bool sorts_again(std::size_t) { return false; }
+    static bool is_resorted(std::size_t) { return false; }
     void enter(Bodies& bodies);
     MpEvent predict(const Bodies& bodies, std::int32_t i, const Real& now,
                     const MpEventQueue& queue);

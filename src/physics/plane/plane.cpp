@@ -61,7 +61,7 @@ Plane::Bodies Plane::bodies_of(const Particles& particles) {
     return Bodies(static_cast<std::size_t>(particles.count()));
 }
 
-bool Plane::sorts_again(std::size_t count) { return count >= least_sorted; }
+bool Plane::is_resorted(std::size_t count) { return count >= least_sorted; }
 
 std::vector<std::int32_t> Plane::order(const Bodies& bodies) {
     std::vector<std::int32_t> numbers(bodies.size());

@@ -32,7 +32,7 @@ class Plane {
     std::vector<std::int32_t> order(const Bodies& bodies);
 
     /// Whether so many bodies are put in order again now and then.
-    static bool sorts_again(std::size_t count);
+    static bool is_resorted(std::size_t count);
 
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);

@@ -44,9 +44,9 @@ void compare_with_all(std::int32_t count, int events_processed, double spread) {
     for (; processed < events_processed; ++processed) {
         const std::int32_t found = queue.earliest();
         if (found < 0) {
-            const double shift = queue.next_lap();
+            const double shift = queue.next_cycle();
             if (!std::isfinite(shift)) break;
-            queue.begin_lap(shift);
+            queue.begin_cycle(shift);
             order.clear();
             for (std::int32_t i = 0; i < count; ++i) {
                 times[std::size_t(i)] -= shift;
@@ -75,7 +75,7 @@ TEST_CASE("events come in the order of their times, at equal times of their numb
     compare_with_all(50, 200'000, 5.0);
 }
 
-TEST_CASE("events of laps of many days come in order") {
+TEST_CASE("events of cycles of many years come in order") {
     compare_with_all(1'500, 100'000, 5.0);
     compare_with_all(20'000, 300'000, 1.0);
 }
@@ -103,7 +103,7 @@ TEST_CASE("an event replaced again and again takes no more room") {
         return times[std::size_t(a)] < times[std::size_t(b)];
     });
     for (const std::int32_t next : order) {
-        while (queue.earliest() < 0) queue.begin_lap(queue.next_lap());
+        while (queue.earliest() < 0) queue.begin_cycle(queue.next_cycle());
         REQUIRE(queue.earliest() == next);
         queue.schedule(next, never<double>);
     }
@@ -143,9 +143,9 @@ TEST_CASE("an empty queue is a valid state") {
     EventQueue queue(3);
     queue.reset(std::vector<double>(3, never<double>));
     CHECK(queue.earliest() == -1);
-    CHECK(std::isinf(queue.next_lap()));
+    CHECK(std::isinf(queue.next_cycle()));
     queue.schedule(1, 2.5);
-    while (queue.earliest() < 0) queue.begin_lap(queue.next_lap());
+    while (queue.earliest() < 0) queue.begin_cycle(queue.next_cycle());
     CHECK(queue.earliest() == 1);
 }
 

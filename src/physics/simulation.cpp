@@ -164,6 +164,11 @@ Simulation::Simulation(const Box& box, Particles particles, const Sample& start,
     : implementation_(std::make_unique<Implementation>(box, std::move(particles), start, run,
                                                        TimeCallback{})) {}
 
+Simulation::Simulation(const Simulation& other)
+    : implementation_(std::make_unique<Implementation>(*other.implementation_)) {}
+
+Simulation& Simulation::operator=(const Simulation& other) { return *this = Simulation(other); }
+
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -181,6 +186,20 @@ AdvanceResult Simulation::advance_to(double time) {
     return its.with_loop([&](const auto& loop) {
         return AdvanceResult{loop.counts(), loop.impulses(), its.reversals, its.collisions};
     });
+}
+
+void Simulation::replace_events(std::vector<RunEvent> events) {
+    Implementation& its = *implementation_;
+    double before = its.present.time;
+    for (const RunEvent& event : events) {
+        if (!(event.at >= before))
+            throw std::invalid_argument(
+                fmt::format("an event at time {:g} comes after one at, or a present of, {:g}",
+                            event.at, before));
+        before = event.at;
+    }
+    its.events = std::move(events);
+    its.next_event = 0;
 }
 
 const Sample& Simulation::sample() {

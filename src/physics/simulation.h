@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "physics/advance_result.h"
 #include "physics/exact_positions.h"
@@ -38,13 +39,21 @@ class Simulation {
     /// particles are a programmer's error (assertion).
     Simulation(const Box& box, Particles particles, const Sample& start, const Run& run);
 
-    ~Simulation();
+    /// A copy is an independent simulation that goes on alike, bit for bit.
+    Simulation(const Simulation&);
+    Simulation& operator=(const Simulation&);
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
+    ~Simulation();
 
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and moves on to it.
     /// `time` must not lie in the past; not limited by `run.until`. Throws PerturbationError.
     AdvanceResult advance_to(double time);
+
+    /// Replaces the events of the run that are still to come, for instance in a copy; an error's
+    /// index counts in the new list. Throws std::invalid_argument if one lies in the past or before
+    /// the one listed before it.
+    void replace_events(std::vector<RunEvent> events);
 
     /// State of all particles at the present time.
     const Sample& sample();

@@ -47,40 +47,40 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     return sheet;
 }
 
-void draw_times(Canvas& canvas, const Page& page, double time) {
-    TextStyle style = label_style(page);
+void draw_times(Canvas& canvas, const DrawContext& dc, double time) {
+    TextStyle style = label_style(dc);
     style.align = Align::center;
-    draw_text(canvas, {page.area.x + page.area.width / 2, page.area.bottom() + 1.6 * page.unit},
+    draw_text(canvas, {dc.area.x + dc.area.width / 2, dc.area.bottom() + 1.6 * dc.unit},
               "<i>t</i> = " + plain_number(time), style);
 }
 
-void draw_gas(Canvas& canvas, const Page& whole, const Sheet& sheet, const Figure& figure) {
+void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure) {
     const double u = whole.unit;
     const bool several = figure.moments.size() > 1;
-    Page page = whole;
-    page.area = {margin * u, margin * u, sheet.box_width * u,
-                 (sheet.height - 2.0 * margin - (several ? row_of_times : 0.0)) * u};
-    const Page first = page;
+    DrawContext dc = whole;
+    dc.area = {margin * u, margin * u, sheet.box_width * u,
+               (sheet.height - 2.0 * margin - (several ? row_of_times : 0.0)) * u};
+    const DrawContext first = dc;
     for (const FigureMoment& moment : figure.moments) {
-        figure.panel->draw_ground(canvas, page);
-        figure.panel->draw(canvas, page, *moment.state);
+        figure.panel->draw_ground(canvas, dc);
+        figure.panel->draw(canvas, dc, *moment.state);
         if (several)
-            draw_times(canvas, {figure.panel->frame_in(page.area), u, page.theme, page.disks},
+            draw_times(canvas, {figure.panel->frame_in(dc.area), u, dc.theme, dc.disks},
                        moment.time);
-        page.area.x += page.area.width + strip_gap * u;
+        dc.area.x += dc.area.width + strip_gap * u;
     }
     const Rect box = figure.panel->frame_in(first.area);
     const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
     figure.panel->draw_key(
-        canvas, {{right, box.y, key_width * u, box.height}, u, page.theme, page.disks}, first);
+        canvas, {{right, box.y, key_width * u, box.height}, u, dc.theme, dc.disks}, first);
 }
 
-void draw_plot(Canvas& canvas, const Page& whole, const Sheet& sheet, const Figure& figure) {
-    Page page = whole;
-    page.area = {margin * page.unit, margin * page.unit, (sheet.width - 2.0 * margin) * page.unit,
-                 (sheet.height - 2.0 * margin) * page.unit};
-    figure.panel->draw_ground(canvas, page);
-    figure.panel->draw(canvas, page, *figure.moments.front().state);
+void draw_plot(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure) {
+    DrawContext dc = whole;
+    dc.area = {margin * dc.unit, margin * dc.unit, (sheet.width - 2.0 * margin) * dc.unit,
+               (sheet.height - 2.0 * margin) * dc.unit};
+    figure.panel->draw_ground(canvas, dc);
+    figure.panel->draw(canvas, dc, *figure.moments.front().state);
 }
 
 }  // namespace
@@ -114,13 +114,13 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat form
                      words);
     if (canvas.is_raster()) canvas.describe(words);
     DiskPainter disks;
-    const Page page{
+    const DrawContext dc{
         {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
-    canvas.fill_all(page.theme.page);
+    canvas.fill_all(dc.theme.page);
     if (is_gas(spec))
-        draw_gas(canvas, page, sheet, figure);
+        draw_gas(canvas, dc, sheet, figure);
     else
-        draw_plot(canvas, page, sheet, figure);
+        draw_plot(canvas, dc, sheet, figure);
     return canvas;
 }
 

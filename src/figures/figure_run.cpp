@@ -94,7 +94,7 @@ class FigureRun::OfSeed {
 
   private:
     Simulation fresh(const RunsCallbacks& on_progress) const;
-    Observation observe(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
+    FrameInput observe(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
 
     Scene scene_;
     const Fresh& fresh_;
@@ -132,14 +132,15 @@ void FigureRun::OfSeed::begin(const RunsCallbacks& on_progress) {
     start_ = fresh(on_progress);
     particles_ = start_->particles();
     equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
-    const Cast cast{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_, false};
+    const PanelContext context{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_,
+                               false};
     for (const FigureSpec* spec : specs_)
-        figures.push_back({spec, spec->panel.kind == "gas" ? make_gas_panel(cast)
-                                                           : make_panel(cast, spec->panel)});
+        figures.push_back({spec, spec->panel.kind == "gas" ? make_gas_panel(context)
+                                                           : make_panel(context, spec->panel)});
 }
 
-Observation FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
-                                       const AdvanceResult& advanced) {
+FrameInput FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
+                                      const AdvanceResult& advanced) {
     speed_ = speeds(sample);
     energy_ = kinetic_energies(particles_, sample);
     return {tick, sample, speed_, energy_, advanced};
@@ -154,8 +155,8 @@ void FigureRun::OfSeed::survey(const RunsCallbacks& on_progress) {
     for (const Tick& tick : ticks_) {
         throw_if_interrupted();
         const AdvanceResult advanced = simulation.advance_to(tick.time);
-        const Observation observation = observe(tick, simulation.sample(), advanced);
-        for (const Figure& figure : figures) figure.panel->survey(observation);
+        const FrameInput input = observe(tick, simulation.sample(), advanced);
+        for (const Figure& figure : figures) figure.panel->survey(input);
         if (on_progress.advance) on_progress.advance(tick.time - std::exchange(now, tick.time));
     }
 }
@@ -169,10 +170,10 @@ void FigureRun::OfSeed::look(const RunsCallbacks& on_progress) {
     for (std::size_t i = 0; i < ticks_.size(); ++i) {
         throw_if_interrupted();
         const AdvanceResult advanced = start_->advance_to(ticks_[i].time);
-        const Observation observation = observe(ticks_[i], start_->sample(), advanced);
+        const FrameInput input = observe(ticks_[i], start_->sample(), advanced);
         const bool last = i + 1 == ticks_.size() || ticks_[i + 1].time != ticks_[i].time;
         for (Figure& figure : figures) {
-            auto state = figure.panel->state(observation);
+            auto state = figure.panel->state(input);
             if (last && shows(figure, ticks_[i].time))
                 figure.moments.push_back({ticks_[i].time, advanced.counts, std::move(state)});
         }
@@ -212,7 +213,7 @@ FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads,
     if (on_progress.begin) on_progress.begin(all);
     on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->begin(on_progress); });
     on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->survey(on_progress); });
-    settle();
+    fix_axes();
     on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(on_progress); });
     take_means();
     collect();
@@ -227,13 +228,13 @@ const Particles& FigureRun::particles() const { return runs_.front()->particles(
 const std::vector<Figure>& FigureRun::figures() const { return figures_; }
 
 // The runs of all seeds of a figure have the same axes, and so have those that it compares.
-void FigureRun::settle() {
+void FigureRun::fix_axes() {
     for (const Figure& figure : runs_.front()->figures) {
         std::vector<Panel*> others;
         for (std::size_t k = 1; k < static_cast<std::size_t>(figure.spec->panel.seeds); ++k)
             others.push_back(runs_[k]->figure_of(figure.spec->name).panel.get());
         if (others.empty())
-            figure.panel->settle();
+            figure.panel->fix_axes();
         else
             figure.panel->settle_with(others);
     }

@@ -69,7 +69,7 @@ class FigureRun {
 
   private:
     class OfSeed;
-    void settle();
+    void fix_axes();
     void take_means();
     Figure side_by_side(const FigureSpec& spec);
     void collect();

@@ -12,19 +12,19 @@ std::vector<Chosen> choices(const PanelSpec& spec) {
     return spec.of.empty() ? std::vector<Chosen>{{}} : spec.of;
 }
 
-std::vector<Eigen::Index> members(const Cast& cast, const Chosen& chosen) {
+std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen) {
     if (chosen.particle) return {static_cast<Eigen::Index>(*chosen.particle)};
     std::vector<Eigen::Index> found;
-    for (Eigen::Index i = 0; i < cast.particles.count(); ++i)
-        if (!chosen.species || cast.particles.species[i] == static_cast<int>(*chosen.species))
+    for (Eigen::Index i = 0; i < context.particles.count(); ++i)
+        if (!chosen.species || context.particles.species[i] == static_cast<int>(*chosen.species))
             found.push_back(i);
     return found;
 }
 
-std::optional<double> asked_trail(const Cast& cast, Eigen::Index particle) {
-    const auto species = static_cast<std::size_t>(cast.particles.species[particle]);
-    if (const std::optional<double>& own = cast.scene.looks[species].trail) return own;
-    const Trails& trails = cast.scene.film.trails;
+std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle) {
+    const auto species = static_cast<std::size_t>(context.particles.species[particle]);
+    if (const std::optional<double>& own = context.scene.looks[species].trail) return own;
+    const Trails& trails = context.scene.film.trails;
     const bool among = std::ranges::any_of(trails.of, [&](const Chosen& chosen) {
         if (chosen.particle) return *chosen.particle == particle;
         return !chosen.species || *chosen.species == species;
@@ -32,43 +32,44 @@ std::optional<double> asked_trail(const Cast& cast, Eigen::Index particle) {
     return among ? std::optional(trails.seconds) : std::nullopt;
 }
 
-std::string name_of(const Cast& cast, const Chosen& chosen) {
+std::string name_of(const PanelContext& context, const Chosen& chosen) {
     if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
-    return chosen.species ? cast.scene.gas.species[*chosen.species].name : "all";
+    return chosen.species ? context.scene.gas.species[*chosen.species].name : "all";
 }
 
-Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme) {
-    if (chosen.species) return species_color(cast, *chosen.species, theme);
-    return kind_color(cast.scene.gas.species.size() + place, theme);
+Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_t place,
+                   const Theme& theme) {
+    if (chosen.species) return species_color(context, *chosen.species, theme);
+    return kind_color(context.scene.gas.species.size() + place, theme);
 }
 
-std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme,
-                          const std::string& last, NameMark mark) {
-    if (chosen.size() == 1) return escape_markup(name_of(cast, chosen.front()));
+std::string colored_names(const PanelContext& context, const std::vector<Chosen>& chosen,
+                          const Theme& theme, const std::string& last, NameMark mark) {
+    if (chosen.size() == 1) return escape_markup(name_of(context, chosen.front()));
     const bool numbers =
         std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
     std::string words = numbers ? "particles " : "";
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
         const std::string name =
-            numbers ? std::to_string(*chosen[k].particle) : name_of(cast, chosen[k]);
-        const Color color = choice_color(cast, chosen[k], k, theme);
+            numbers ? std::to_string(*chosen[k].particle) : name_of(context, chosen[k]);
+        const Color color = choice_color(context, chosen[k], k, theme);
         words += mark == NameMark::line ? line_sample(k, color, theme) : disk_sample(color, theme);
         words += colored(name, color, theme);
     }
     return words;
 }
 
-std::string single_name(const Cast& cast, Eigen::Index particle) {
-    const auto species = static_cast<std::size_t>(cast.particles.species[particle]);
-    if (cast.scene.gas.species[species].count > 1) return "";
-    const std::string& label = cast.scene.looks[species].label;
-    return label.empty() ? cast.scene.gas.species[species].name : label;
+std::string single_name(const PanelContext& context, Eigen::Index particle) {
+    const auto species = static_cast<std::size_t>(context.particles.species[particle]);
+    if (context.scene.gas.species[species].count > 1) return "";
+    const std::string& label = context.scene.looks[species].label;
+    return label.empty() ? context.scene.gas.species[species].name : label;
 }
 
-double name_alpha(const Cast& cast, const Tick& tick) {
+double name_alpha(const PanelContext& context, const Tick& tick) {
     constexpr double seconds = 3.0, fading = 0.5;
-    return cast.in_film ? std::clamp((seconds - tick.seconds) / fading, 0.0, 1.0) : 1.0;
+    return context.in_film ? std::clamp((seconds - tick.seconds) / fading, 0.0, 1.0) : 1.0;
 }
 
 }  // namespace carom

@@ -13,32 +13,34 @@ namespace carom {
 std::vector<Chosen> choices(const PanelSpec& spec);
 
 /// Numbers of the particles chosen, rising.
-std::vector<Eigen::Index> members(const Cast& cast, const Chosen& chosen);
+std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen);
 
 /// How long a trail the scene asks for, in seconds of film, by the particle's species or else for
 /// the film; nothing where it does not say.
-std::optional<double> asked_trail(const Cast& cast, Eigen::Index particle);
+std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle);
 
 /// "all", the species' name, "particle 3".
-std::string name_of(const Cast& cast, const Chosen& chosen);
+std::string name_of(const PanelContext& context, const Chosen& chosen);
 
 /// The label of a particle that is the only one of its species, or the species' name; empty for
 /// others.
-std::string single_name(const Cast& cast, Eigen::Index particle);
+std::string single_name(const PanelContext& context, Eigen::Index particle);
 
 /// How much of such a name is seen, from 0 to 1: in a film for its first three seconds.
-double name_alpha(const Cast& cast, const Tick& tick);
+double name_alpha(const PanelContext& context, const Tick& tick);
 
 /// The colour of a choice among several: the species', wherever it is told apart; single particles
 /// and all have colours that no species has by default. `place`: among the choices.
-Color choice_color(const Cast& cast, const Chosen& chosen, std::size_t place, const Theme& theme);
+Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_t place,
+                   const Theme& theme);
 
 /// What stands before names in print.
 enum class NameMark { line, disk };
 
 /// Names in their colours, as markup: "light and heavy", the last joined by `last`; uncoloured
 /// where there is one.
-std::string colored_names(const Cast& cast, const std::vector<Chosen>& chosen, const Theme& theme,
-                          const std::string& last = " and ", NameMark mark = NameMark::line);
+std::string colored_names(const PanelContext& context, const std::vector<Chosen>& chosen,
+                          const Theme& theme, const std::string& last = " and ",
+                          NameMark mark = NameMark::line);
 
 }  // namespace carom

@@ -13,17 +13,17 @@ Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
 Observers::Observers(const Scene& scene, const Particles& particles, const Sample& start)
     : particles_(particles), equilibrium_(equilibrium(scene.gas.box, particles, start)) {
-    const Cast cast{scene, particles_, frame_count(scene.film), equilibrium_};
+    const PanelContext context{scene, particles_, frame_count(scene.film), equilibrium_};
     const LayoutSpec& layout = scene.film.layout;
     refuse_long_words(scene);
-    panels_.push_back({layout.gas, make_gas_panel(cast)});
+    panels_.push_back({layout.gas, make_gas_panel(context)});
     if (layout.monitors)
         panels_.push_back(
-            {*layout.monitors, std::make_unique<MonitorsPanel>(cast, scene.film.monitors)});
+            {*layout.monitors, std::make_unique<MonitorsPanel>(context, scene.film.monitors)});
     std::vector<std::unique_ptr<Panel>> panels;
     std::vector<std::optional<double>> enough;
     for (const PanelSpec& spec : scene.film.panels) {
-        panels.push_back(make_panel(cast, spec));
+        panels.push_back(make_panel(context, spec));
         enough.push_back(panels.back()->enough_height());
     }
     const std::vector<Slot> slots =
@@ -46,12 +46,12 @@ void Observers::survey(const Tick& tick, const Sample& sample, const AdvanceResu
     if (is_card(tick.phase)) return;
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
-    const Observation observation{tick, sample, speed, energy, advanced};
-    for (const Placed& placed : panels_) placed.panel->survey(observation);
+    const FrameInput input{tick, sample, speed, energy, advanced};
+    for (const Placed& placed : panels_) placed.panel->survey(input);
 }
 
-void Observers::settle() {
-    for (const Placed& placed : panels_) placed.panel->settle();
+void Observers::fix_axes() {
+    for (const Placed& placed : panels_) placed.panel->fix_axes();
 }
 
 FrameData Observers::frame_data(const Tick& tick, const Sample& sample,
@@ -60,9 +60,9 @@ FrameData Observers::frame_data(const Tick& tick, const Sample& sample,
     if (is_card(tick.phase)) return frame;
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
-    const Observation observation{tick, sample, speed, energy, advanced};
+    const FrameInput input{tick, sample, speed, energy, advanced};
     for (const Placed& placed : panels_) {
-        frame.states.push_back(placed.panel->state(observation));
+        frame.states.push_back(placed.panel->state(input));
         frame.bytes += frame.states.back()->bytes();
     }
     return frame;
@@ -90,14 +90,16 @@ void FramePainter::draw_ground(Canvas& canvas) {
     draw_title(canvas);
     for (const Observers::Placed& placed : observers_.panels())
         placed.panel->draw_ground(canvas, page(placed.slot));
-    const Page key = page(scene_.film.layout.color_bar);
+    const DrawContext key = page(scene_.film.layout.color_bar);
     const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
     observers_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
                               page(scene_.film.layout.gas));
 }
 
-Page FramePainter::page(const Slot& slot) { return {grid_.place(slot), unit_, theme_, disks_}; }
+DrawContext FramePainter::page(const Slot& slot) {
+    return {grid_.place(slot), unit_, theme_, disks_};
+}
 
 // A little smaller if that keeps the title on one line.
 TextStyle FramePainter::title_style(double width) const {

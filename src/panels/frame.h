@@ -19,8 +19,8 @@ struct FrameData {
     std::size_t bytes = 0;
 };
 
-/// The panels of a film as observers of the run: see it once in survey(), settle(), then once more
-/// for the frames.
+/// The panels of a film as observers of the run: see it once in survey(), fix_axes(), then once
+/// more for the frames.
 class Observers {
   public:
     /// `start` is the state at t = 0, which fixes the equilibrium that curves show. Throws
@@ -31,7 +31,7 @@ class Observers {
 
     /// Cards show nothing of the gas: panels do not see them.
     void survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
-    void settle();
+    void fix_axes();
     FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
 
     bool wants_collisions() const;
@@ -54,7 +54,7 @@ class Observers {
 /// The theme's page, behind everything that is not transparent.
 Color page_color(const Film& film);
 
-/// Draws frames of one film on one thread. After settle(), any number of painters may share the
+/// Draws frames of one film on one thread. After fix_axes(), any number of painters may share the
 /// observers.
 class FramePainter {
   public:
@@ -71,7 +71,7 @@ class FramePainter {
     void paint_on(Canvas& canvas, const FrameData& frame);
 
   private:
-    Page page(const Slot& slot);
+    DrawContext page(const Slot& slot);
     TextStyle title_style(double width) const;
     void draw_ground(Canvas& canvas);
     void draw_title(Canvas& canvas) const;

@@ -33,59 +33,58 @@ const Theme& theme_of(ThemeName name) {
     return theme(name == ThemeName::print ? ThemeKind::print : ThemeKind::dark);
 }
 
-TextStyle label_style(const Page& page) {
-    return {.size = page.unit, .weight = 400, .color = page.theme.muted};
+TextStyle label_style(const DrawContext& dc) {
+    return {.size = dc.unit, .weight = 400, .color = dc.theme.muted};
 }
 
-TextStyle title_style(const Page& page) {
-    return {.size = 1.15 * page.unit, .weight = 500, .color = page.theme.ink};
+TextStyle title_style(const DrawContext& dc) {
+    return {.size = 1.15 * dc.unit, .weight = 500, .color = dc.theme.ink};
 }
 
-AxisStyle axis_style(const Page& page) {
-    return {.line_width = 0.07 * page.unit,
-            .tick_length = 0.3 * page.unit,
-            .label = label_style(page),
-            .title = label_style(page),
-            .line = page.theme.muted};
+AxisStyle axis_style(const DrawContext& dc) {
+    return {.line_width = 0.07 * dc.unit,
+            .tick_length = 0.3 * dc.unit,
+            .label = label_style(dc),
+            .title = label_style(dc),
+            .line = dc.theme.muted};
 }
 
-Rect plot_area(const Page& page) {
-    const double left = 3.0 * page.unit;
-    const double top = 2.5 * page.unit;
-    const double bottom = 1.6 * page.unit;
-    return {page.area.x + left, page.area.y + top, page.area.width - left,
-            page.area.height - top - bottom};
+Rect plot_area(const DrawContext& dc) {
+    const double left = 3.0 * dc.unit;
+    const double top = 2.5 * dc.unit;
+    const double bottom = 1.6 * dc.unit;
+    return {dc.area.x + left, dc.area.y + top, dc.area.width - left, dc.area.height - top - bottom};
 }
 
-void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup) {
-    TextStyle style = title_style(page);
+void draw_panel_title(Canvas& canvas, const DrawContext& dc, const std::string& markup) {
+    TextStyle style = title_style(dc);
     const double width = measure_text(markup, style).width;
     // Down to the smallest size of text. Widths are nearly proportional to it: a little less.
-    if (width > page.area.width)
-        style.size = std::max(page.unit, 0.99 * style.size * page.area.width / width);
-    style.max_width = page.area.width;
-    draw_text(canvas, {page.area.x, page.area.y + 1.05 * page.unit}, markup, style);
+    if (width > dc.area.width)
+        style.size = std::max(dc.unit, 0.99 * style.size * dc.area.width / width);
+    style.max_width = dc.area.width;
+    draw_text(canvas, {dc.area.x, dc.area.y + 1.05 * dc.unit}, markup, style);
 }
 
-std::string fitting_title(const Page& page, const std::vector<std::string>& titles) {
-    TextStyle style = title_style(page);
-    style.size = page.unit;
+std::string fitting_title(const DrawContext& dc, const std::vector<std::string>& titles) {
+    TextStyle style = title_style(dc);
+    style.size = dc.unit;
     for (const std::string& title : titles)
-        if (measure_text(title, style).width <= page.area.width) return title;
+        if (measure_text(title, style).width <= dc.area.width) return title;
     return titles.back();
 }
 
-bool draw_remark(Canvas& canvas, const Page& page, Point corner, double width,
+bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double width,
                  const std::vector<std::string>& remarks) {
-    const double u = page.unit;
-    TextStyle style = label_style(page);
+    const double u = dc.unit;
+    TextStyle style = label_style(dc);
     style.align = Align::right;
     for (const std::string& words : remarks) {
         const double wide = measure_text(words, style).width;
         if (wide > width - 2.0 * u) continue;
         const Point foot{corner.x - 0.6 * u, corner.y - 0.6 * u};
         canvas.fill({foot.x - wide - 0.4 * u, foot.y - 1.1 * u, wide + 0.8 * u, 1.5 * u},
-                    with_alpha(page.theme.ground, plate_alpha));
+                    with_alpha(dc.theme.ground, plate_alpha));
         draw_text(canvas, foot, words, style);
         return true;
     }
@@ -97,9 +96,9 @@ std::string colored(const std::string& text, Color color, const Theme& theme) {
                        to_pixel(legible(color, theme)) & 0xFFFFFF, escape_markup(text));
 }
 
-std::vector<double> line_dashes(std::size_t line, std::size_t lines, const Page& page) {
-    if (page.theme.kind != ThemeKind::print || lines < 2) return {};
-    const double u = page.unit;
+std::vector<double> line_dashes(std::size_t line, std::size_t lines, const DrawContext& dc) {
+    if (dc.theme.kind != ThemeKind::print || lines < 2) return {};
+    const double u = dc.unit;
     switch (line % 4) {
         case 0:
             return {};
@@ -133,8 +132,8 @@ std::string disk_sample(Color color, const Theme& theme) {
 
 std::string slow_words(const Slowness& slow) { return fmt::format("\u00D7{:.3g}", slow.factor); }
 
-Color species_color(const Cast& cast, std::size_t species, const Theme& theme) {
-    const std::optional<std::string>& own = cast.scene.looks[species].color;
+Color species_color(const PanelContext& context, std::size_t species, const Theme& theme) {
+    const std::optional<std::string>& own = context.scene.looks[species].color;
     if (own)
         if (const std::optional<Color> parsed = parse_color(*own)) return *parsed;
     return kind_color(species, theme);

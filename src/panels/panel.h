@@ -24,7 +24,7 @@ namespace carom {
 class Archive;
 
 /// What all panels of a film know from the start. Outlives them.
-struct Cast {
+struct PanelContext {
     const Scene& scene;
     const Particles& particles;
     int frames;                                        ///< of the film
@@ -33,7 +33,7 @@ struct Cast {
 };
 
 /// The gas at one frame, and what happened since the frame before.
-struct Observation {
+struct FrameInput {
     const Tick& tick;
     const Sample& sample;
     const Eigen::ArrayXd& speed;   ///< N
@@ -49,7 +49,7 @@ struct PanelState {
 
 /// Where and how to draw: an area of the canvas, the layout's unit, the theme, and the drawing
 /// thread's own disk masks.
-struct Page {
+struct DrawContext {
     Rect area;
     double unit;  ///< pixels of one grid unit: the smallest size of text
     const Theme& theme;
@@ -61,10 +61,10 @@ class Panel {
     virtual ~Panel() = default;
 
     /// First pass, every frame in order.
-    virtual void survey(const Observation&) {}
+    virtual void survey(const FrameInput&) {}
 
     /// Between the passes: fixes axes and scales.
-    virtual void settle() {}
+    virtual void fix_axes() {}
 
     /// Writes or reads all that the first pass has fixed: axes, scales, records of the whole run.
     /// A panel that reads it has seen no first pass, and is ready for the second.
@@ -78,7 +78,7 @@ class Panel {
     virtual std::shared_ptr<const PanelState> mean_of(
         const std::vector<std::shared_ptr<const PanelState>>& states) const;
 
-    /// settle() for several runs drawn in one picture: of this one and of others, panels of the
+    /// fix_axes() for several runs drawn in one picture: of this one and of others, panels of the
     /// same kind that saw them, which it settles too. `names` are this run's and theirs. Only for
     /// kinds that can be compared.
     virtual void settle_beside(const std::vector<Panel*>& others,
@@ -92,14 +92,14 @@ class Panel {
     virtual std::vector<std::string> told_of_runs(const PanelState&) const { return {}; }
 
     /// Second pass, every frame in order.
-    virtual std::shared_ptr<const PanelState> state(const Observation& observation) = 0;
+    virtual std::shared_ptr<const PanelState> state(const FrameInput& input) = 0;
 
-    /// Draws what is the same in every frame. Called from any thread after settle().
-    virtual void draw_ground(Canvas& canvas, const Page& page) const = 0;
+    /// Draws what is the same in every frame. Called from any thread after fix_axes().
+    virtual void draw_ground(Canvas& canvas, const DrawContext& dc) const = 0;
 
     /// Draws what changes, over the ground, at most one unit outside of the area. A pure function
     /// of the state.
-    virtual void draw(Canvas& canvas, const Page& page, const PanelState& state) const = 0;
+    virtual void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const = 0;
 
     /// What draw_ground() and draw() show, as numbers; colours are those on a theme. No columns
     /// where there are none.
@@ -129,7 +129,7 @@ class Panel {
     virtual Rect frame_in(const Rect& area) const { return area; }
 
     /// Draws what its colours and arrows mean into an area beside it; `own` is the panel's.
-    virtual void draw_key(Canvas&, const Page&, const Page& own) const { (void)own; }
+    virtual void draw_key(Canvas&, const DrawContext&, const DrawContext& own) const { (void)own; }
 };
 
 /// How much of what is behind a plate under words is covered.
@@ -139,12 +139,12 @@ constexpr double plate_alpha = 0.9;
 const Theme& theme_of(ThemeName name);
 
 /// Text of the panels: labels at the smallest size, titles a little larger.
-TextStyle label_style(const Page& page);
-TextStyle title_style(const Page& page);
-AxisStyle axis_style(const Page& page);
+TextStyle label_style(const DrawContext& dc);
+TextStyle title_style(const DrawContext& dc);
+AxisStyle axis_style(const DrawContext& dc);
 
 /// The part of a panel's area that data fill: under the title, left and above the axes' labels.
-Rect plot_area(const Page& page);
+Rect plot_area(const DrawContext& dc);
 
 /// The height of a row of words between a panel's title and its plot, in units.
 inline constexpr double note_height = 1.5;
@@ -153,21 +153,21 @@ inline constexpr double note_height = 1.5;
 std::string slow_words(const Slowness& slow);
 
 /// The panel's title at its top left (markup), smaller where it is too long.
-void draw_panel_title(Canvas& canvas, const Page& page, const std::string& markup);
+void draw_panel_title(Canvas& canvas, const DrawContext& dc, const std::string& markup);
 
 /// The first of some titles (markup, from the longest on) that is not cut; if all are, the last.
-std::string fitting_title(const Page& page, const std::vector<std::string>& titles);
+std::string fitting_title(const DrawContext& dc, const std::vector<std::string>& titles);
 
 /// The longest of some remarks (plain words) that fits into `width`, on a plate of the ground in
 /// the corner whose lower right is `corner`; whether any did.
-bool draw_remark(Canvas& canvas, const Page& page, Point corner, double width,
+bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double width,
                  const std::vector<std::string>& remarks);
 
 /// `text` in a colour, or the nearest to it that can be read, as markup.
 std::string colored(const std::string& text, Color color, const Theme& theme);
 
 /// How one of several lines is dashed where greys tell them apart, in print; empty: it is solid.
-std::vector<double> line_dashes(std::size_t line, std::size_t lines, const Page& page);
+std::vector<double> line_dashes(std::size_t line, std::size_t lines, const DrawContext& dc);
 
 /// In print, a sample of a line or a disk to stand before the words about it, as markup with a
 /// space after it; elsewhere nothing, as the words have the colour.
@@ -178,6 +178,6 @@ std::string disk_sample(Color color, const Theme& theme);
 bool looks_hollow(Color color, const Theme& theme);
 
 /// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
-Color species_color(const Cast& cast, std::size_t species, const Theme& theme);
+Color species_color(const PanelContext& context, std::size_t species, const Theme& theme);
 
 }  // namespace carom

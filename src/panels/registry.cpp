@@ -11,7 +11,7 @@ namespace {
 
 struct Entry {
     std::string kind;
-    std::unique_ptr<Panel> (*make)(const Cast&, const PanelSpec&);
+    std::unique_ptr<Panel> (*make)(const PanelContext&, const PanelSpec&);
 };
 
 const std::array entries{
@@ -36,14 +36,14 @@ const std::array entries{
 
 }  // namespace
 
-std::unique_ptr<Panel> make_gas_panel(const Cast& cast) {
-    if (cast.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(cast);
-    return std::make_unique<GasPanel>(cast);
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context) {
+    if (context.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(context);
+    return std::make_unique<GasPanel>(context);
 }
 
-std::unique_ptr<Panel> make_panel(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec) {
     for (const Entry& entry : entries)
-        if (entry.kind == spec.kind) return entry.make(cast, spec);
+        if (entry.kind == spec.kind) return entry.make(context, spec);
     assert(false && "a validated scene names only registered panels");
     return nullptr;
 }

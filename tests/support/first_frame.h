@@ -22,7 +22,7 @@ struct FirstFrame {
         const AdvanceResult advanced = simulation.advance_to(0.0);
         const Tick tick{};
         observers.survey(tick, simulation.sample(), advanced);
-        observers.settle();
+        observers.fix_axes();
         const FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);
         painter = std::make_unique<FramePainter>(scene, observers);
         view = painter->paint(frame).pixels();

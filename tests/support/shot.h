@@ -30,7 +30,7 @@ struct Shot {
             const AdvanceResult advanced = survey.advance_to(tick.time);
             observers->survey(tick, survey.sample(), advanced);
         }
-        observers->settle();
+        observers->fix_axes();
         ticks.resize(std::min(ticks.size(), most));
         simulation.record_collisions(observers->wants_collisions());
         for (const Tick& tick : ticks) {

@@ -62,7 +62,7 @@ void survey(const std::vector<Tick>& ticks, Simulation simulation,
         for (Observers* observers : all) observers->survey(tick, sample, advanced);
         progress.advance();
     }
-    for (Observers* observers : all) observers->settle();
+    for (Observers* observers : all) observers->fix_axes();
 }
 
 // Frames of the whole film, evenly spread, drawn before it.

@@ -34,16 +34,16 @@ Vector largest(const Vector& a, const Vector& b) { return a.abs().max(b.abs()); 
 
 }  // namespace
 
-CollisionMapPanel::CollisionMapPanel(const Cast& cast, const PanelSpec& spec)
-    : cast_(cast), spec_(spec), watch_(cast, spec), walk_watch_(cast, spec) {}
+CollisionMapPanel::CollisionMapPanel(const PanelContext& context, const PanelSpec& spec)
+    : context_(context), spec_(spec), watch_(context, spec), walk_watch_(context, spec) {}
 
-void CollisionMapPanel::survey(const Observation& observation) {
+void CollisionMapPanel::survey(const FrameInput& input) {
     if (spec_.given) return;
-    watch_.survey(observation);
-    if (is_walk()) walk_watch_.survey(observation);
+    watch_.survey(input);
+    if (is_walk()) walk_watch_.survey(input);
 }
 
-void CollisionMapPanel::settle() {
+void CollisionMapPanel::fix_axes() {
     if (spec_.given) {
         motion_ = {.inverse_mass = spec_.given->inverse_mass, .before = spec_.given->velocity};
         motion_.after = (collision_matrix(motion_.inverse_mass) * motion_.before.matrix()).array();
@@ -52,7 +52,7 @@ void CollisionMapPanel::settle() {
         for (std::size_t k = 0; k < 2; ++k) {
             const auto i = static_cast<Eigen::Index>(k);
             number_[k] = met_->particle[k];
-            motion_.inverse_mass[i] = cast_.particles.inverse_mass[met_->particle[k]];
+            motion_.inverse_mass[i] = context_.particles.inverse_mass[met_->particle[k]];
             motion_.before[i] = met_->before[k][0];
             motion_.after[i] = met_->after[k][0];
         }
@@ -74,9 +74,9 @@ void CollisionMapPanel::settle() {
     reach_ = (factor_ * reach_).max(0.25 * (factor_ * reach_).maxCoeff());
 }
 
-std::shared_ptr<const PanelState> CollisionMapPanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> CollisionMapPanel::state(const FrameInput& input) {
     auto state = std::make_shared<MapState>();
-    const double now = observation.tick.time;
+    const double now = input.tick.time;
     while (state->steps < walk_.size() && walk_[state->steps].time <= now) ++state->steps;
     if (met_ && now >= met_->since && now <= met_->until) state->stage = now < met_->time ? 1 : 2;
     return state;
@@ -86,34 +86,35 @@ std::size_t CollisionMapPanel::steps_of(const PanelState& state) {
     return static_cast<const MapState&>(state).steps;
 }
 
-MapPlaces CollisionMapPanel::places(const Page& page) const {
+MapPlaces CollisionMapPanel::places(const DrawContext& dc) const {
     const std::vector<MapKeyEntry> entries = key(walk_.size());
-    const double least = 3.0 * page.unit;
-    const Scale up = plane_in(map_places(page, least, entries, reach_).plane).up();
-    return map_places(page, std::max(least, y_axis_space(up, axis_style(page))), entries, reach_);
+    const double least = 3.0 * dc.unit;
+    const Scale up = plane_in(map_places(dc, least, entries, reach_).plane).up();
+    return map_places(dc, std::max(least, y_axis_space(up, axis_style(dc))), entries, reach_);
 }
 
 VelocityPlane CollisionMapPanel::plane_in(const Rect& area) const {
     return {area, factor_, scale_in(area, reach_)};
 }
 
-VelocityPlane CollisionMapPanel::plane(const Page& page) const {
-    return plane_in(places(page).plane);
+VelocityPlane CollisionMapPanel::plane(const DrawContext& dc) const {
+    return plane_in(places(dc).plane);
 }
 
-void CollisionMapPanel::draw_axes(Canvas& canvas, const Page& page, const VelocityPlane& to) const {
-    const double u = page.unit;
+void CollisionMapPanel::draw_axes(Canvas& canvas, const DrawContext& dc,
+                                  const VelocityPlane& to) const {
+    const double u = dc.unit;
     const Point zero = to(Vector::Zero());
-    const Color faint = mix(page.theme.muted, page.theme.page, 0.6);
+    const Color faint = mix(dc.theme.muted, dc.theme.page, 0.6);
     canvas.stroke_line({to.area.x, zero.y}, {to.area.right(), zero.y}, 0.06 * u, faint);
     canvas.stroke_line({zero.x, to.area.y}, {zero.x, to.area.bottom()}, 0.06 * u, faint);
     const auto name = [&](std::size_t k) {
-        return met_ ? colored(velocity_name(k), color_of(cast_, *met_, k, page.theme), page.theme)
+        return met_ ? colored(velocity_name(k), color_of(context_, *met_, k, dc.theme), dc.theme)
                     : velocity_name(k);
     };
-    draw_x_axis(canvas, to.area, to.across(), name(0), axis_style(page));
-    draw_y_axis(canvas, to.area, to.up(), "", axis_style(page));
-    draw_text(canvas, {to.area.x + 0.4 * u, to.area.y - 0.4 * u}, name(1), label_style(page));
+    draw_x_axis(canvas, to.area, to.across(), name(0), axis_style(dc));
+    draw_y_axis(canvas, to.area, to.up(), "", axis_style(dc));
+    draw_text(canvas, {to.area.x + 0.4 * u, to.area.y - 0.4 * u}, name(1), label_style(dc));
 }
 
 std::vector<Eigen::Array2d> CollisionMapPanel::ellipse() const {
@@ -127,86 +128,86 @@ std::vector<Eigen::Array2d> CollisionMapPanel::ellipse() const {
 }
 
 // With an infinite mass the two speeds that the other can have, in its frame.
-void CollisionMapPanel::draw_energy(Canvas& canvas, const Page& page,
+void CollisionMapPanel::draw_energy(Canvas& canvas, const DrawContext& dc,
                                     const VelocityPlane& to) const {
-    const double width = 0.16 * page.unit;
+    const double width = 0.16 * dc.unit;
     if (!motion_.has_infinite_mass()) {
         std::vector<Point> path;
         for (const Vector& point : ellipse()) path.push_back(to(point));
-        canvas.stroke_path(path, width, page.theme.muted);
+        canvas.stroke_path(path, width, dc.theme.muted);
         return;
     }
     const Vector across = motion_.inverse_mass[0] > 0.0 ? Vector{0.0, 1.0} : Vector{1.0, 0.0};
     for (const Vector& through : {motion_.before, motion_.after})
-        to.draw_line(canvas, through, across, width, page.theme.muted, {});
+        to.draw_line(canvas, through, across, width, dc.theme.muted, {});
 }
 
-void CollisionMapPanel::draw_collision(Canvas& canvas, const Page& page,
+void CollisionMapPanel::draw_collision(Canvas& canvas, const DrawContext& dc,
                                        const VelocityPlane& to) const {
-    const double u = page.unit;
+    const double u = dc.unit;
     const Vector middle = Vector::Constant(motion_.mass_center_velocity());
-    to.draw_line(canvas, motion_.before, motion_.turning(), 0.14 * u, momentum_color(page),
-                 momentum_dashes(page));
+    to.draw_line(canvas, motion_.before, motion_.turning(), 0.14 * u, momentum_color(dc),
+                 momentum_dashes(dc));
     const Point center = to(middle), zero = to(Vector::Zero());
-    if (distance(zero, center) > u) draw_arrow(canvas, zero, center, map_arrow_center(page));
+    if (distance(zero, center) > u) draw_arrow(canvas, zero, center, map_arrow_center(dc));
     const auto draw_part = [&](const Vector& end, const ArrowStyle& style) {
         const Point at = to(end);
         const double length = distance(center, at) - map_point_radius * u;
         if (length > 0.8 * u) draw_arrow(canvas, center, toward(center, at, length), style);
     };
-    draw_part(motion_.before, map_arrow_before(page));
-    draw_part(motion_.after, map_arrow_after(page));
-    draw_map_point(canvas, page, to(motion_.before), true);
-    draw_map_point(canvas, page, to(motion_.after), false);
+    draw_part(motion_.before, map_arrow_before(dc));
+    draw_part(motion_.after, map_arrow_after(dc));
+    draw_map_point(canvas, dc, to(motion_.before), true);
+    draw_map_point(canvas, dc, to(motion_.after), false);
 }
 
-void CollisionMapPanel::draw_ground(Canvas& canvas, const Page& page) const {
+void CollisionMapPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     draw_panel_title(
-        canvas, page,
-        spec_.title ? escape_markup(*spec_.title) : fitting_title(page, titles(page.theme)));
-    const VelocityPlane to = plane(page);
-    draw_axes(canvas, page, to);
-    to.draw_line(canvas, Vector::Zero(), Vector::Ones(), 0.1 * page.unit, page.theme.muted,
-                 equal_dots(page));
-    draw_energy(canvas, page, to);
+        canvas, dc,
+        spec_.title ? escape_markup(*spec_.title) : fitting_title(dc, titles(dc.theme)));
+    const VelocityPlane to = plane(dc);
+    draw_axes(canvas, dc, to);
+    to.draw_line(canvas, Vector::Zero(), Vector::Ones(), 0.1 * dc.unit, dc.theme.muted,
+                 equal_dots(dc));
+    draw_energy(canvas, dc, to);
     if (is_walk()) return;
-    draw_collision(canvas, page, to);
-    draw_map_key(canvas, page, key(0), places(page));
+    draw_collision(canvas, dc, to);
+    draw_map_key(canvas, dc, key(0), places(dc));
 }
 
-void CollisionMapPanel::draw_walk(Canvas& canvas, const Page& page, const VelocityPlane& to,
+void CollisionMapPanel::draw_walk(Canvas& canvas, const DrawContext& dc, const VelocityPlane& to,
                                   std::size_t steps) const {
-    const double u = page.unit;
+    const double u = dc.unit;
     const double fine = std::sqrt(std::min(1.0, 40.0 / static_cast<double>(walk_.size())));
     for (std::size_t i = 1; i < steps; ++i) {
         const std::array line{to(walk_[i - 1].velocity), to(walk_[i].velocity)};
         if (walk_[i].cause == WalkStep::Cause::pair)
-            canvas.stroke_path(line, 0.13 * fine * u, momentum_color(page));
+            canvas.stroke_path(line, 0.13 * fine * u, momentum_color(dc));
         else if (walk_[i].cause == WalkStep::Cause::wall)
-            canvas.stroke_path(line, 0.11 * fine * u, page.theme.muted, wall_dashes(page));
+            canvas.stroke_path(line, 0.11 * fine * u, dc.theme.muted, wall_dashes(dc));
     }
     for (std::size_t i = 0; i < steps; ++i)
         canvas.fill_circle(to(walk_[i].velocity), std::max(0.1, 0.22 * fine) * u,
-                           momentum_color(page));
-    draw_map_point(canvas, page, to(walk_.front().velocity), true);
-    if (steps > 1) draw_map_point(canvas, page, to(walk_[steps - 1].velocity), false);
+                           momentum_color(dc));
+    draw_map_point(canvas, dc, to(walk_.front().velocity), true);
+    if (steps > 1) draw_map_point(canvas, dc, to(walk_[steps - 1].velocity), false);
 }
 
-void CollisionMapPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+void CollisionMapPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& now = static_cast<const MapState&>(state);
-    const VelocityPlane to = plane(page);
+    const VelocityPlane to = plane(dc);
     if (is_walk()) {
-        draw_walk(canvas, page, to, now.steps);
-        draw_map_key(canvas, page, key(now.steps), places(page));
+        draw_walk(canvas, dc, to, now.steps);
+        draw_map_key(canvas, dc, key(now.steps), places(dc));
         return;
     }
-    if (now.stage == 0 || !cast_.in_film) return;
+    if (now.stage == 0 || !context_.in_film) return;
     const Point at = to(now.stage == 1 ? motion_.before : motion_.after);
-    canvas.stroke_circle(at, 0.75 * page.unit, 0.12 * page.unit, momentum_color(page));
+    canvas.stroke_circle(at, 0.75 * dc.unit, 0.12 * dc.unit, momentum_color(dc));
 }
 
-std::unique_ptr<Panel> make_collision_map(const Cast& cast, const PanelSpec& spec) {
-    return std::make_unique<CollisionMapPanel>(cast, spec);
+std::unique_ptr<Panel> make_collision_map(const PanelContext& context, const PanelSpec& spec) {
+    return std::make_unique<CollisionMapPanel>(context, spec);
 }
 
 }  // namespace carom

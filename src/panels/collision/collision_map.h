@@ -16,18 +16,18 @@ namespace carom {
 
 class CollisionMapPanel : public Panel {
   public:
-    CollisionMapPanel(const Cast& cast, const PanelSpec& spec);
+    CollisionMapPanel(const PanelContext& context, const PanelSpec& spec);
 
-    void survey(const Observation& observation) override;
+    void survey(const FrameInput& input) override;
     bool surveys_collisions() const override { return !spec_.given; }
-    void settle() override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    void fix_axes() override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     std::string account(const PanelState& state) const override;
 
-    VelocityPlane plane(const Page& page) const;
+    VelocityPlane plane(const DrawContext& dc) const;
 
   private:
     struct Counts;
@@ -40,16 +40,16 @@ class CollisionMapPanel : public Panel {
     std::string pair_title(const Theme& theme) const;
     std::vector<std::string> titles(const Theme& theme) const;  ///< the longest first
     std::vector<MapKeyEntry> key(std::size_t steps) const;
-    MapPlaces places(const Page& page) const;
+    MapPlaces places(const DrawContext& dc) const;
     VelocityPlane plane_in(const Rect& area) const;
-    void draw_axes(Canvas& canvas, const Page& page, const VelocityPlane& to) const;
-    void draw_energy(Canvas& canvas, const Page& page, const VelocityPlane& to) const;
-    void draw_collision(Canvas& canvas, const Page& page, const VelocityPlane& to) const;
-    void draw_walk(Canvas& canvas, const Page& page, const VelocityPlane& to,
+    void draw_axes(Canvas& canvas, const DrawContext& dc, const VelocityPlane& to) const;
+    void draw_energy(Canvas& canvas, const DrawContext& dc, const VelocityPlane& to) const;
+    void draw_collision(Canvas& canvas, const DrawContext& dc, const VelocityPlane& to) const;
+    void draw_walk(Canvas& canvas, const DrawContext& dc, const VelocityPlane& to,
                    std::size_t steps) const;
     std::vector<Eigen::Array2d> ellipse() const;
 
-    Cast cast_;
+    PanelContext context_;
     PanelSpec spec_;
     MeetingWatch watch_;
     WalkWatch walk_watch_;

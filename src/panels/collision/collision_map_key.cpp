@@ -11,9 +11,9 @@ constexpr double above = 2.8, below = 1.6;                         // units: tit
 constexpr double row = 1.5, sample = 2.0, gap = 0.5, apart = 1.4;  // units
 constexpr double thinnest = 0.8, widest = 1.6;  // of the plane beside its key, width over height
 
-MapPlaces places_beside(const Page& page, const Rect& whole, const std::vector<double>& words,
+MapPlaces places_beside(const DrawContext& dc, const Rect& whole, const std::vector<double>& words,
                         const std::vector<double>& samples, const Eigen::Array2d& reach) {
-    const double u = page.unit;
+    const double u = dc.unit;
     const double column = *std::ranges::max_element(words) + (samples.front() + apart) * u;
     const double ratio = std::clamp(reach[0] / reach[1], thinnest, widest);
     MapPlaces found{whole, {}, samples};
@@ -21,23 +21,22 @@ MapPlaces places_beside(const Page& page, const Rect& whole, const std::vector<d
     Point at{found.plane.right() + apart * u, whole.y + u};
     for (std::size_t i = 0; i < words.size(); ++i, at.y += row * u) {
         if (at.y > whole.bottom()) at = {at.x + column, whole.y + u};
-        if (at.x + samples[i] * u + words[i] > page.area.right() + 1e-6) break;
+        if (at.x + samples[i] * u + words[i] > dc.area.right() + 1e-6) break;
         found.key.push_back(at);
     }
     return found;
 }
 
 // In rows, as many as leave half of the height.
-MapPlaces places_over(const Page& page, const Rect& whole, const std::vector<double>& words,
+MapPlaces places_over(const DrawContext& dc, const Rect& whole, const std::vector<double>& words,
                       const std::vector<double>& samples) {
-    const double u = page.unit;
+    const double u = dc.unit;
     MapPlaces found{whole, {}, samples};
-    Point at{page.area.x, whole.y - 0.05 * u};
+    Point at{dc.area.x, whole.y - 0.05 * u};
     for (std::size_t i = 0; i < words.size(); ++i) {
         const double width = samples[i] * u + words[i];
-        if (at.x > page.area.x && at.x + width > page.area.right())
-            at = {page.area.x, at.y + row * u};
-        if (at.y > whole.y + 0.45 * whole.height || at.x + width > page.area.right()) break;
+        if (at.x > dc.area.x && at.x + width > dc.area.right()) at = {dc.area.x, at.y + row * u};
+        if (at.y > whole.y + 0.45 * whole.height || at.x + width > dc.area.right()) break;
         found.key.push_back(at);
         at.x += width + apart * u;
     }
@@ -50,31 +49,30 @@ MapPlaces places_over(const Page& page, const Rect& whole, const std::vector<dou
 
 }  // namespace
 
-MapPlaces map_places(const Page& page, double left, const std::vector<MapKeyEntry>& entries,
+MapPlaces map_places(const DrawContext& dc, double left, const std::vector<MapKeyEntry>& entries,
                      const Eigen::Array2d& reach) {
-    const double u = page.unit;
+    const double u = dc.unit;
     std::vector<double> words, level, short_ones;  // in a column the words begin at one place
     for (const MapKeyEntry& entry : entries) {
-        words.push_back(gap * u + measure_text(entry.words, label_style(page)).width);
+        words.push_back(gap * u + measure_text(entry.words, label_style(dc)).width);
         level.push_back(sample);
         short_ones.push_back(is_point(entry.mark) ? 2.5 * map_point_radius : sample);
     }
-    const Rect whole{page.area.x + left, page.area.y + above * u,
-                     std::max(u, page.area.width - left),
-                     std::max(u, page.area.height - (above + below) * u)};
-    const MapPlaces beside = places_beside(page, whole, words, level, reach);
-    const MapPlaces over = places_over(page, whole, words, short_ones);
+    const Rect whole{dc.area.x + left, dc.area.y + above * u, std::max(u, dc.area.width - left),
+                     std::max(u, dc.area.height - (above + below) * u)};
+    const MapPlaces beside = places_beside(dc, whole, words, level, reach);
+    const MapPlaces over = places_over(dc, whole, words, short_ones);
     const double gain = scale_in(beside.plane, reach) - scale_in(over.plane, reach);
     return gain > 0.0 ? beside : over;
 }
 
-void draw_map_key(Canvas& canvas, const Page& page, const std::vector<MapKeyEntry>& entries,
+void draw_map_key(Canvas& canvas, const DrawContext& dc, const std::vector<MapKeyEntry>& entries,
                   const MapPlaces& places) {
     for (std::size_t i = 0; i < places.key.size(); ++i) {
         const Point at = places.key[i];
-        draw_map_sample(canvas, page, entries[i].mark, at, places.sample[i]);
-        draw_text(canvas, {at.x + (places.sample[i] + gap) * page.unit, at.y}, entries[i].words,
-                  label_style(page));
+        draw_map_sample(canvas, dc, entries[i].mark, at, places.sample[i]);
+        draw_text(canvas, {at.x + (places.sample[i] + gap) * dc.unit, at.y}, entries[i].words,
+                  label_style(dc));
     }
 }
 

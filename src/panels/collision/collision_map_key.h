@@ -22,10 +22,10 @@ struct MapPlaces {
 
 /// The key stands beside the plane or above it, whichever leaves the plane larger, which shows
 /// velocities up to `reach`; `left` is for the labels of its axis.
-MapPlaces map_places(const Page& page, double left, const std::vector<MapKeyEntry>& entries,
+MapPlaces map_places(const DrawContext& dc, double left, const std::vector<MapKeyEntry>& entries,
                      const Eigen::Array2d& reach);
 
-void draw_map_key(Canvas& canvas, const Page& page, const std::vector<MapKeyEntry>& entries,
+void draw_map_key(Canvas& canvas, const DrawContext& dc, const std::vector<MapKeyEntry>& entries,
                   const MapPlaces& places);
 
 }  // namespace carom

@@ -26,18 +26,18 @@ constexpr double map_point_radius = 0.36;  // units
 
 inline bool is_point(MapMark mark) { return mark == MapMark::before || mark == MapMark::after; }
 
-ArrowStyle map_arrow_before(const Page& page);
-ArrowStyle map_arrow_after(const Page& page);
-ArrowStyle map_arrow_center(const Page& page);
-Color momentum_color(const Page& page);
-std::vector<double> momentum_dashes(const Page& page);
-std::vector<double> wall_dashes(const Page& page);
-std::vector<double> equal_dots(const Page& page);
+ArrowStyle map_arrow_before(const DrawContext& dc);
+ArrowStyle map_arrow_after(const DrawContext& dc);
+ArrowStyle map_arrow_center(const DrawContext& dc);
+Color momentum_color(const DrawContext& dc);
+std::vector<double> momentum_dashes(const DrawContext& dc);
+std::vector<double> wall_dashes(const DrawContext& dc);
+std::vector<double> equal_dots(const DrawContext& dc);
 
 /// The point before a collision is hollow.
-void draw_map_point(Canvas& canvas, const Page& page, Point at, bool hollow);
+void draw_map_point(Canvas& canvas, const DrawContext& dc, Point at, bool hollow);
 
 /// As wide as `wide` units from `at`, on a line of words.
-void draw_map_sample(Canvas& canvas, const Page& page, MapMark mark, Point at, double wide);
+void draw_map_sample(Canvas& canvas, const DrawContext& dc, MapMark mark, Point at, double wide);
 
 }  // namespace carom

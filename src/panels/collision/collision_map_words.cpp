@@ -70,7 +70,7 @@ std::string CollisionMapPanel::velocity_name(std::size_t k) const {
 }
 
 std::string CollisionMapPanel::pair_title(const Theme& theme) const {
-    if (met_) return names_of(cast_, *met_, theme);
+    if (met_) return names_of(context_, *met_, theme);
     return fmt::format("masses {} and {}", mass_text(motion_.inverse_mass[0]),
                        mass_text(motion_.inverse_mass[1]));
 }

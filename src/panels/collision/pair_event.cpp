@@ -31,8 +31,10 @@ double Meeting::other_root() const {
     return time - 2.0 * dot(place[1] - place[0], moving) / dot(moving, moving);
 }
 
-MeetingWatch::MeetingWatch(const Cast& cast, const PanelSpec& spec)
-    : cast_(cast), spec_(spec), last_(static_cast<std::size_t>(cast.particles.count()), 0.0) {}
+MeetingWatch::MeetingWatch(const PanelContext& context, const PanelSpec& spec)
+    : context_(context),
+      spec_(spec),
+      last_(static_cast<std::size_t>(context.particles.count()), 0.0) {}
 
 bool MeetingWatch::is_wanted(const Collision& collision) const {
     if (collision.second < 0) return false;
@@ -45,13 +47,13 @@ bool MeetingWatch::is_wanted(const Collision& collision) const {
 // Reversals part two flights as collisions do.
 double MeetingWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
-    for (const double at : reversal_times(cast_.scene.run))
+    for (const double at : reversal_times(context_.scene.run))
         if (at < now) since = std::max(since, at);
     return since;
 }
 
 double MeetingWatch::flying_until(double now, double next) const {
-    for (const double at : reversal_times(cast_.scene.run))
+    for (const double at : reversal_times(context_.scene.run))
         if (at >= now) next = std::min(next, at);
     return next;
 }
@@ -66,7 +68,7 @@ void MeetingWatch::meet(const Collision& collision) {
     met.after = {collision.first_after, collision.second_after};
     met.since =
         std::max(flying_since(collision.first, met.time), flying_since(collision.second, met.time));
-    met.until = flying_until(met.time, cast_.scene.run.until);
+    met.until = flying_until(met.time, context_.scene.run.until);
     if (swapped || (spec_.of.empty() && collision.second < collision.first)) {
         std::swap(met.particle[0], met.particle[1]);
         std::swap(met.place[0], met.place[1]);
@@ -76,9 +78,9 @@ void MeetingWatch::meet(const Collision& collision) {
     meeting_ = met;
 }
 
-void MeetingWatch::survey(const Observation& observation) {
+void MeetingWatch::survey(const FrameInput& input) {
     if (is_over_) return;
-    for (const Collision& collision : observation.advanced.collisions) {
+    for (const Collision& collision : input.advanced.collisions) {
         const auto is_one_of_them = [&](Eigen::Index i) {
             return i == collision.first || i == collision.second;
         };
@@ -104,7 +106,7 @@ const Meeting& MeetingWatch::meeting() const {
                          : fmt::format("particles {} and {} do not", spec_.of[0].particle.value(),
                                        spec_.of[1].particle.value());
     error.message = fmt::format("{} collide from time 0 to {}, the end of the run", pair,
-                                cast_.scene.run.until);
+                                context_.scene.run.until);
     error.hint =
         spec_.of.empty()
             ? "give a longer run, or let particles meet"
@@ -113,17 +115,18 @@ const Meeting& MeetingWatch::meeting() const {
     throw SceneError({error});
 }
 
-Color color_of(const Cast& cast, const Meeting& meeting, std::size_t k, const Theme& theme) {
+Color color_of(const PanelContext& context, const Meeting& meeting, std::size_t k,
+               const Theme& theme) {
     const auto species = [&](std::size_t one) {
-        return static_cast<std::size_t>(cast.particles.species[meeting.particle[one]]);
+        return static_cast<std::size_t>(context.particles.species[meeting.particle[one]]);
     };
-    if (species(0) != species(1)) return species_color(cast, species(k), theme);
-    return kind_color(cast.scene.gas.species.size() + k, theme);
+    if (species(0) != species(1)) return species_color(context, species(k), theme);
+    return kind_color(context.scene.gas.species.size() + k, theme);
 }
 
-std::string names_of(const Cast& cast, const Meeting& meeting, const Theme& theme) {
+std::string names_of(const PanelContext& context, const Meeting& meeting, const Theme& theme) {
     const auto name = [&](std::size_t k) {
-        const Color color = color_of(cast, meeting, k, theme);
+        const Color color = color_of(context, meeting, k, theme);
         return disk_sample(color, theme) +
                colored(std::to_string(meeting.particle[k]), color, theme);
     };

@@ -37,10 +37,10 @@ inline Eigen::Array2d change(const Meeting& meeting, std::size_t k) {
 class MeetingWatch {
   public:
     /// `spec.of` names the pair, or nothing.
-    MeetingWatch(const Cast& cast, const PanelSpec& spec);
+    MeetingWatch(const PanelContext& context, const PanelSpec& spec);
 
     /// First pass, every frame in order, with the collisions on the way.
-    void survey(const Observation& observation);
+    void survey(const FrameInput& input);
 
     /// After the first pass. Throws SceneError, with the panel's place, where the pair never
     /// collides.
@@ -52,7 +52,7 @@ class MeetingWatch {
     double flying_since(Eigen::Index particle, double now) const;
     double flying_until(double now, double next) const;
 
-    Cast cast_;
+    PanelContext context_;
     PanelSpec spec_;
     std::vector<double> last_;  ///< for each particle: its last collision
     std::optional<Meeting> meeting_;
@@ -60,9 +60,10 @@ class MeetingWatch {
 };
 
 /// How the two are called: by their colours and numbers, as markup.
-std::string names_of(const Cast& cast, const Meeting& meeting, const Theme& theme);
+std::string names_of(const PanelContext& context, const Meeting& meeting, const Theme& theme);
 
 /// The colour of one of them: its species', or where these are alike its own.
-Color color_of(const Cast& cast, const Meeting& meeting, std::size_t k, const Theme& theme);
+Color color_of(const PanelContext& context, const Meeting& meeting, std::size_t k,
+               const Theme& theme);
 
 }  // namespace carom

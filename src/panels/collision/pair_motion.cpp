@@ -22,14 +22,15 @@ Eigen::Matrix2d collision_matrix(const Eigen::Array2d& w) {
     return map / w.sum();
 }
 
-WalkWatch::WalkWatch(const Cast& cast, const PanelSpec& spec) : cast_(cast), spec_(spec) {
+WalkWatch::WalkWatch(const PanelContext& context, const PanelSpec& spec)
+    : context_(context), spec_(spec) {
     if (!spec.of.empty())
         pair_ = std::array<Eigen::Index, 2>{*spec.of[0].particle, *spec.of[1].particle};
 }
 
-void WalkWatch::survey(const Observation& observation) {
-    if (start_.size() == 0) start_ = observation.sample.velocity.col(0);
-    for (const Collision& collision : observation.advanced.collisions) {
+void WalkWatch::survey(const FrameInput& input) {
+    if (start_.size() == 0) start_ = input.sample.velocity.col(0);
+    for (const Collision& collision : input.advanced.collisions) {
         if (!pair_ && collision.second < 0) {
             early_.push_back(collision);
             continue;
@@ -98,7 +99,7 @@ std::vector<WalkStep> WalkWatch::steps() const {
             steps.push_back(step);
         }
     };
-    for (const double time : reversal_times(cast_.scene.run)) {
+    for (const double time : reversal_times(context_.scene.run)) {
         go_on_until(time);
         steps.push_back(
             {.time = time, .cause = WalkStep::Cause::reversal, .velocity = -steps.back().velocity});

@@ -38,10 +38,10 @@ struct WalkStep {
 class WalkWatch {
   public:
     /// `spec.of` names the pair, or nothing: the first that collides.
-    WalkWatch(const Cast& cast, const PanelSpec& spec);
+    WalkWatch(const PanelContext& context, const PanelSpec& spec);
 
     /// First pass, every frame in order, with the collisions on the way.
-    void survey(const Observation& observation);
+    void survey(const FrameInput& input);
 
     /// All steps of the run, after the first pass. Throws SceneError, with the panel's place, where
     /// a third bead strikes one of the two, or where there are more than `most_steps`.
@@ -52,7 +52,7 @@ class WalkWatch {
   private:
     void see(const Collision& collision);
 
-    Cast cast_;
+    PanelContext context_;
     PanelSpec spec_;
     std::optional<std::array<Eigen::Index, 2>> pair_;
     Eigen::ArrayXd start_;

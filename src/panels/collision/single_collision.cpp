@@ -165,29 +165,29 @@ struct StageState : PanelState {
 
 class SingleCollisionPanel : public Panel {
   public:
-    SingleCollisionPanel(const Cast& cast, const PanelSpec& spec)
-        : cast_(cast), spec_(spec), watch_(cast, spec) {}
+    SingleCollisionPanel(const PanelContext& context, const PanelSpec& spec)
+        : context_(context), spec_(spec), watch_(context, spec) {}
 
-    void survey(const Observation& observation) override { watch_.survey(observation); }
+    void survey(const FrameInput& input) override { watch_.survey(input); }
     bool surveys_collisions() const override { return true; }
-    void settle() override { met_ = watch_.meeting(); }
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    void fix_axes() override { met_ = watch_.meeting(); }
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
   private:
-    CollisionStages stages(const Page& page) const;
-    Rect room(const Page& page) const;
-    ArrowStyle style(const Page& page, Color color) const;
-    ArrowStyle change_style(const Page& page) const;
-    void draw_stage(Canvas& canvas, const Page& page, std::size_t index) const;
-    void draw_words(Canvas& canvas, const Page& page, std::size_t index) const;
-    void draw_key(Canvas& canvas, const Page& page) const;
-    std::string amounts(std::size_t index, const Page& page, const std::string& words) const;
+    CollisionStages stages(const DrawContext& dc) const;
+    Rect room(const DrawContext& dc) const;
+    ArrowStyle style(const DrawContext& dc, Color color) const;
+    ArrowStyle change_style(const DrawContext& dc) const;
+    void draw_stage(Canvas& canvas, const DrawContext& dc, std::size_t index) const;
+    void draw_words(Canvas& canvas, const DrawContext& dc, std::size_t index) const;
+    void draw_key(Canvas& canvas, const DrawContext& dc) const;
+    std::string amounts(std::size_t index, const DrawContext& dc, const std::string& words) const;
     using Panel::draw_key;
 
-    Cast cast_;
+    PanelContext context_;
     PanelSpec spec_;
     MeetingWatch watch_;
     Meeting met_;
@@ -197,63 +197,64 @@ constexpr double title_height = 1.9, row_height = 1.4;  // units
 constexpr double least_with_law = 14.0;  // units: in lower areas the pictures take its place
 constexpr double tint = 0.3;             // of the disks, so that arrows stand out from them
 
-double key_height(const Page& page) {
-    return (page.area.height < least_with_law * page.unit ? 1.0 : 2.0) * row_height;
+double key_height(const DrawContext& dc) {
+    return (dc.area.height < least_with_law * dc.unit ? 1.0 : 2.0) * row_height;
 }
 constexpr std::array names{"before", "contact", "after"};
 
 // The middle third of what the stages show belongs to the contact.
-std::shared_ptr<const PanelState> SingleCollisionPanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> SingleCollisionPanel::state(const FrameInput& input) {
     auto state = std::make_shared<StageState>();
     state->present = 3;
-    if (!cast_.in_film) return state;
-    const Cause cause = cause_of(met_, cast_.particles);
-    const double since = observation.tick.time - met_.time;
+    if (!context_.in_film) return state;
+    const Cause cause = cause_of(met_, context_.particles);
+    const double since = input.tick.time - met_.time;
     state->present = since < -cause.back / 3.0 ? 0 : since < cause.on / 3.0 ? 1 : 2;
     return state;
 }
 
-Rect SingleCollisionPanel::room(const Page& page) const {
-    const double top = title_height * page.unit, bottom = key_height(page) * page.unit;
-    return {page.area.x, page.area.y + top, page.area.width,
-            std::max(page.unit, page.area.height - top - bottom)};
+Rect SingleCollisionPanel::room(const DrawContext& dc) const {
+    const double top = title_height * dc.unit, bottom = key_height(dc) * dc.unit;
+    return {dc.area.x, dc.area.y + top, dc.area.width,
+            std::max(dc.unit, dc.area.height - top - bottom)};
 }
 
-CollisionStages SingleCollisionPanel::stages(const Page& page) const {
-    return collision_stages(met_, cast_.particles, room(page), page.unit,
-                            cast_.scene.gas.box.dimension);
+CollisionStages SingleCollisionPanel::stages(const DrawContext& dc) const {
+    return collision_stages(met_, context_.particles, room(dc), dc.unit,
+                            context_.scene.gas.box.dimension);
 }
 
-ArrowStyle SingleCollisionPanel::style(const Page& page, Color color) const {
-    return collision_arrow(page, color, page.theme.page, 0.07);
+ArrowStyle SingleCollisionPanel::style(const DrawContext& dc, Color color) const {
+    return collision_arrow(dc, color, dc.theme.page, 0.07);
 }
 
 // Open arrows where there is no other colour to tell them by.
-ArrowStyle SingleCollisionPanel::change_style(const Page& page) const {
-    const Color accent = edge_of(page.theme.accent, page.theme);
-    if (to_pixel(accent) != to_pixel(page.theme.ink)) return style(page, accent);
-    ArrowStyle open = style(page, page.theme.page);
-    open.edge = std::max(1.0, 0.1 * page.unit);
-    open.edge_color = page.theme.ink;
+ArrowStyle SingleCollisionPanel::change_style(const DrawContext& dc) const {
+    const Color accent = edge_of(dc.theme.accent, dc.theme);
+    if (to_pixel(accent) != to_pixel(dc.theme.ink)) return style(dc, accent);
+    ArrowStyle open = style(dc, dc.theme.page);
+    open.edge = std::max(1.0, 0.1 * dc.unit);
+    open.edge_color = dc.theme.ink;
     return open;
 }
 
-void SingleCollisionPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    const std::string of = names_of(cast_, met_, page.theme);
+void SingleCollisionPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    const std::string of = names_of(context_, met_, dc.theme);
     const std::string at = " at time " + three_digits(met_.time);
     const std::string title =
         spec_.title ? escape_markup(*spec_.title)
-                    : fitting_title(page, {"The collision of " + of + at, "Collision of " + of + at,
-                                           "Collision of " + of});
-    draw_panel_title(canvas, page, title);
-    for (std::size_t i = 0; i < 3; ++i) draw_stage(canvas, page, i);
-    draw_key(canvas, page);
+                    : fitting_title(dc, {"The collision of " + of + at, "Collision of " + of + at,
+                                         "Collision of " + of});
+    draw_panel_title(canvas, dc, title);
+    for (std::size_t i = 0; i < 3; ++i) draw_stage(canvas, dc, i);
+    draw_key(canvas, dc);
 }
 
-void SingleCollisionPanel::draw_stage(Canvas& canvas, const Page& page, std::size_t index) const {
-    const CollisionStages all = stages(page);
+void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
+                                      std::size_t index) const {
+    const CollisionStages all = stages(dc);
     const CollisionStage& stage = all.stage[index];
-    const double u = page.unit;
+    const double u = dc.unit;
     if (index == 1) {  // the line of centres, as far as the changes reach and a little more
         const Point& a = stage.center[0];
         const Point& b = stage.center[1];
@@ -266,74 +267,75 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const Page& page, std::siz
         canvas.clip_to(stage.area);
         canvas.stroke_dashed({a.x - beyond * along.x, a.y - beyond * along.y},
                              {b.x + beyond * along.x, b.y + beyond * along.y}, 0.09 * u, 0.3 * u,
-                             page.theme.muted);
+                             dc.theme.muted);
         canvas.release_clip();
     }
-    if (cast_.scene.gas.box.dimension == 1 && index != 1)  // the wire
+    if (context_.scene.gas.box.dimension == 1 && index != 1)  // the wire
         canvas.stroke_line({stage.area.x, stage.mass_center.y},
-                           {stage.area.right(), stage.mass_center.y}, 0.08 * u, page.theme.muted);
+                           {stage.area.right(), stage.mass_center.y}, 0.08 * u, dc.theme.muted);
     for (std::size_t k = 0; k < 2; ++k) {
-        const Color color = color_of(cast_, met_, k, page.theme);
+        const Color color = color_of(context_, met_, k, dc.theme);
         const double line = std::max(1.5, 0.14 * u);
-        canvas.fill_circle(stage.center[k], all.radius[k], edge_of(color, page.theme));
+        canvas.fill_circle(stage.center[k], all.radius[k], edge_of(color, dc.theme));
         canvas.fill_circle(stage.center[k], std::max(0.0, all.radius[k] - line),
-                           mix(page.theme.page, color, tint));
+                           mix(dc.theme.page, color, tint));
     }
     if (index == 1)
-        canvas.stroke_dashed(stage.center[0], stage.center[1], 0.09 * u, 0.3 * u, page.theme.muted);
-    const Color grey = page.theme.muted;
+        canvas.stroke_dashed(stage.center[0], stage.center[1], 0.09 * u, 0.3 * u, dc.theme.muted);
+    const Color grey = dc.theme.muted;
     draw_arrow(canvas, stage.mass_center_velocity.from, stage.mass_center_velocity.to,
-               style(page, grey));
-    canvas.fill_circle(stage.mass_center, 0.3 * u, page.theme.page);
+               style(dc, grey));
+    canvas.fill_circle(stage.mass_center, 0.3 * u, dc.theme.page);
     canvas.fill_circle(stage.mass_center, 0.22 * u, grey);
     for (const StageArrow& arrow : stage.velocity)
         draw_arrow(canvas, arrow.from, arrow.to,
-                   index == 1 ? change_style(page) : style(page, page.theme.ink));
-    draw_words(canvas, page, index);
+                   index == 1 ? change_style(dc) : style(dc, dc.theme.ink));
+    draw_words(canvas, dc, index);
 }
 
-std::string SingleCollisionPanel::amounts(std::size_t index, const Page& page,
+std::string SingleCollisionPanel::amounts(std::size_t index, const DrawContext& dc,
                                           const std::string& words) const {
     std::string text = words;
     for (std::size_t k = 0; k < 2; ++k) {
         const Vector v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
         text += (k == 0 ? "" : ", ") +
-                colored(three_digits(length(v)), color_of(cast_, met_, k, page.theme), page.theme);
+                colored(three_digits(length(v)), color_of(context_, met_, k, dc.theme), dc.theme);
     }
     return text;
 }
 
 // The numbers under a stage.
-void SingleCollisionPanel::draw_words(Canvas& canvas, const Page& page, std::size_t index) const {
-    const CollisionStage stage = stages(page).stage[index];
-    TextStyle style = label_style(page);
+void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
+                                      std::size_t index) const {
+    const CollisionStage stage = stages(dc).stage[index];
+    TextStyle style = label_style(dc);
     style.align = Align::center;
     const double middle = stage.area.x + stage.area.width / 2;
     for (const char* words : {index == 1 ? "changes " : "speeds ", ""}) {
-        const std::string text = amounts(index, page, words);
+        const std::string text = amounts(index, dc, words);
         if (*words != '\0' && measure_text(text, style).width > stage.area.width) continue;
-        draw_text(canvas, {middle, stage.area.bottom() - 0.3 * page.unit}, text, style);
+        draw_text(canvas, {middle, stage.area.bottom() - 0.3 * dc.unit}, text, style);
         return;
     }
 }
 
 // What the arrows are, and the law.
-void SingleCollisionPanel::draw_key(Canvas& canvas, const Page& page) const {
-    const double u = page.unit;
-    double x = page.area.x;
-    const double baseline = page.area.bottom() - (key_height(page) - 1.15) * u;
+void SingleCollisionPanel::draw_key(Canvas& canvas, const DrawContext& dc) const {
+    const double u = dc.unit;
+    double x = dc.area.x;
+    const double baseline = dc.area.bottom() - (key_height(dc) - 1.15) * u;
     const std::array<std::pair<ArrowStyle, const char*>, 3> key{
-        {{style(page, page.theme.ink), "velocity"},
-         {change_style(page), "its change"},
-         {style(page, page.theme.muted), "centre of mass"}}};
+        {{style(dc, dc.theme.ink), "velocity"},
+         {change_style(dc), "its change"},
+         {style(dc, dc.theme.muted), "centre of mass"}}};
     for (const auto& [drawn, words] : key) {
         draw_arrow(canvas, {x, baseline - 0.35 * u}, {x + 1.6 * u, baseline - 0.35 * u}, drawn);
         x += 1.9 * u;
-        x += draw_text(canvas, {x, baseline}, words, label_style(page)).width + 0.9 * u;
+        x += draw_text(canvas, {x, baseline}, words, label_style(dc)).width + 0.9 * u;
     }
-    if (key_height(page) == row_height) return;
-    const Eigen::Array2d inverse{cast_.particles.inverse_mass[met_.particle[0]],
-                                 cast_.particles.inverse_mass[met_.particle[1]]};
+    if (key_height(dc) == row_height) return;
+    const Eigen::Array2d inverse{context_.particles.inverse_mass[met_.particle[0]],
+                                 context_.particles.inverse_mass[met_.particle[1]]};
     const std::size_t movable = inverse[0] > 0.0 ? 0 : 1;
     const double momentum =
         length(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
@@ -341,31 +343,32 @@ void SingleCollisionPanel::draw_key(Canvas& canvas, const Page& page) const {
     const std::array<std::string, 3> laws{
         given + " passes from one to the other, along the line of centres",
         given + " passes along the line of centres", given + " passes"};
-    TextStyle style = label_style(page);
+    TextStyle style = label_style(dc);
     for (const std::string& law : laws) {
         const bool is_last = &law == &laws.back();
-        if (!is_last && measure_text(law, style).width > page.area.width) continue;
-        style.max_width = page.area.width;
-        draw_text(canvas, {page.area.x, page.area.bottom() - 0.15 * u}, law, style);
+        if (!is_last && measure_text(law, style).width > dc.area.width) continue;
+        style.max_width = dc.area.width;
+        draw_text(canvas, {dc.area.x, dc.area.bottom() - 0.15 * u}, law, style);
         return;
     }
 }
 
 // The name of the present stage stands out.
-void SingleCollisionPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+void SingleCollisionPanel::draw(Canvas& canvas, const DrawContext& dc,
+                                const PanelState& state) const {
     const std::size_t present = static_cast<const StageState&>(state).present;
-    const CollisionStages all = stages(page);
+    const CollisionStages all = stages(dc);
     for (std::size_t i = 0; i < 3; ++i) {
-        TextStyle style = label_style(page);
+        TextStyle style = label_style(dc);
         style.align = Align::center;
-        if (i == present) style.color = page.theme.ink, style.weight = 600;
+        if (i == present) style.color = dc.theme.ink, style.weight = 600;
         const Rect& area = all.stage[i].area;
-        const Point at{area.x + area.width / 2, area.y + 1.0 * page.unit};
+        const Point at{area.x + area.width / 2, area.y + 1.0 * dc.unit};
         const double width = draw_text(canvas, at, names[i], style).width;
         if (i == present)
-            canvas.stroke_line({at.x - width / 2, at.y + 0.35 * page.unit},
-                               {at.x + width / 2, at.y + 0.35 * page.unit}, 0.12 * page.unit,
-                               page.theme.ink);
+            canvas.stroke_line({at.x - width / 2, at.y + 0.35 * dc.unit},
+                               {at.x + width / 2, at.y + 0.35 * dc.unit}, 0.12 * dc.unit,
+                               dc.theme.ink);
     }
 }
 
@@ -374,7 +377,7 @@ Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
     Table table{{"part", "stage", "of", column_name("x", reduced::length),
                  column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",
                  column_name("arrow x", reduced::speed), column_name("arrow y", reduced::speed)}};
-    const Cause cause = cause_of(met_, cast_.particles);
+    const Cause cause = cause_of(met_, context_.particles);
     const std::array<Pose, 3> all = poses(cause);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 2; ++k)
@@ -397,8 +400,8 @@ Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_single_collision(const Cast& cast, const PanelSpec& spec) {
-    return std::make_unique<SingleCollisionPanel>(cast, spec);
+std::unique_ptr<Panel> make_single_collision(const PanelContext& context, const PanelSpec& spec) {
+    return std::make_unique<SingleCollisionPanel>(context, spec);
 }
 
 }  // namespace carom

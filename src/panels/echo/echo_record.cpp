@@ -19,39 +19,39 @@ double bytes_of(int bits) { return bits > bits_of_double ? 64.0 + bits / 8.0 : 8
 
 }  // namespace
 
-EchoRecord::EchoRecord(const Cast& cast)
-    : cast_(cast),
-      reversals_(reversal_times(cast.scene.run)),
-      bits_per_collision_(bits_lost_per_collision(cast.scene.gas.box, cast.particles)) {
-    const int bits = cast.scene.run.bits.value_or(bits_of_double);
+EchoRecord::EchoRecord(const PanelContext& context)
+    : context_(context),
+      reversals_(reversal_times(context.scene.run)),
+      bits_per_collision_(bits_lost_per_collision(context.scene.gas.box, context.particles)) {
+    const int bits = context.scene.run.bits.value_or(bits_of_double);
     in_full_ = bits > bits_of_double;
-    const double bytes =
-        static_cast<double>(cast.particles.count()) * cast.scene.gas.box.dimension * bytes_of(bits);
-    stride_ = std::max(1, static_cast<int>(std::ceil(bytes * cast.frames / most_kept)));
+    const double bytes = static_cast<double>(context.particles.count()) *
+                         context.scene.gas.box.dimension * bytes_of(bits);
+    stride_ = std::max(1, static_cast<int>(std::ceil(bytes * context.frames / most_kept)));
 }
 
-void EchoRecord::survey(const Observation& observation) {
-    const double time = observation.tick.time;
+void EchoRecord::survey(const FrameInput& input) {
+    const double time = input.tick.time;
     const auto passed = std::ranges::upper_bound(reversals_, time) - reversals_.begin();
     if (passed == 0) return;
     const auto reversal = static_cast<std::size_t>(passed) - 1;
     const double since = time - reversals_[reversal];
-    const std::int64_t collisions = observation.advanced.counts.particle;
+    const std::int64_t collisions = input.advanced.counts.particle;
     while (collisions_until_.size() <= reversal) collisions_until_.push_back(collisions);
     const bool stands_still =
         !steps_.empty() && steps_.back().reversal == reversal && steps_.back().since == since;
     const bool is_kept =
-        observation.tick.frame % stride_ == 0 || since == 0.0 || time == cast_.scene.run.until;
+        input.tick.frame % stride_ == 0 || since == 0.0 || time == context_.scene.run.until;
     if (stands_still || !is_kept) return;
     const double before = reversal > 0 ? reversals_[reversal - 1] : 0.0;
     const double rounding = 1e-12 * reversals_[reversal];
     const double mirror = reversals_[reversal] - since;
     const bool is_known = mirror >= before - rounding;
     const double of_each = 2.0 * static_cast<double>(collisions - collisions_until_[reversal]) /
-                           static_cast<double>(cast_.particles.count());
-    steps_.push_back({observation.tick.frame, reversal, since, of_each, {}, is_known});
+                           static_cast<double>(context_.particles.count());
+    steps_.push_back({input.tick.frame, reversal, since, of_each, {}, is_known});
     kept_.push_back({std::max(mirror, before), {}, {}});
-    if (is_known && !in_full_) kept_.back().position = observation.sample.position;
+    if (is_known && !in_full_) kept_.back().position = input.sample.position;
 }
 
 // Both ways once more, to compare all bits: samples have no more than those of a double.
@@ -70,7 +70,7 @@ void EchoRecord::compare_in_full() {
     std::ranges::stable_sort(moments, [](const Moment& a, const Moment& b) {
         return a.time != b.time ? a.time < b.time : a.is_back < b.is_back;
     });
-    Simulation both_ways(cast_.scene.gas, cast_.scene.run);
+    Simulation both_ways(context_.scene.gas, context_.scene.run);
     std::map<std::size_t, ExactPositions> out;
     for (const Moment& moment : moments) {
         throw_if_interrupted();
@@ -96,7 +96,7 @@ void EchoRecord::settle() {
 
 std::vector<Perturbation> EchoRecord::perturbations_at(double time) const {
     std::vector<Perturbation> perturbations;
-    for (const RunEvent& event : cast_.scene.run.events)
+    for (const RunEvent& event : context_.scene.run.events)
         if (const auto* perturbation = std::get_if<Perturbation>(&event.action);
             perturbation && event.at == time)
             perturbations.push_back(*perturbation);
@@ -108,7 +108,8 @@ void EchoRecord::begin_at_perturbations() {
     for (Step& step : steps_) {
         if (!step.is_known || step.since > 0.0) continue;
         const std::vector<Perturbation> perturbations = perturbations_at(reversals_[step.reversal]);
-        if (!perturbations.empty()) step.apart = moved_by(perturbations, cast_.particles.count());
+        if (!perturbations.empty())
+            step.apart = moved_by(perturbations, context_.particles.count());
     }
 }
 
@@ -116,8 +117,8 @@ void EchoRecord::begin_at_perturbations() {
 void EchoRecord::apply_law() {
     if (!bits_per_collision_) return;
     const double digits = std::log10(2.0);
-    const int bits = cast_.scene.run.bits.value_or(bits_of_double);
-    const double round_off = std::log10(cast_.scene.gas.box.size.maxCoeff()) - bits * digits;
+    const int bits = context_.scene.run.bits.value_or(bits_of_double);
+    const double round_off = std::log10(context_.scene.gas.box.size.maxCoeff()) - bits * digits;
     double law = 0.0, collisions = 0.0, before = 0.0;
     for (std::size_t k = 0; k < steps_.size(); ++k) {
         Step& step = steps_[k];
@@ -128,7 +129,7 @@ void EchoRecord::apply_law() {
         }
         law += (step.collisions - collisions) * *bits_per_collision_ * digits;
         collisions = step.collisions;
-        for (const RunEvent& event : cast_.scene.run.events) {
+        for (const RunEvent& event : context_.scene.run.events) {
             const auto* perturbation = std::get_if<Perturbation>(&event.action);
             const double since = event.at - reversals_[step.reversal];
             if (perturbation && since > before && since >= 0.0 && since <= step.since)
@@ -145,11 +146,11 @@ void EchoRecord::compare() {
         if (steps_[k].is_known) order.push_back(k);
     if (order.empty()) return;
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return kept_[k].time; });
-    Simulation way_out(cast_.scene.gas, cast_.scene.run);
+    Simulation way_out(context_.scene.gas, context_.scene.run);
     for (const std::size_t k : order) {
         throw_if_interrupted();
         way_out.advance_to(kept_[k].time);
-        steps_[k].apart = return_distance(cast_.scene.gas.box, way_out.sample(), kept_[k]);
+        steps_[k].apart = return_distance(context_.scene.gas.box, way_out.sample(), kept_[k]);
     }
     kept_ = {};
 }

@@ -28,11 +28,11 @@ class EchoRecord {
                                                                       ///< where there is a law
     };
 
-    explicit EchoRecord(const Cast& cast);
+    explicit EchoRecord(const PanelContext& context);
 
     /// First pass, every frame in order: keeps where the particles are after a reversal, of as many
     /// frames as memory allows.
-    void survey(const Observation& observation);
+    void survey(const FrameInput& input);
 
     /// Runs the gas once more, to see the way out at the very times that mirror those kept; a gas
     /// of many bits on both ways, to compare them in full.
@@ -61,7 +61,7 @@ class EchoRecord {
     void apply_law();
     std::vector<Perturbation> perturbations_at(double time) const;
 
-    Cast cast_;
+    PanelContext context_;
     bool in_full_ = false;  ///< numbers have more bits than samples
     std::vector<double> reversals_;
     std::vector<std::int64_t> collisions_until_;  ///< each reversal, of all particles with others

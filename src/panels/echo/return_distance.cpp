@@ -27,8 +27,8 @@ double ReturnDistancePanel::log_of(const EchoRecord::Step& step, Line line) {
     return line == Line::largest ? step.apart.log10_largest : step.apart.log10_root_mean_square;
 }
 
-ReturnDistancePanel::ReturnDistancePanel(const Cast& cast, const PanelSpec& spec)
-    : cast_(cast), spec_(spec), echo_(cast) {}
+ReturnDistancePanel::ReturnDistancePanel(const PanelContext& context, const PanelSpec& spec)
+    : context_(context), spec_(spec), echo_(context) {}
 
 std::vector<ReturnDistancePanel::Line> ReturnDistancePanel::lines() const {
     if (compares()) return {Line::largest};
@@ -41,7 +41,7 @@ double ReturnDistancePanel::along(const EchoRecord::Step& step) const {
 
 // Mean of the particles; 0: none.
 double ReturnDistancePanel::radius() const {
-    return cast_.particles.count() > 0 ? cast_.particles.radius.mean() : 0.0;
+    return context_.particles.count() > 0 ? context_.particles.radius.mean() : 0.0;
 }
 
 // The steps after a reversal.
@@ -80,9 +80,9 @@ bool ReturnDistancePanel::has_law() const {
         runs_, [&](const ReturnDistancePanel* run) { return !law(*run, 0).empty(); });
 }
 
-void ReturnDistancePanel::settle() {
+void ReturnDistancePanel::fix_axes() {
     echo_.settle();
-    fix_axes();
+    choose_axes();
 }
 
 void ReturnDistancePanel::settle_beside(const std::vector<Panel*>& others,
@@ -93,11 +93,11 @@ void ReturnDistancePanel::settle_beside(const std::vector<Panel*>& others,
         run->echo_.settle();
         runs_.push_back(run);
     }
-    fix_axes();
+    choose_axes();
 }
 
 // For all that is drawn.
-void ReturnDistancePanel::fix_axes() {
+void ReturnDistancePanel::choose_axes() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double least = infinity, most = -infinity, last = 0.0;  // powers of ten, and a place
     for (const ReturnDistancePanel* run : runs_) {
@@ -119,9 +119,9 @@ void ReturnDistancePanel::fix_axes() {
     high_ = std::max(high_, low_ + 2.0);
 }
 
-std::shared_ptr<const PanelState> ReturnDistancePanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> ReturnDistancePanel::state(const FrameInput& input) {
     auto state = std::make_shared<ReturnDistanceState>();
-    state->shown = {echo_.shown(observation.tick.frame)};
+    state->shown = {echo_.shown(input.tick.frame)};
     return state;
 }
 
@@ -211,8 +211,8 @@ Table ReturnDistancePanel::table(const PanelState& state, const Theme&) const {
     return all;
 }
 
-std::unique_ptr<Panel> make_return_distance(const Cast& cast, const PanelSpec& spec) {
-    return std::make_unique<ReturnDistancePanel>(cast, spec);
+std::unique_ptr<Panel> make_return_distance(const PanelContext& context, const PanelSpec& spec) {
+    return std::make_unique<ReturnDistancePanel>(context, spec);
 }
 
 }  // namespace carom

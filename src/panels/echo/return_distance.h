@@ -17,18 +17,18 @@ namespace carom {
 
 class ReturnDistancePanel : public Panel {
   public:
-    ReturnDistancePanel(const Cast& cast, const PanelSpec& spec);
+    ReturnDistancePanel(const PanelContext& context, const PanelSpec& spec);
 
-    void survey(const Observation& observation) override { echo_.survey(observation); }
-    void settle() override;
+    void survey(const FrameInput& input) override { echo_.survey(input); }
+    void fix_axes() override;
     void settle_beside(const std::vector<Panel*>& others,
                        const std::vector<std::string>& names) override;
     std::shared_ptr<const PanelState> beside(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     std::vector<std::string> told_of_runs(const PanelState& state) const override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     std::string finding(const PanelState& state) const override;
     std::string account(const PanelState& state) const override;
@@ -59,28 +59,28 @@ class ReturnDistancePanel : public Panel {
     Steps way_back(const ReturnDistancePanel& run, std::size_t reversal) const;
     std::vector<LawPoint> law(const ReturnDistancePanel& run, std::size_t reversal) const;
     bool has_law() const;
-    void fix_axes();
+    void choose_axes();
     std::string told_of(const ReturnDistancePanel& run, std::size_t shown) const;
 
-    Scales scales(const Page& page) const;
-    Look look(Line line, std::size_t run, const Page& page) const;
+    Scales scales(const DrawContext& dc) const;
+    Look look(Line line, std::size_t run, const DrawContext& dc) const;
     std::vector<std::string> titles() const;
-    std::string along_words(const Page& page) const;
-    void draw_note(Canvas& canvas, const Page& page) const;
-    void draw_floor(Canvas& canvas, const Page& page) const;
-    double level_baseline(const Page& page) const;
-    bool is_crossed(const Rect& part, const Page& page) const;
-    void draw_level(Canvas& canvas, const Page& page) const;
-    void draw_home(Canvas& canvas, const Page& page) const;
-    void draw_law(Canvas& canvas, const Page& page, const ReturnDistancePanel& run,
+    std::string along_words(const DrawContext& dc) const;
+    void draw_note(Canvas& canvas, const DrawContext& dc) const;
+    void draw_floor(Canvas& canvas, const DrawContext& dc) const;
+    double level_baseline(const DrawContext& dc) const;
+    bool is_crossed(const Rect& part, const DrawContext& dc) const;
+    void draw_level(Canvas& canvas, const DrawContext& dc) const;
+    void draw_home(Canvas& canvas, const DrawContext& dc) const;
+    void draw_law(Canvas& canvas, const DrawContext& dc, const ReturnDistancePanel& run,
                   std::size_t reversal) const;
-    void draw_start(Canvas& canvas, const Page& page) const;
-    void draw_run(Canvas& canvas, const Page& page, std::size_t run, std::size_t shown) const;
-    void draw_way(Canvas& canvas, const Page& page, Steps steps, Line line, const Look& look,
+    void draw_start(Canvas& canvas, const DrawContext& dc) const;
+    void draw_run(Canvas& canvas, const DrawContext& dc, std::size_t run, std::size_t shown) const;
+    void draw_way(Canvas& canvas, const DrawContext& dc, Steps steps, Line line, const Look& look,
                   bool is_present) const;
     Table table_of(const ReturnDistancePanel& run, std::size_t shown) const;
 
-    Cast cast_;
+    PanelContext context_;
     PanelSpec spec_;
     EchoRecord echo_;
     std::vector<const ReturnDistancePanel*> runs_{this};  // this one, then those beside it

@@ -29,21 +29,21 @@ std::string shorter_number(const std::string& words) {
     return fmt::format("{:.{}f}", std::stod(words), words.size() - point - 2);
 }
 
-std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels) {
-    if (labels == Labels::mass) return mass_text(cast.particles.inverse_mass[particle]);
+std::string words_on(const PanelContext& context, Eigen::Index particle, Labels labels) {
+    if (labels == Labels::mass) return mass_text(context.particles.inverse_mass[particle]);
     return labels == Labels::index ? std::to_string(particle) : "";
 }
 
-std::optional<FittingWords> fitting_words(const Page& page, double radius,
+std::optional<FittingWords> fitting_words(const DrawContext& dc, double radius,
                                           const std::string& words) {
-    if (radius < half_cap_height * page.unit) return {};
-    TextStyle style = label_style(page);
+    if (radius < half_cap_height * dc.unit) return {};
+    TextStyle style = label_style(dc);
     style.align = Align::center;
     style.weight = 600;
-    const double large = std::clamp(0.65 * radius, page.unit, 2.0 * page.unit);
+    const double large = std::clamp(0.65 * radius, dc.unit, 2.0 * dc.unit);
     const std::string shorter = shorter_number(words);
     for (const std::string& text : {words, shorter, shorter_number(shorter)})
-        for (const double size : {large, page.unit}) {
+        for (const double size : {large, dc.unit}) {
             style.size = size;
             const double half_width = 0.5 * measure_text(text, style).width;
             if (std::hypot(half_width, half_cap_height * size) <= rim * radius)
@@ -52,12 +52,12 @@ std::optional<FittingWords> fitting_words(const Page& page, double radius,
     return {};
 }
 
-void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
+void draw_words_on(Canvas& canvas, const DrawContext& dc, Point center, double radius,
                    const std::string& words, Color bead) {
     if (words.empty()) return;
-    auto fitting = fitting_words(page, radius, words);
+    auto fitting = fitting_words(dc, radius, words);
     if (!fitting) return;
-    fitting->style.color = letters_on(bead, page.theme);
+    fitting->style.color = letters_on(bead, dc.theme);
     const double down = half_cap_height * fitting->style.size;
     draw_text(canvas, {center.x, center.y + down}, fitting->text, fitting->style);
 }

@@ -15,7 +15,7 @@ std::string mass_text(double inverse_mass);
 std::string shorter_number(const std::string& words);
 
 /// Its mass or its number, whichever `labels` asks for; empty for none.
-std::string words_on(const Cast& cast, Eigen::Index particle, Labels labels);
+std::string words_on(const PanelContext& context, Eigen::Index particle, Labels labels);
 
 /// Words as they fit on a bead.
 struct FittingWords {
@@ -25,11 +25,11 @@ struct FittingWords {
 
 /// Words for a bead of a radius (pixels), as large as fits; a number with a digit or two less where
 /// it fits only so, and nothing where that does not fit.
-std::optional<FittingWords> fitting_words(const Page& page, double radius,
+std::optional<FittingWords> fitting_words(const DrawContext& dc, double radius,
                                           const std::string& words);
 
 /// Writes words on a bead of a colour around `center`, as they fit, or not at all.
-void draw_words_on(Canvas& canvas, const Page& page, Point center, double radius,
+void draw_words_on(Canvas& canvas, const DrawContext& dc, Point center, double radius,
                    const std::string& words, Color bead);
 
 }  // namespace carom

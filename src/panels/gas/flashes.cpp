@@ -17,10 +17,10 @@ constexpr std::size_t most = 3;      // seen in any second
 
 // A flash is seen in one frame at least. Where there are more contacts than may flash, those that
 // do keep apart: three at once would beat like a pulse.
-Flashes::Flashes(const Cast& cast)
-    : scene_(cast.scene),
-      asked_(cast.scene.film.flashes && cast.in_film),
-      life_(std::max(usual_life, 1.0 / cast.scene.film.fps)),
+Flashes::Flashes(const PanelContext& context)
+    : scene_(context.scene),
+      asked_(context.scene.film.flashes && context.in_film),
+      life_(std::max(usual_life, 1.0 / context.scene.film.fps)),
       dense_{0.0, {}},
       even_{(1.0 + life_) / double(most), {}} {}
 
@@ -41,17 +41,16 @@ bool Flashes::is_seen_again(const Choice& choice, const Start& start, double nea
     });
 }
 
-void Flashes::survey(const Observation& observation,
-                     const std::function<Point(const Collision&)>& place) {
+void Flashes::survey(const FrameInput& input, const std::function<Point(const Collision&)>& place) {
     if (!asked_) return;
-    const Tick& tick = observation.tick;
+    const Tick& tick = input.tick;
     const double step = tick.time - last_time_;
     if (tick.reversals != leg_) {
         leg_ = tick.reversals;
         low_ = leg_low_;
         high_ = leg_high_;
     }
-    for (const Collision& collision : observation.advanced.collisions) {
+    for (const Collision& collision : input.advanced.collisions) {
         if (collision.second < 0) continue;  // a wall
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
@@ -74,7 +73,7 @@ void Flashes::survey(const Observation& observation,
     last_frame_ = tick.frame;
 }
 
-void Flashes::settle() {
+void Flashes::fix_scale() {
     if (static_cast<std::int64_t>(dense_.starts.size()) < contacts_) dense_ = std::move(even_);
     even_.starts = {};
 }
@@ -97,16 +96,16 @@ std::vector<std::string> Flashes::remarks() const {
     return {some + ", three a second at most", some};
 }
 
-void draw_flash(Canvas& canvas, const Page& page, Point at, double share) {
-    const double u = page.unit;
+void draw_flash(Canvas& canvas, const DrawContext& dc, Point at, double share) {
+    const double u = dc.unit;
     const double alpha = 1.0 - share * share;
     const double line = (0.26 - 0.12 * share) * u;
     const double radius = (0.7 + 0.8 * share) * u;
     // A line of the ground on each side, so that it is seen on disks of any colour.
-    canvas.stroke_circle(at, radius, line + 0.2 * u, with_alpha(page.theme.ground, 0.9 * alpha));
-    canvas.stroke_circle(at, radius, line, with_alpha(page.theme.ink, alpha));
-    canvas.fill_circle(at, 0.34 * u, with_alpha(page.theme.ground, 0.9 * alpha));
-    canvas.fill_circle(at, 0.24 * u, with_alpha(page.theme.ink, alpha));
+    canvas.stroke_circle(at, radius, line + 0.2 * u, with_alpha(dc.theme.ground, 0.9 * alpha));
+    canvas.stroke_circle(at, radius, line, with_alpha(dc.theme.ink, alpha));
+    canvas.fill_circle(at, 0.34 * u, with_alpha(dc.theme.ground, 0.9 * alpha));
+    canvas.fill_circle(at, 0.24 * u, with_alpha(dc.theme.ink, alpha));
 }
 
 }  // namespace carom

@@ -21,14 +21,13 @@ struct Flash {
 /// The flashes of a film: chosen in the first pass, looked up in the second.
 class Flashes {
   public:
-    explicit Flashes(const Cast& cast);
+    explicit Flashes(const PanelContext& context);
 
     bool asked() const { return asked_; }
 
-    /// First pass, every frame in order; then settle(). `place` says where a contact is drawn.
-    void survey(const Observation& observation,
-                const std::function<Point(const Collision&)>& place);
-    void settle();
+    /// First pass, every frame in order; then fix_scale(). `place` says where a contact is drawn.
+    void survey(const FrameInput& input, const std::function<Point(const Collision&)>& place);
+    void fix_scale();
 
     /// Those of a frame, a function of the frame alone.
     std::vector<Flash> at(const Tick& tick) const;
@@ -66,7 +65,7 @@ class Flashes {
 };
 
 /// A ring that grows and fades about the place, and a spark in its middle.
-void draw_flash(Canvas& canvas, const Page& page, Point at, double share);
+void draw_flash(Canvas& canvas, const DrawContext& dc, Point at, double share);
 
 /// The largest radius of the ring, in units.
 constexpr double flash_reach = 1.8;

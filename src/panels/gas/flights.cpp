@@ -22,12 +22,12 @@ void Flights::meet(Corner& corner, std::int32_t particle, double place, double a
     }
 }
 
-std::vector<Flights::Corner> Flights::see(const Observation& observation) {
+std::vector<Flights::Corner> Flights::see(const FrameInput& input) {
     std::vector<Corner> corners;
     const auto is_followed = [&](std::int32_t particle) {
         return std::ranges::find(particles_, particle) != particles_.end();
     };
-    for (const Collision& collision : observation.advanced.collisions) {
+    for (const Collision& collision : input.advanced.collisions) {
         if (last_.place.empty()) break;  // there is no frame before
         if (!is_followed(collision.first) && !is_followed(collision.second)) continue;
         Corner corner{collision.time, last_.place, last_.after, last_.after};
@@ -41,17 +41,17 @@ std::vector<Flights::Corner> Flights::see(const Observation& observation) {
         last_ = corner;
         corners.push_back(std::move(corner));
     }
-    Corner now{observation.tick.time, {}, {}, {}};
+    Corner now{input.tick.time, {}, {}, {}};
     for (const Eigen::Index i : particles_) {
-        now.place.push_back(observation.sample.position(i, axis_));
-        now.after.push_back(observation.sample.velocity(i, axis_));
+        now.place.push_back(input.sample.position(i, axis_));
+        now.after.push_back(input.sample.velocity(i, axis_));
     }
     now.before = now.after;
-    if (observation.advanced.reversals != reversals_) {
+    if (input.advanced.reversals != reversals_) {
         if (!last_.place.empty()) now.before = last_.after;
         corners.push_back(now);
     }
-    reversals_ = observation.advanced.reversals;
+    reversals_ = input.advanced.reversals;
     last_ = std::move(now);
     return corners;
 }

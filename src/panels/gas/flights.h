@@ -22,7 +22,7 @@ class Flights {
 
     /// Every frame in order, with the collisions on the way: the corners since the frame before,
     /// a reversal at this one included.
-    std::vector<Corner> see(const Observation& observation);
+    std::vector<Corner> see(const FrameInput& input);
 
   private:
     void meet(Corner& corner, std::int32_t particle, double place, double after) const;

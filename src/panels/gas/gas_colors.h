@@ -15,15 +15,15 @@ std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme);
 
 /// Hatches a disk of infinite mass, as walls are in drawings of machines; small ones stay as they
 /// are.
-void draw_hatching(Canvas& canvas, const Page& page, Point center, double radius);
+void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double radius);
 
 class GasColors {
   public:
-    explicit GasColors(const Cast& cast) : cast_(cast) {}
+    explicit GasColors(const PanelContext& context) : context_(context) {}
 
-    /// First pass, every frame in order; then settle() fixes the scale.
-    void survey(const Observation& observation);
-    void settle();
+    /// First pass, every frame in order; then fix_scale() fixes the scale.
+    void survey(const FrameInput& input);
+    void fix_scale();
 
     /// The colour of a particle at a speed, as an index into of_shades(); `mean_speed` is that of
     /// all.
@@ -36,19 +36,19 @@ class GasColors {
     bool is_told_infinite(Eigen::Index particle) const;
 
     /// Draws the colour bar, or the legend of species, into `page.area`.
-    void draw_key(Canvas& canvas, const Page& page) const;
+    void draw_key(Canvas& canvas, const DrawContext& dc) const;
 
   private:
     std::vector<Color> make_shades(const Theme& theme) const;
     double value(Eigen::Index particle, double speed) const;
-    void draw_scale(Canvas& canvas, const Page& page) const;
-    void draw_legend(Canvas& canvas, const Page& page) const;
+    void draw_scale(Canvas& canvas, const DrawContext& dc) const;
+    void draw_legend(Canvas& canvas, const DrawContext& dc) const;
 
-    Cast cast_;
+    PanelContext context_;
     std::vector<double> pool_;
     int surveyed_ = 0;
     double scale_top_ = 1.0;     ///< the value at the bright end of the scale
-    std::vector<Color> shades_;  ///< in the film's theme, after settle()
+    std::vector<Color> shades_;  ///< in the film's theme, after fix_scale()
 };
 
 }  // namespace carom

@@ -28,8 +28,8 @@ struct Mapping {
     }
 };
 
-Mapping mapping(const GasPanel& panel, const Page& page, const Box& box) {
-    const Rect rect = panel.frame_in(page.area);
+Mapping mapping(const GasPanel& panel, const DrawContext& dc, const Box& box) {
+    const Rect rect = panel.frame_in(dc.area);
     return {rect, rect.width / box.size[0]};
 }
 
@@ -116,15 +116,15 @@ Point free_foot(const Rect& box, const Rect& disk, double half, double u,
 
 // With an edge of the ground, so that it can be read over disks and hides little of them. `disks`:
 // to keep clear of.
-void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& disk,
+void draw_name(Canvas& canvas, const DrawContext& dc, const Rect& box, const Rect& disk,
                const std::string& markup, double alpha, const std::vector<Disk>* disks) {
-    const double u = page.unit;
-    TextStyle style = title_style(page);
+    const double u = dc.unit;
+    TextStyle style = title_style(dc);
     style.align = Align::center;
-    style.color = with_alpha(page.theme.ink, alpha);
+    style.color = with_alpha(dc.theme.ink, alpha);
     style.max_width = box.width - 0.8 * u;
     style.halo = 0.16 * u;
-    style.behind = with_alpha(page.theme.ground, alpha);
+    style.behind = with_alpha(dc.theme.ground, alpha);
     const double half = measure_text(markup, style).width / 2 + 0.4 * u;
     const Point foot =
         disks == nullptr ? usual_foot(box, disk, half, u) : free_foot(box, disk, half, u, *disks);
@@ -133,75 +133,75 @@ void draw_name(Canvas& canvas, const Page& page, const Rect& box, const Rect& di
 
 }  // namespace
 
-void GasPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    const Rect box = frame_in(page.area);
-    canvas.fill(box, page.theme.ground);
-    const double line = 0.11 * page.unit;
+void GasPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    const Rect box = frame_in(dc.area);
+    canvas.fill(box, dc.theme.ground);
+    const double line = 0.11 * dc.unit;
     const Rect edge{box.x - line / 2, box.y - line / 2, box.width + line, box.height + line};
-    canvas.stroke_rect(edge, line, page.theme.wall);
+    canvas.stroke_rect(edge, line, dc.theme.wall);
 }
 
-void GasPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
-    canvas.clip_to(frame_in(page.area));
-    draw_ghosts(canvas, page, state);
-    draw_trails(canvas, page, state);
-    draw_disks(canvas, page, state);
-    if (cast_.scene.film.labels == Labels::none) draw_infinite(canvas, page, state);
-    if (cast_.scene.film.labels != Labels::none) draw_labels(canvas, page, state);
-    draw_chosen(canvas, page, state);
-    draw_flashes(canvas, page, state);
-    draw_remarks(canvas, page);
+void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    canvas.clip_to(frame_in(dc.area));
+    draw_ghosts(canvas, dc, state);
+    draw_trails(canvas, dc, state);
+    draw_disks(canvas, dc, state);
+    if (context_.scene.film.labels == Labels::none) draw_infinite(canvas, dc, state);
+    if (context_.scene.film.labels != Labels::none) draw_labels(canvas, dc, state);
+    draw_chosen(canvas, dc, state);
+    draw_flashes(canvas, dc, state);
+    draw_remarks(canvas, dc);
     canvas.release_clip();
-    draw_arrows(canvas, page, state);
+    draw_arrows(canvas, dc, state);
     const auto& gas = static_cast<const GasState&>(state);
-    const Rect box = frame_in(page.area);
+    const Rect box = frame_in(dc.area);
     if (gas.ghosts)
-        draw_ghost_words(canvas, page, {box.x + 0.3 * page.unit, box.y + 1.6 * page.unit},
-                         box.width - 0.6 * page.unit, *gas.ghosts, gas.ghost_words);
+        draw_ghost_words(canvas, dc, {box.x + 0.3 * dc.unit, box.y + 1.6 * dc.unit},
+                         box.width - 0.6 * dc.unit, *gas.ghosts, gas.ghost_words);
 }
 
-void GasPanel::draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const {
+void GasPanel::draw_ghosts(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
     if (!gas.ghosts) return;
-    const Box& box = cast_.scene.gas.box;
-    const Mapping to_pixels = mapping(*this, page, box);
-    const std::uint32_t outline = to_pixel(page.theme.muted) & 0xFFFFFF;
-    const std::uint32_t ground = to_pixel(page.theme.ground) & 0xFFFFFF;
+    const Box& box = context_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, dc, box);
+    const std::uint32_t outline = to_pixel(dc.theme.muted) & 0xFFFFFF;
+    const std::uint32_t ground = to_pixel(dc.theme.ground) & 0xFFFFFF;
     std::vector<Disk> disks;
     disks.reserve(2 * gas.ghosts->x.size());
     for (std::size_t i = 0; i < gas.ghosts->x.size(); ++i) {
-        const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
+        const double radius = context_.particles.radius[static_cast<Eigen::Index>(i)];
         const double shown = std::max(least_radius, radius * to_pixels.scale);
         const Point place{double(gas.ghosts->x[i]), double(gas.ghosts->y[i])};
         for_each_image(box, place, radius, [&](Point image) {
             const Point at = to_pixels(image.x, image.y);
             const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
             disks.push_back({x, y, static_cast<float>(shown), outline});
-            const double inside = inside_ring(shown, ghost_line(page));
+            const double inside = inside_ring(shown, ghost_line(dc));
             if (inside > 0.0) disks.push_back({x, y, static_cast<float>(inside), ground});
         });
     }
-    page.disks.draw(canvas, disks, to_pixels.box);
+    dc.disks.draw(canvas, disks, to_pixels.box);
 }
 
-void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const {
+void GasPanel::draw_disks(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
-    const Box& box = cast_.scene.gas.box;
-    const Mapping to_pixels = mapping(*this, page, box);
-    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const Box& box = context_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, dc, box);
+    const std::vector<Color> colors = colors_.of_shades(dc.theme);
     std::vector<std::uint32_t> pixels, edges;
     for (const Color& color : colors) {
         pixels.push_back(to_pixel(color) & 0xFFFFFF);
-        edges.push_back(to_pixel(edge_of(color, page.theme)) & 0xFFFFFF);
+        edges.push_back(to_pixel(edge_of(color, dc.theme)) & 0xFFFFFF);
     }
 
     std::vector<Disk> disks;
     disks.reserve(gas.x.size() + chosen_.size());
-    const std::uint32_t ground = to_pixel(page.theme.ground) & 0xFFFFFF;
-    const double line = std::max(1.5, ring_line * page.unit);
-    const double rim = std::max(2.0, rim_line * page.unit);
+    const std::uint32_t ground = to_pixel(dc.theme.ground) & 0xFFFFFF;
+    const double line = std::max(1.5, ring_line * dc.unit);
+    const double rim = std::max(2.0, rim_line * dc.unit);
     const auto add = [&](std::size_t i) {
-        const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
+        const double radius = context_.particles.radius[static_cast<Eigen::Index>(i)];
         const auto shown = static_cast<float>(std::max(least_radius, radius * to_pixels.scale));
         const std::uint32_t color = pixels[gas.shades[i] % pixels.size()];
         const std::uint32_t edge = edges[gas.shades[i] % edges.size()];
@@ -218,43 +218,43 @@ void GasPanel::draw_disks(Canvas& canvas, const Page& page, const PanelState& st
     };
     for (std::size_t i = 0; i < gas.x.size(); ++i) add(i);
     for (const Chosen& chosen : chosen_) add(static_cast<std::size_t>(chosen.particle));
-    page.disks.draw(canvas, disks, to_pixels.box);
+    dc.disks.draw(canvas, disks, to_pixels.box);
 }
 
-void GasPanel::draw_infinite(Canvas& canvas, const Page& page, const PanelState& state) const {
+void GasPanel::draw_infinite(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     if (!colors_.tells_infinite()) return;
     const auto& gas = static_cast<const GasState&>(state);
-    const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
+    const Mapping to_pixels = mapping(*this, dc, context_.scene.gas.box);
     for (std::size_t i = 0; i < gas.x.size(); ++i) {
         const auto particle = static_cast<Eigen::Index>(i);
         if (!colors_.is_told_infinite(particle) || !is_filled(i)) continue;
-        const double radius = cast_.particles.radius[particle];
+        const double radius = context_.particles.radius[particle];
         for_each_image(
-            cast_.scene.gas.box, {double(gas.x[i]), double(gas.y[i])}, radius, [&](Point place) {
-                draw_hatching(canvas, page, to_pixels(place.x, place.y), radius * to_pixels.scale);
+            context_.scene.gas.box, {double(gas.x[i]), double(gas.y[i])}, radius, [&](Point place) {
+                draw_hatching(canvas, dc, to_pixels(place.x, place.y), radius * to_pixels.scale);
             });
     }
 }
 
-void GasPanel::draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const {
-    const Box& box = cast_.scene.gas.box;
-    const Mapping to_pixels = mapping(*this, page, box);
-    const double reach = flash_reach * page.unit / to_pixels.scale;
+void GasPanel::draw_flashes(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const Box& box = context_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, dc, box);
+    const double reach = flash_reach * dc.unit / to_pixels.scale;
     for (const Flash& flash : static_cast<const GasState&>(state).flashes)
         for_each_image(box, flash.place, reach, [&](Point image) {
-            draw_flash(canvas, page, to_pixels(image.x, image.y), flash.share);
+            draw_flash(canvas, dc, to_pixels(image.x, image.y), flash.share);
         });
 }
 
 // Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
 // left out make it look calmer.
-void GasPanel::draw_remarks(Canvas& canvas, const Page& page) const {
-    const Rect box = frame_in(page.area);
+void GasPanel::draw_remarks(Canvas& canvas, const DrawContext& dc) const {
+    const Rect box = frame_in(dc.area);
     double foot = box.bottom();
-    if (draw_remark(canvas, page, {box.right(), foot}, box.width, flashes_.remarks()))
-        foot -= 1.5 * page.unit;
-    const double scale = mapping(*this, page, cast_.scene.gas.box).scale;
-    const Eigen::ArrayXd& radius = cast_.particles.radius;
+    if (draw_remark(canvas, dc, {box.right(), foot}, box.width, flashes_.remarks()))
+        foot -= 1.5 * dc.unit;
+    const double scale = mapping(*this, dc, context_.scene.gas.box).scale;
+    const Eigen::ArrayXd& radius = context_.particles.radius;
     const double smallest = radius.minCoeff();
     if (!(smallest * scale < least_radius)) return;
     const double largest = (radius * scale < least_radius).select(radius, smallest).maxCoeff();
@@ -264,67 +264,66 @@ void GasPanel::draw_remarks(Canvas& canvas, const Page& page) const {
         words = {"disks drawn larger than their radii of " + three_digits(smallest) + " to " +
                  three_digits(largest)};
     words.emplace_back("disks drawn larger than they are");
-    draw_remark(canvas, page, {box.right(), foot}, box.width, words);
+    draw_remark(canvas, dc, {box.right(), foot}, box.width, words);
 }
 
-void GasPanel::draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const {
+void GasPanel::draw_arrows(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
     if (gas.vx.empty()) return;
-    const Box& box = cast_.scene.gas.box;
-    const Mapping to_pixels = mapping(*this, page, box);
+    const Box& box = context_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, dc, box);
     const ArrowField field{to_pixels.box,
                            to_pixels.scale,
                            {box.walls[0] == Wall::periodic, box.walls[1] == Wall::periodic}};
-    canvas.clip_to(VelocityArrows::bounds(page, field));
+    canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (std::size_t i = 0; i < gas.vx.size(); ++i) {
-        const double radius = cast_.particles.radius[static_cast<Eigen::Index>(i)];
-        arrows_.draw(canvas, page, field, to_pixels(double(gas.x[i]), double(gas.y[i])),
+        const double radius = context_.particles.radius[static_cast<Eigen::Index>(i)];
+        arrows_.draw(canvas, dc, field, to_pixels(double(gas.x[i]), double(gas.y[i])),
                      radius * to_pixels.scale, {double(gas.vx[i]), -double(gas.vy[i])},
-                     page.theme.ground);
+                     dc.theme.ground);
     }
     canvas.release_clip();
 }
 
-void GasPanel::draw_key(Canvas& canvas, const Page& page, const Page& own) const {
-    const double scale = mapping(*this, own, cast_.scene.gas.box).scale;
-    const Rect left = arrows_.draw_key(canvas, page, scale);
-    colors_.draw_key(canvas, {left, page.unit, page.theme, page.disks});
+void GasPanel::draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const {
+    const double scale = mapping(*this, own, context_.scene.gas.box).scale;
+    const Rect left = arrows_.draw_key(canvas, dc, scale);
+    colors_.draw_key(canvas, {left, dc.unit, dc.theme, dc.disks});
 }
 
 bool GasPanel::is_filled(std::size_t particle) const {
     const auto i = static_cast<Eigen::Index>(particle);
-    return cast_.scene.looks[static_cast<std::size_t>(cast_.particles.species[i])].fill;
+    return context_.scene.looks[static_cast<std::size_t>(context_.particles.species[i])].fill;
 }
 
-void GasPanel::draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const {
-    if (cast_.scene.film.labels == Labels::none) return;
+void GasPanel::draw_labels(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    if (context_.scene.film.labels == Labels::none) return;
     const auto& gas = static_cast<const GasState&>(state);
-    const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
-    const std::vector<Color> colors = colors_.of_shades(page.theme);
+    const Mapping to_pixels = mapping(*this, dc, context_.scene.gas.box);
+    const std::vector<Color> colors = colors_.of_shades(dc.theme);
     for (std::size_t i = 0; i < gas.x.size(); ++i) {
         const auto particle = static_cast<Eigen::Index>(i);
-        const Color color =
-            is_filled(i) ? colors[gas.shades[i] % colors.size()] : page.theme.ground;
-        draw_words_on(canvas, page, to_pixels(double(gas.x[i]), double(gas.y[i])),
-                      cast_.particles.radius[particle] * to_pixels.scale,
-                      words_on(cast_, particle, cast_.scene.film.labels), color);
+        const Color color = is_filled(i) ? colors[gas.shades[i] % colors.size()] : dc.theme.ground;
+        draw_words_on(canvas, dc, to_pixels(double(gas.x[i]), double(gas.y[i])),
+                      context_.particles.radius[particle] * to_pixels.scale,
+                      words_on(context_, particle, context_.scene.film.labels), color);
     }
 }
 
 // In pieces of one strength, whose round ends lie over one another: steps with square ends of their
 // own would show as ribs where they are short, and as notches where the path turns.
-void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const {
+void GasPanel::draw_trails(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
-    const Box& box = cast_.scene.gas.box;
-    const Mapping to_pixels = mapping(*this, page, box);
+    const Box& box = context_.scene.gas.box;
+    const Mapping to_pixels = mapping(*this, dc, box);
     for (std::size_t k = 0; k < gas.trails.size(); ++k) {
         const GasState::Trail& trail = gas.trails[k];
         std::vector<Point> piece;
         double strength = 0.0;
         const auto draw_piece = [&] {
             if (piece.size() > 1)
-                canvas.stroke_path(piece, (0.1 + 0.25 * strength) * page.unit,
-                                   mix(page.theme.ground, page.theme.ink, 0.75 * strength));
+                canvas.stroke_path(piece, (0.1 + 0.25 * strength) * dc.unit,
+                                   mix(dc.theme.ground, dc.theme.ink, 0.75 * strength));
             piece.clear();
         };
         for (std::size_t i = 1; i < trail.places.size(); ++i) {
@@ -347,15 +346,15 @@ void GasPanel::draw_trails(Canvas& canvas, const Page& page, const PanelState& s
     }
 }
 
-void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const {
+void GasPanel::draw_chosen(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& gas = static_cast<const GasState&>(state);
-    const Mapping to_pixels = mapping(*this, page, cast_.scene.gas.box);
+    const Mapping to_pixels = mapping(*this, dc, context_.scene.gas.box);
     std::vector<Disk> disks;  // for a name to keep clear of
-    const std::size_t count = cast_.in_film ? 0 : gas.x.size();
+    const std::size_t count = context_.in_film ? 0 : gas.x.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Point at = to_pixels(double(gas.x[i]), double(gas.y[i]));
         const double radius =
-            cast_.particles.radius[static_cast<Eigen::Index>(i)] * to_pixels.scale;
+            context_.particles.radius[static_cast<Eigen::Index>(i)] * to_pixels.scale;
         disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                          static_cast<float>(std::max(least_radius, radius)), 0});
     }
@@ -363,19 +362,19 @@ void GasPanel::draw_chosen(Canvas& canvas, const Page& page, const PanelState& s
         const auto i = static_cast<std::size_t>(chosen.particle);
         const Point place{static_cast<double>(gas.x[i]), static_cast<double>(gas.y[i])};
         const Point at = to_pixels(place.x, place.y);
-        const double radius = cast_.particles.radius[chosen.particle] * to_pixels.scale;
-        const double line = 0.14 * page.unit;
-        for_each_image(cast_.scene.gas.box, place, cast_.particles.radius[chosen.particle],
+        const double radius = context_.particles.radius[chosen.particle] * to_pixels.scale;
+        const double line = 0.14 * dc.unit;
+        for_each_image(context_.scene.gas.box, place, context_.particles.radius[chosen.particle],
                        [&](Point image) {
                            canvas.stroke_circle(to_pixels(image.x, image.y), radius + 0.5 * line,
-                                                line, page.theme.ink);
+                                                line, dc.theme.ink);
                        });
 
-        const std::string name = single_name(cast_, chosen.particle);
+        const std::string name = single_name(context_, chosen.particle);
         if (gas.label_alpha <= 0.0F || name.empty()) continue;
         const Rect disk{at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius};
-        draw_name(canvas, page, to_pixels.box, disk, escape_markup(name),
-                  static_cast<double>(gas.label_alpha), cast_.in_film ? nullptr : &disks);
+        draw_name(canvas, dc, to_pixels.box, disk, escape_markup(name),
+                  static_cast<double>(gas.label_alpha), context_.in_film ? nullptr : &disks);
     }
 }
 

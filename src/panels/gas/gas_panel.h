@@ -15,16 +15,16 @@ namespace carom {
 
 class GasPanel : public Panel {
   public:
-    explicit GasPanel(const Cast& cast);
+    explicit GasPanel(const PanelContext& context);
 
-    void survey(const Observation& observation) override;
-    void settle() override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    void survey(const FrameInput& input) override;
+    void fix_axes() override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
-    void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
+    void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
 
     /// A trail needs the collisions on the way.
     bool wants_collisions() const override { return !chosen_.empty(); }
@@ -45,21 +45,21 @@ class GasPanel : public Panel {
     };
 
     void choose_particles();
-    void extend_trails(const Observation& observation);
+    void extend_trails(const FrameInput& input);
     bool stands_alone() const;
     bool is_filled(std::size_t particle) const;
     std::string label(std::size_t particle, const PanelState& state) const;
-    void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_disks(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_infinite(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_labels(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_trails(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_chosen(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_remarks(Canvas& canvas, const Page& page) const;
+    void draw_ghosts(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_disks(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_infinite(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_arrows(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_labels(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_trails(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_chosen(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_flashes(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_remarks(Canvas& canvas, const DrawContext& dc) const;
 
-    Cast cast_;
+    PanelContext context_;
     GasColors colors_;
     VelocityArrows arrows_;
     GhostKeeper ghosts_;

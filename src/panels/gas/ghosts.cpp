@@ -32,20 +32,20 @@ double GhostKeeper::words_alpha(const Tick& tick) const {
     return std::clamp(std::max(at_first, at_last), 0.0, 1.0);
 }
 
-double ghost_line(const Page& page) { return std::max(1.0, 0.07 * page.unit); }
+double ghost_line(const DrawContext& dc) { return std::max(1.0, 0.07 * dc.unit); }
 
-void draw_ghost_words(Canvas& canvas, const Page& page, Point at, double width,
+void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point at, double width,
                       const Ghosts& ghosts, double alpha) {
     if (alpha <= 0.0) return;
-    const double u = page.unit;
-    TextStyle style = title_style(page);
-    style.color = with_alpha(page.theme.ink, alpha);
+    const double u = dc.unit;
+    TextStyle style = title_style(dc);
+    style.color = with_alpha(dc.theme.ink, alpha);
     style.max_width = width - 1.9 * u;
     const std::string words = escape_markup(ghosts.words);
     canvas.fill({at.x, at.y - 1.25 * u, measure_text(words, style).width + 2.3 * u, 1.7 * u},
-                with_alpha(page.theme.ground, plate_alpha * alpha));
-    canvas.stroke_circle({at.x + 0.9 * u, at.y - 0.4 * u}, 0.45 * u, 1.5 * ghost_line(page),
-                         with_alpha(page.theme.muted, alpha));
+                with_alpha(dc.theme.ground, plate_alpha * alpha));
+    canvas.stroke_circle({at.x + 0.9 * u, at.y - 0.4 * u}, 0.45 * u, 1.5 * ghost_line(dc),
+                         with_alpha(dc.theme.muted, alpha));
     draw_text(canvas, {at.x + 1.8 * u, at.y}, words, style);
 }
 

@@ -40,10 +40,10 @@ class GhostKeeper {
 };
 
 /// Their words with an outline before them, from `at` (the left end of the baseline) on.
-void draw_ghost_words(Canvas& canvas, const Page& page, Point at, double width,
+void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point at, double width,
                       const Ghosts& ghosts, double alpha);
 
 /// The line of an outline, in pixels.
-double ghost_line(const Page& page);
+double ghost_line(const DrawContext& dc);
 
 }  // namespace carom

@@ -35,52 +35,51 @@ bool touches(const Rect& rect, Point from, Point to, double margin) {
 }  // namespace
 
 // Slender where arrows are short: a crowd of heads would hide the disks.
-ArrowStyle VelocityArrows::style(const Page& page, double scale, Color ground) const {
-    const double u = page.unit;
+ArrowStyle VelocityArrows::style(const DrawContext& dc, double scale, Color ground) const {
+    const double u = dc.unit;
     const double size = u * std::clamp(fast_ * reach_ * scale / (2.2 * u), 0.45, 1.0);
     return {.shaft = std::max(1.5, 0.2 * size),
             .head_length = 0.85 * size,
             .head_width = 0.8 * size,
             .edge = std::max(0.8, 0.08 * size),
-            .color = page.theme.ink,
+            .color = dc.theme.ink,
             .edge_color = ground};
 }
 
-void VelocityArrows::survey(const Observation& observation) {
+void VelocityArrows::survey(const FrameInput& input) {
     if (!shown()) return;
-    const Eigen::Index n = observation.speed.size();
+    const Eigen::Index n = input.speed.size();
     const auto stride = std::max<Eigen::Index>(
-        1, static_cast<Eigen::Index>(static_cast<double>(n) * cast_.frames / pool_size));
-    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride)
-        pool_.push_back(observation.speed[i]);
+        1, static_cast<Eigen::Index>(static_cast<double>(n) * context_.frames / pool_size));
+    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride) pool_.push_back(input.speed[i]);
     ++surveyed_;
 }
 
-void VelocityArrows::settle(double length) {
+void VelocityArrows::fix_scale(double length) {
     if (!shown()) return;
-    const bool all = cast_.particles.count() <= few;
+    const bool all = context_.particles.count() <= few;
     fast_ = pool_.empty() ? 0.0 : quantile(pool_, all ? 1.0 : fast);
     pool_ = {};
-    const double wanted = cast_.scene.film.velocity_scale.value_or(length / fast_);
+    const double wanted = context_.scene.film.velocity_scale.value_or(length / fast_);
     reach_ = fast_ > 0.0 ? wanted : 0.0;
 }
 
-Rect VelocityArrows::bounds(const Page& page, const ArrowField& field) {
-    const double more = beyond_a_wall * page.unit;
+Rect VelocityArrows::bounds(const DrawContext& dc, const ArrowField& field) {
+    const double more = beyond_a_wall * dc.unit;
     const double across = field.joined[0] ? 0.0 : more, up = field.joined[1] ? 0.0 : more;
     return {field.box.x - across, field.box.y - up, field.box.width + 2.0 * across,
             field.box.height + 2.0 * up};
 }
 
-void VelocityArrows::draw(Canvas& canvas, const Page& page, const ArrowField& field, Point center,
-                          double radius, Point velocity, Color ground) const {
+void VelocityArrows::draw(Canvas& canvas, const DrawContext& dc, const ArrowField& field,
+                          Point center, double radius, Point velocity, Color ground) const {
     const double ahead = reach_ * field.scale;
     const Point way{ahead * velocity.x, ahead * velocity.y};
     const double length = std::hypot(way.x, way.y);
-    const ArrowStyle drawn = style(page, field.scale, ground);
+    const ArrowStyle drawn = style(dc, field.scale, ground);
     if (!(length >= drawn.shaft)) return;
-    const double start = cast_.scene.film.labels == Labels::none ? 0.0 : radius / length;
-    const Rect within = bounds(page, field);
+    const double start = context_.scene.film.labels == Labels::none ? 0.0 : radius / length;
+    const Rect within = bounds(dc, field);
     Rect limits = within;  // what leaves by a joined side comes in again, and is not cut
     constexpr double everywhere = 1e9;
     if (field.joined[0]) limits.x = -everywhere, limits.width = 2.0 * everywhere;
@@ -91,27 +90,26 @@ void VelocityArrows::draw(Canvas& canvas, const Page& page, const ArrowField& fi
             const Point from{center.x + start * way.x + across * field.box.width,
                              center.y + start * way.y + up * field.box.height};
             const Point to{from.x + way.x, from.y + way.y};
-            if (touches(within, from, to, page.unit))
+            if (touches(within, from, to, dc.unit))
                 draw_arrow_within(canvas, limits, from, to, drawn);
         }
 }
 
-Rect VelocityArrows::draw_key(Canvas& canvas, const Page& page, double scale) const {
-    Rect above = page.area;
+Rect VelocityArrows::draw_key(Canvas& canvas, const DrawContext& dc, double scale) const {
+    Rect above = dc.area;
     if (!shown() || reach_ <= 0.0) return above;
-    const double u = page.unit;
-    const double speed = round_down(std::min(fast_, page.area.width / (reach_ * scale)));
-    const double y = page.area.bottom() - 0.6 * u;
-    draw_arrow(canvas, {page.area.x, y}, {page.area.x + speed * reach_ * scale, y},
-               style(page, scale, page.theme.page));
-    draw_text(canvas, {page.area.x, y - 0.9 * u}, "speed " + plain_number(speed),
-              label_style(page));
+    const double u = dc.unit;
+    const double speed = round_down(std::min(fast_, dc.area.width / (reach_ * scale)));
+    const double y = dc.area.bottom() - 0.6 * u;
+    draw_arrow(canvas, {dc.area.x, y}, {dc.area.x + speed * reach_ * scale, y},
+               style(dc, scale, dc.theme.page));
+    draw_text(canvas, {dc.area.x, y - 0.9 * u}, "speed " + plain_number(speed), label_style(dc));
     above.height = std::max(u, above.height - key_height * u);
     return above;
 }
 
-ArrowStyle collision_arrow(const Page& page, Color color, Color edge_color, double edge) {
-    const double u = page.unit;
+ArrowStyle collision_arrow(const DrawContext& dc, Color color, Color edge_color, double edge) {
+    const double u = dc.unit;
     return {.shaft = std::max(1.5, 0.17 * u),
             .head_length = 0.7 * u,
             .head_width = 0.65 * u,

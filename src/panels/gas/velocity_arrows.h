@@ -20,15 +20,15 @@ struct ArrowField {
 
 class VelocityArrows {
   public:
-    explicit VelocityArrows(const Cast& cast) : cast_(cast) {}
+    explicit VelocityArrows(const PanelContext& context) : context_(context) {}
 
     /// Whether the scene asks for them.
-    bool shown() const { return cast_.scene.film.velocities; }
+    bool shown() const { return context_.scene.film.velocities; }
 
-    /// First pass, every frame in order; then settle() fixes the scale: a fast particle's arrow is
-    /// of this length (as the scene measures it), unless the scene has a scale of its own.
-    void survey(const Observation& observation);
-    void settle(double length);
+    /// First pass, every frame in order; then fix_scale() fixes the scale: a fast particle's arrow
+    /// is of this length (as the scene measures it), unless the scene has a scale of its own.
+    void survey(const FrameInput& input);
+    void fix_scale(double length);
 
     /// The simulated time in which a particle goes as far as its arrow is long; 0 if all are at
     /// rest.
@@ -36,20 +36,20 @@ class VelocityArrows {
 
     /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or
     /// at the rim where words stand on the disks. `ground` is the colour behind.
-    void draw(Canvas& canvas, const Page& page, const ArrowField& field, Point center,
+    void draw(Canvas& canvas, const DrawContext& dc, const ArrowField& field, Point center,
               double radius, Point velocity, Color ground) const;
 
     /// What may hold arrows: the box, and where it has walls a little more.
-    static Rect bounds(const Page& page, const ArrowField& field);
+    static Rect bounds(const DrawContext& dc, const ArrowField& field);
 
     /// Draws what the arrows mean at the foot of an area, and returns what is left above; `scale`
     /// is pixels of a length.
-    Rect draw_key(Canvas& canvas, const Page& page, double scale) const;
+    Rect draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
 
   private:
-    ArrowStyle style(const Page& page, double scale, Color ground) const;
+    ArrowStyle style(const DrawContext& dc, double scale, Color ground) const;
 
-    Cast cast_;
+    PanelContext context_;
     std::vector<double> pool_;
     int surveyed_ = 0;
     double fast_ = 0.0;  ///< a speed
@@ -57,6 +57,6 @@ class VelocityArrows {
 };
 
 /// An arrow in a picture that explains a collision; the edge's width in units.
-ArrowStyle collision_arrow(const Page& page, Color color, Color edge_color, double edge);
+ArrowStyle collision_arrow(const DrawContext& dc, Color color, Color edge_color, double edge);
 
 }  // namespace carom

@@ -10,32 +10,32 @@ namespace {
 
 constexpr double share_of_spacing = 0.4;  // the radius that points are drawn with
 
-double drawn_radius(const Cast& cast, Eigen::Index i) {
-    const auto species = static_cast<std::size_t>(cast.particles.species[i]);
-    if (const auto& wanted = cast.scene.looks[species].drawn_radius) return *wanted;
-    if (cast.particles.radius[i] > 0.0) return cast.particles.radius[i];
-    return share_of_spacing * cast.scene.gas.box.size[0] /
-           static_cast<double>(cast.particles.count());
+double drawn_radius(const PanelContext& context, Eigen::Index i) {
+    const auto species = static_cast<std::size_t>(context.particles.species[i]);
+    if (const auto& wanted = context.scene.looks[species].drawn_radius) return *wanted;
+    if (context.particles.radius[i] > 0.0) return context.particles.radius[i];
+    return share_of_spacing * context.scene.gas.box.size[0] /
+           static_cast<double>(context.particles.count());
 }
 
 }  // namespace
 
-WireMap::WireMap(const Cast& cast, const Sample& start)
-    : true_length_(cast.scene.gas.box.size[0]),
-      ring_(cast.scene.gas.box.walls[0] == Wall::periodic),
-      order_(static_cast<std::size_t>(cast.particles.count())),
-      radius_(cast.particles.count()),
-      true_(cast.particles.count()),
-      push_(cast.particles.count()),
+WireMap::WireMap(const PanelContext& context, const Sample& start)
+    : true_length_(context.scene.gas.box.size[0]),
+      ring_(context.scene.gas.box.walls[0] == Wall::periodic),
+      order_(static_cast<std::size_t>(context.particles.count())),
+      radius_(context.particles.count()),
+      true_(context.particles.count()),
+      push_(context.particles.count()),
       length_(true_length_) {
     std::iota(order_.begin(), order_.end(), 0);
     std::stable_sort(order_.begin(), order_.end(), [&](Eigen::Index a, Eigen::Index b) {
         return start.position(a, 0) < start.position(b, 0);
     });
     for (const Eigen::Index i : order_) {
-        radius_[i] = drawn_radius(cast, i);
-        true_[i] = radius_[i] == cast.particles.radius[i];
-        const double growth = 2.0 * (radius_[i] - cast.particles.radius[i]);
+        radius_[i] = drawn_radius(context, i);
+        true_[i] = radius_[i] == context.particles.radius[i];
+        const double growth = 2.0 * (radius_[i] - context.particles.radius[i]);
         push_[i] = length_ - true_length_ + 0.5 * growth;
         length_ += growth;
     }

@@ -13,7 +13,7 @@ namespace carom {
 class WireMap {
   public:
     /// `start` gives the order of the beads, which never changes.
-    WireMap(const Cast& cast, const Sample& start);
+    WireMap(const PanelContext& context, const Sample& start);
 
     /// The particles from left to right.
     const std::vector<Eigen::Index>& order() const { return order_; }

@@ -21,23 +21,23 @@ double film_seconds_of(const Scene& scene) {
 
 }  // namespace
 
-bool WirePanel::is_ring() const { return cast_.scene.gas.box.walls[0] == Wall::periodic; }
+bool WirePanel::is_ring() const { return context_.scene.gas.box.walls[0] == Wall::periodic; }
 
-void WirePanel::survey(const Observation& observation) {
-    if (!map_) map_.emplace(cast_, observation.sample);
-    colors_.survey(observation);
-    arrows_.survey(observation);
-    survey_flashes(observation);
-    const CollisionCounts& counts = observation.advanced.counts;
+void WirePanel::survey(const FrameInput& input) {
+    if (!map_) map_.emplace(context_, input.sample);
+    colors_.survey(input);
+    arrows_.survey(input);
+    survey_flashes(input);
+    const CollisionCounts& counts = input.advanced.counts;
     bends_.push_back(
-        {observation.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
+        {input.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
 }
 
 // Between the two beads as they are drawn.
-void WirePanel::survey_flashes(const Observation& observation) {
+void WirePanel::survey_flashes(const FrameInput& input) {
     if (!flashes_.asked()) return;
-    if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(observation.sample, {});
-    flashes_.survey(observation, [this](const Collision& collision) {
+    if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(input.sample, {});
+    flashes_.survey(input, [this](const Collision& collision) {
         const Eigen::Index i = collision.first;
         const double toward = collision.second_position[0] - collision.first_position[0];
         const double now = map_->place(i, collision.first_position[0], surveyed_places_[i]);
@@ -45,7 +45,7 @@ void WirePanel::survey_flashes(const Observation& observation) {
             toward != 0.0 ? toward > 0.0 : now < surveyed_places_[collision.second];
         return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
     });
-    surveyed_places_ = map_->places(observation.sample, surveyed_places_);
+    surveyed_places_ = map_->places(input.sample, surveyed_places_);
 }
 
 // The median over parts of the run, so that a short burst does not count.
@@ -58,60 +58,60 @@ double WirePanel::usual_rate() const {
         if (to.time > from.time) rates.push_back((to.count - from.count) / (to.time - from.time));
     }
     return rates.empty() ? 0.0
-                         : quantile(rates, 0.5) / static_cast<double>(cast_.particles.count());
+                         : quantile(rates, 0.5) / static_cast<double>(context_.particles.count());
 }
 
 // So long that each bead has a few collisions in it most of the time, as far as that is neither too
 // fast nor too slow to be followed.
-void WirePanel::settle() {
-    colors_.settle();
-    flashes_.settle();
+void WirePanel::fix_axes() {
+    colors_.fix_scale();
+    flashes_.fix_scale();
     const double length = map_->length();
-    const double spacing = length / static_cast<double>(cast_.particles.count());
-    arrows_.settle(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
-    const double until = cast_.scene.run.until;
-    const double pace = until / film_seconds_of(cast_.scene);
+    const double spacing = length / static_cast<double>(context_.particles.count());
+    arrows_.fix_scale(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
+    const double until = context_.scene.run.until;
+    const double pace = until / film_seconds_of(context_.scene);
     const double rate = usual_rate();
     const double wanted = rate > 0.0 ? bends_in_memory / rate : until;
     const double bounded = std::clamp(wanted, least_film_seconds * pace, most_film_seconds * pace);
     memory_ = std::min(until, bounded);
     if (memory_ < until) memory_ = round_up_for_axis(memory_);
-    lines_.emplace(cast_, *map_, colors_, memory_);
+    lines_.emplace(context_, *map_, colors_, memory_);
 }
 
-std::shared_ptr<const PanelState> WirePanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> WirePanel::state(const FrameInput& input) {
     auto state = std::make_shared<WireState>();
-    const double now = observation.tick.time;
-    const double mean_speed = observation.speed.mean();
-    if (last_places_.size() == 0) last_places_ = map_->places(observation.sample, {});
-    const Eigen::ArrayXd places = map_->places(observation.sample, last_places_);
-    lines_->see(observation, places, last_places_);
+    const double now = input.tick.time;
+    const double mean_speed = input.speed.mean();
+    if (last_places_.size() == 0) last_places_ = map_->places(input.sample, {});
+    const Eigen::ArrayXd places = map_->places(input.sample, last_places_);
+    lines_->see(input, places, last_places_);
     last_places_ = places;
     state->time = now;
     for (Eigen::Index i = 0; i < places.size(); ++i) {
         state->places.push_back(static_cast<float>(places[i]));
-        state->shades.push_back(colors_.shade(i, observation.speed[i], mean_speed));
+        state->shades.push_back(colors_.shade(i, input.speed[i], mean_speed));
         if (arrows_.shown())
-            state->velocities.push_back(static_cast<float>(observation.sample.velocity(i, 0)));
+            state->velocities.push_back(static_cast<float>(input.sample.velocity(i, 0)));
     }
     for (std::size_t line = 0; line < lines_->count(); ++line) {
         const Eigen::Index i = lines_->particle(line);
         state->lines.push_back(
             lines_->line(line, {now, places[i], state->shades[static_cast<std::size_t>(i)]}));
     }
-    ghosts_.see(observation.tick, places);
+    ghosts_.see(input.tick, places);
     state->ghosts = ghosts_.present();
-    state->ghost_words = ghosts_.words_alpha(observation.tick);
-    state->flashes = flashes_.at(observation.tick);
+    state->ghost_words = ghosts_.words_alpha(input.tick);
+    state->flashes = flashes_.at(input.tick);
     state->reversals = lines_->reversals(now);
-    state->label_alpha = name_alpha(cast_, observation.tick);
+    state->label_alpha = name_alpha(context_, input.tick);
     return state;
 }
 
 // Masses that differ are shown unasked.
 Labels WirePanel::shown_labels() const {
-    const Labels asked = cast_.scene.film.labels;
-    const Eigen::ArrayXd& inverse_mass = cast_.particles.inverse_mass;
+    const Labels asked = context_.scene.film.labels;
+    const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
     const bool differ = (inverse_mass != inverse_mass[0]).any();
     return asked == Labels::none && differ ? Labels::mass : asked;
 }
@@ -127,8 +127,8 @@ Table WirePanel::table(const PanelState& state, const Theme& theme) const {
     const std::vector<Color> colors = colors_.of_shades(theme);
     const auto add = [&](const char* part, Eigen::Index i, Cell x, double time, Cell radius,
                          Cell color, Cell label) {
-        const auto species = static_cast<std::size_t>(cast_.particles.species[i]);
-        table.rows.push_back({part, std::int64_t{i}, cast_.scene.gas.species[species].name,
+        const auto species = static_cast<std::size_t>(context_.particles.species[i]);
+        table.rows.push_back({part, std::int64_t{i}, context_.scene.gas.species[species].name,
                               std::move(x), time, std::move(radius), std::move(color),
                               std::move(label)});
         table.rows.back().resize(table.columns.size());
@@ -136,9 +136,9 @@ Table WirePanel::table(const PanelState& state, const Theme& theme) const {
     const auto color = [&](std::uint8_t shade) { return hex_of(colors[shade % colors.size()]); };
     for (std::size_t k = 0; k < now.places.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        std::string label = words_on(cast_, i, shown_labels());
-        if (label.empty() && now.label_alpha > 0.0 && stands_out(cast_, i))
-            label = single_name(cast_, i);
+        std::string label = words_on(context_, i, shown_labels());
+        if (label.empty() && now.label_alpha > 0.0 && stands_out(context_, i))
+            label = single_name(context_, i);
         add("bead", i, now.places[k], now.time, map_->radius(i), color(now.shades[k]), label);
         if (!now.velocities.empty()) table.rows.back()[8] = now.velocities[k];
     }

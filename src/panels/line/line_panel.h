@@ -17,16 +17,20 @@ namespace carom {
 
 class WirePanel : public Panel {
   public:
-    explicit WirePanel(const Cast& cast)
-        : cast_(cast), colors_(cast), arrows_(cast), ghosts_(cast.scene), flashes_(cast) {}
+    explicit WirePanel(const PanelContext& context)
+        : context_(context),
+          colors_(context),
+          arrows_(context),
+          ghosts_(context.scene),
+          flashes_(context) {}
 
-    void survey(const Observation& observation) override;
-    void settle() override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    void survey(const FrameInput& input) override;
+    void fix_axes() override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
-    void draw_key(Canvas& canvas, const Page& page, const Page& own) const override;
+    void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
     bool wants_collisions() const override { return true; }
     bool surveys_collisions() const override { return flashes_.asked(); }
 
@@ -39,34 +43,34 @@ class WirePanel : public Panel {
         double time;
         double count;  ///< of all world lines since the start
     };
-    void survey_flashes(const Observation& observation);
+    void survey_flashes(const FrameInput& input);
     double usual_rate() const;  ///< bends of one world line in a unit of time
-    View view(const Page& page) const;
+    View view(const DrawContext& dc) const;
     bool is_ring() const;
     bool is_filled(Eigen::Index particle) const;
     Labels shown_labels() const;
-    bool words_fit(const Page& page, Labels labels, const View& view) const;
+    bool words_fit(const DrawContext& dc, Labels labels, const View& view) const;
     std::vector<Point> seen_at(double place, double radius, const View& view) const;
     double shown_radius(Eigen::Index particle, const View& view) const;
     bool is_rod(Eigen::Index particle, const View& view) const;
     double half_height(Eigen::Index particle, const View& view) const;
-    void draw_lines(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_line(Canvas& canvas, const Page& page, const PanelState& state, std::size_t line,
+    void draw_lines(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_line(Canvas& canvas, const DrawContext& dc, const PanelState& state, std::size_t line,
                    std::optional<Color> color, double width) const;
-    void draw_band(Canvas& canvas, const Page& page, const PanelState& state,
+    void draw_band(Canvas& canvas, const DrawContext& dc, const PanelState& state,
                    std::size_t line) const;
-    void draw_end(Canvas& canvas, const Page& page, double side) const;
-    void draw_captions(Canvas& canvas, const Page& page) const;
-    void draw_reversals(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_ghosts(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_beads(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_flashes(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_arrows(Canvas& canvas, const Page& page, const PanelState& state) const;
-    void draw_name(Canvas& canvas, const Page& page, Eigen::Index particle, double place,
+    void draw_end(Canvas& canvas, const DrawContext& dc, double side) const;
+    void draw_captions(Canvas& canvas, const DrawContext& dc) const;
+    void draw_reversals(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_ghosts(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_beads(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_flashes(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_arrows(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
+    void draw_name(Canvas& canvas, const DrawContext& dc, Eigen::Index particle, double place,
                    double alpha) const;
-    void draw_words(Canvas& canvas, const Page& page, const PanelState& state) const;
+    void draw_words(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
 
-    Cast cast_;
+    PanelContext context_;
     GasColors colors_;
     VelocityArrows arrows_;
     GhostKeeper ghosts_;
@@ -74,7 +78,7 @@ class WirePanel : public Panel {
     std::optional<WireMap> map_;  ///< from the first frame on
     std::vector<Bends> bends_;    ///< at each frame of the first pass
     double memory_ = 1.0;
-    std::optional<WorldLines> lines_;  ///< after settle()
+    std::optional<WorldLines> lines_;  ///< after fix_axes()
     Eigen::ArrayXd surveyed_places_, last_places_;
 };
 

@@ -14,14 +14,15 @@ constexpr double finest = 1.0 / 2000.0;  // of the memory: bends closer than thi
 
 }  // namespace
 
-bool stands_out(const Cast& cast, Eigen::Index i) {
-    const auto species = static_cast<std::size_t>(cast.particles.species[i]);
-    return asked_trail(cast, i).value_or(0.0) > 0.0 ||
-           (cast.scene.gas.species[species].count == 1 && cast.particles.count() > 4);
+bool stands_out(const PanelContext& context, Eigen::Index i) {
+    const auto species = static_cast<std::size_t>(context.particles.species[i]);
+    return asked_trail(context, i).value_or(0.0) > 0.0 ||
+           (context.scene.gas.species[species].count == 1 && context.particles.count() > 4);
 }
 
-WorldLines::WorldLines(const Cast& cast, const WireMap& map, const GasColors& colors, double memory)
-    : cast_(cast), map_(map), colors_(colors), memory_(memory) {
+WorldLines::WorldLines(const PanelContext& context, const WireMap& map, const GasColors& colors,
+                       double memory)
+    : context_(context), map_(map), colors_(colors), memory_(memory) {
     choose(map);
 }
 
@@ -32,7 +33,7 @@ void WorldLines::choose(const WireMap& map) {
     line_of_.assign(beads, -1);
     for (std::size_t k = 0; k < beads; ++k) {
         const Eigen::Index i = map.order()[k];
-        if (k % stride != stride / 2 && !stands_out(cast_, i)) continue;
+        if (k % stride != stride / 2 && !stands_out(context_, i)) continue;
         line_of_[static_cast<std::size_t>(i)] = static_cast<std::ptrdiff_t>(particles_.size());
         particles_.push_back(i);
     }
@@ -47,10 +48,10 @@ void WorldLines::bend(std::size_t line, double time, double place, double mean_s
     bends.push_back({time, place, colors_.shade(particles_[line], speed, mean_speed)});
 }
 
-void WorldLines::see(const Observation& observation, const Eigen::ArrayXd& places,
+void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
                      const Eigen::ArrayXd& last) {
-    const double now = observation.tick.time;
-    const double mean_speed = observation.speed.mean();
+    const double now = input.tick.time;
+    const double mean_speed = input.speed.mean();
     const auto bend_at = [&](std::int32_t particle, double time, double x) {
         const std::ptrdiff_t line = line_of_[static_cast<std::size_t>(particle)];
         if (line < 0) return;
@@ -59,13 +60,13 @@ void WorldLines::see(const Observation& observation, const Eigen::ArrayXd& place
     };
     for (std::size_t line = 0; line < count(); ++line)
         if (bends_[line].empty()) bend(line, now, places[particles_[line]], mean_speed);
-    for (const Collision& collision : observation.advanced.collisions) {
+    for (const Collision& collision : input.advanced.collisions) {
         bend_at(collision.first, collision.time, collision.first_position[0]);
         if (collision.second >= 0)
             bend_at(collision.second, collision.time, collision.second_position[0]);
     }
-    const bool turned = observation.tick.phase == Phase::reversing &&
-                        (reversals_.empty() || reversals_.back() < now);
+    const bool turned =
+        input.tick.phase == Phase::reversing && (reversals_.empty() || reversals_.back() < now);
     if (turned) reversals_.push_back(now);
     for (std::size_t line = 0; line < count(); ++line) {
         if (turned) bend(line, now, places[particles_[line]], mean_speed);

@@ -21,11 +21,11 @@ class WorldLines {
     };
 
     /// Of the last `memory` units of simulated time. Refers to the map and the colours.
-    WorldLines(const Cast& cast, const WireMap& map, const GasColors& colors, double memory);
+    WorldLines(const PanelContext& context, const WireMap& map, const GasColors& colors,
+               double memory);
 
     /// Every frame in order, with the places of all beads as drawn, now and one frame before.
-    void see(const Observation& observation, const Eigen::ArrayXd& places,
-             const Eigen::ArrayXd& last);
+    void see(const FrameInput& input, const Eigen::ArrayXd& places, const Eigen::ArrayXd& last);
 
     /// The beads whose lines are kept: all, or as many as part on a screen.
     std::size_t count() const { return particles_.size(); }
@@ -41,7 +41,7 @@ class WorldLines {
     void choose(const WireMap& map);
     void bend(std::size_t line, double time, double place, double mean_speed);
 
-    Cast cast_;
+    PanelContext context_;
     const WireMap& map_;
     const GasColors& colors_;
     double memory_;
@@ -52,6 +52,6 @@ class WorldLines {
 };
 
 /// Whether a film is about this bead: a single one among many, or one that should have a trail.
-bool stands_out(const Cast& cast, Eigen::Index particle);
+bool stands_out(const PanelContext& context, Eigen::Index particle);
 
 }  // namespace carom

@@ -32,14 +32,14 @@ std::shared_ptr<const PanelState> shown_of_each(
 Color compared_color(std::size_t run, const Theme& theme);
 
 /// How its line is dashed; empty: it is solid.
-std::vector<double> compared_dashes(std::size_t run, const Page& page);
+std::vector<double> compared_dashes(std::size_t run, const DrawContext& dc);
 
 /// The rows that the key of these runs (plain words) takes in a panel's width.
-int key_rows(const Page& page, const std::vector<std::string>& names);
+int key_rows(const DrawContext& dc, const std::vector<std::string>& names);
 
 /// Draws the key, a sample of its line before each name; `at` is the left end of the first row's
 /// baseline.
-void draw_key_of_runs(Canvas& canvas, const Page& page, Point at,
+void draw_key_of_runs(Canvas& canvas, const DrawContext& dc, Point at,
                       const std::vector<std::string>& names);
 
 /// The table of a run with its name in a first column, under those of the runs before it.

@@ -5,16 +5,17 @@
 
 namespace carom {
 
-std::unique_ptr<Panel> make_energy_histogram(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = "Particles by energy",
                              .quantity = "energy",
                              .beyond = "higher",
-                             .values = [](const Observation& o) { return o.energy; },
+                             .values = [](const FrameInput& o) { return o.energy; },
                              .density = energy_density,
                              .unit = reduced::energy,
                              .law = Law::energy};
-    if (cast.equilibrium && cast.equilibrium->alpha < 1.0) subject.probability = energy_probability;
-    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+    if (context.equilibrium && context.equilibrium->alpha < 1.0)
+        subject.probability = energy_probability;
+    return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

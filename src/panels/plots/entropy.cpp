@@ -17,12 +17,12 @@ namespace {
 // four of them belong to the outermost cells.
 class VelocityCells {
   public:
-    VelocityCells(const Cast& cast, double temperature)
-        : cast_(cast), counts_(cast.scene.gas.species.size()) {
-        const Eigen::ArrayXd& inverse = cast.particles.inverse_mass;
+    VelocityCells(const PanelContext& context, double temperature)
+        : context_(context), counts_(context.scene.gas.species.size()) {
+        const Eigen::ArrayXd& inverse = context.particles.inverse_mass;
         scale_ = (inverse > 0.0).select(1.0 / (inverse * temperature), 0.0).sqrt();
         for (Eigen::Index i = 0; i < inverse.size(); ++i)
-            counts_[static_cast<std::size_t>(cast.particles.species[i])] += inverse[i] > 0.0;
+            counts_[static_cast<std::size_t>(context.particles.species[i])] += inverse[i] > 0.0;
         const auto most = static_cast<double>(std::ranges::max(counts_));
         per_axis_ = static_cast<int>(std::clamp(std::round(2.0 * std::cbrt(most)), 6.0, 24.0));
     }
@@ -36,7 +36,7 @@ class VelocityCells {
             int cell = 0;
             for (Eigen::Index a = 0; a < velocity.cols(); ++a)
                 cell = per_axis_ * cell + cell_of(velocity(i, a) * scale_[i]);
-            shares[{cast_.particles.species[i], cell}] += 1.0;
+            shares[{context_.particles.species[i], cell}] += 1.0;
             all += 1.0;
         }
         double sum = 0.0;
@@ -53,7 +53,7 @@ class VelocityCells {
         const int samples = static_cast<int>(std::clamp<Eigen::Index>(200'000 / count, 4, 100));
         double sum = 0.0;
         for (int s = 0; s < samples; ++s) {
-            Eigen::ArrayXXd velocity(count, cast_.scene.gas.box.dimension);
+            Eigen::ArrayXXd velocity(count, context_.scene.gas.box.dimension);
             for (double& one : velocity.reshaped()) one = random.normal();
             const auto moves = (scale_ > 0.0).cast<double>();
             const double square = (velocity.square().rowwise().sum() * moves).sum();
@@ -71,7 +71,7 @@ class VelocityCells {
         return static_cast<int>(std::clamp(std::floor(place), 0.0, per_axis_ - 1.0));
     }
 
-    Cast cast_;
+    PanelContext context_;
     std::vector<std::int64_t> counts_;  // of finite mass, by species
     Eigen::ArrayXd scale_;              // 1 / thermal velocity; 0 for infinite masses
     int per_axis_ = 6;
@@ -79,14 +79,14 @@ class VelocityCells {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_entropy(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec) {
     const auto cells = std::make_shared<std::optional<VelocityCells>>();
     SeriesSubject subject{
-        .measure = [cast, cells](const Observation& o) -> std::vector<double> {
-            const Box& box = cast.scene.gas.box;
-            const double start =
-                temperature(box, cast.particles, thermal_energy(box, cast.particles, o.sample));
-            if (!*cells && start > 0.0) cells->emplace(cast, start);
+        .measure = [context, cells](const FrameInput& o) -> std::vector<double> {
+            const Box& box = context.scene.gas.box;
+            const double start = temperature(box, context.particles,
+                                             thermal_energy(box, context.particles, o.sample));
+            if (!*cells && start > 0.0) cells->emplace(context, start);
             return {*cells ? (*cells)->entropy(o.sample.velocity) : 0.0};
         },
         .color = [](std::size_t, const Theme& theme) { return theme.bar; },
@@ -99,12 +99,12 @@ std::unique_ptr<Panel> make_entropy(const Cast& cast, const PanelSpec& spec) {
                   "−Σ <i>p</i> ln <i>p</i> over cells of velocity"},
         .column = "entropy (1)",
         .names = {"all"}};
-    if (cast.equilibrium)
+    if (context.equilibrium)
         subject.reference = [cells]() -> std::optional<ReferenceLevel> {
             if (!*cells) return std::nullopt;
             return ReferenceLevel{"equilibrium", (*cells)->in_equilibrium()};
         };
-    return std::make_unique<SeriesPanel>(cast, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, std::move(subject));
 }
 
 }  // namespace carom

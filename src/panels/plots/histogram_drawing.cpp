@@ -31,70 +31,70 @@ std::string count_words(double count) {
                                                      : three_digits(count);
 }
 
-HistogramPanel::Scales HistogramPanel::scales(const Page& page) const {
-    Rect area = plot_area(page);
-    const int above = rows_above(page);
-    const double rows = (note_height * above + (above > 0 ? gap_below_rows : 0.0)) * page.unit;
+HistogramPanel::Scales HistogramPanel::scales(const DrawContext& dc) const {
+    Rect area = plot_area(dc);
+    const int above = rows_above(dc);
+    const double rows = (note_height * above + (above > 0 ? gap_below_rows : 0.0)) * dc.unit;
     area.y += rows;
-    area.height = std::max(page.unit, area.height - rows);
+    area.height = std::max(dc.unit, area.height - rows);
     return {area,
             {bins_.low, bins_.high, area.x, area.right()},
             {0.0, tallest_, area.bottom(), area.y}};
 }
 
 // One choice of particles has the colours of all histograms, several have their own.
-HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const Page& page) const {
-    const Theme& theme = page.theme;
+HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const DrawContext& dc) const {
+    const Theme& theme = dc.theme;
     if (compares()) {
         const Color color = compared_color(series, theme);
         return {color, color, color};
     }
     if (series_.size() == 1) return {theme.bar, theme.accent, theme.highlight};
-    const Color color = choice_color(cast_, series_[series].chosen, series, theme);
+    const Color color = choice_color(context_, series_[series].chosen, series, theme);
     std::vector<Color> tints{theme.page};
     for (std::size_t k = 0; k < series_.size(); ++k)
         tints.push_back(
-            mix(theme.page, choice_color(cast_, series_[k].chosen, k, theme), tint_alpha));
+            mix(theme.page, choice_color(context_, series_[k].chosen, k, theme), tint_alpha));
     const auto line = [&](double share) {
         return toward_ink(mix(color, theme.ink, share), theme, tints, least_contrast_of_marks);
     };
     return {color, line(0.4), line(0.7)};
 }
 
-void HistogramPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    draw_panel_title(canvas, page, compares() ? title_of_runs(page) : title(page));
-    const Scales s = scales(page);
-    if (compares()) draw_key_of_runs(canvas, page, {page.area.x, row_above(page, 0).y}, names_);
-    draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(page));
-    AxisStyle counts = axis_style(page);
+void HistogramPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    draw_panel_title(canvas, dc, compares() ? title_of_runs(dc) : title(dc));
+    const Scales s = scales(dc);
+    if (compares()) draw_key_of_runs(canvas, dc, {dc.area.x, row_above(dc, 0).y}, names_);
+    draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(dc));
+    AxisStyle counts = axis_style(dc);
     counts.whole =
         window() == 0.0 && runs_ == 1 && !percent_;  // means over a while may be any number
     draw_y_axis(canvas, s.area, s.y, "", counts);
 }
 
-void HistogramPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+void HistogramPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const std::vector<MeanHistogram>& now = histograms(state);
-    if (compares()) return draw_runs(canvas, page, now);
+    if (compares()) return draw_runs(canvas, dc, now);
     for (std::size_t k = 0; k < series_.size(); ++k) {
-        draw_bars(canvas, page, k, now[k]);
-        if (series_.size() > 1) draw_outline(canvas, page, k, now[k]);
+        draw_bars(canvas, dc, k, now[k]);
+        if (series_.size() > 1) draw_outline(canvas, dc, k, now[k]);
     }
-    draw_cuts(canvas, page, now);
-    draw_beyond(canvas, page, now);
-    if (series_.size() == 1) draw_casings(canvas, page, now.front());
-    for (std::size_t k = 0; k < series_.size(); ++k) draw_errors(canvas, page, k, state);
+    draw_cuts(canvas, dc, now);
+    draw_beyond(canvas, dc, now);
+    if (series_.size() == 1) draw_casings(canvas, dc, now.front());
+    for (std::size_t k = 0; k < series_.size(); ++k) draw_errors(canvas, dc, k, state);
     for (std::size_t k = 0; k < series_.size(); ++k) {
-        canvas.stroke_path(path_of(page, series_[k].curve), curve_width * page.unit,
-                           ink(k, page).curve, line_dashes(k, series_.size(), page));
-        if (spec_.fit) draw_fit(canvas, page, k, now[k]);
+        canvas.stroke_path(path_of(dc, series_[k].curve), curve_width * dc.unit, ink(k, dc).curve,
+                           line_dashes(k, series_.size(), dc));
+        if (spec_.fit) draw_fit(canvas, dc, k, now[k]);
     }
-    draw_means(canvas, page, now);
+    draw_means(canvas, dc, now);
 }
 
-void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t series,
+void HistogramPanel::draw_bars(Canvas& canvas, const DrawContext& dc, std::size_t series,
                                const MeanHistogram& now) const {
-    const Scales s = scales(page);
-    const Color color = ink(series, page).bar;
+    const Scales s = scales(dc);
+    const Color color = ink(series, dc).bar;
     const double alpha = series_.size() > 1 ? tint_alpha : 1.0;
     // One shape: bars of their own would show seams between them wherever a vector picture is seen
     // at another size. On whole pixels sideways, so that bars side by side are equally sharp.
@@ -113,9 +113,9 @@ void HistogramPanel::draw_bars(Canvas& canvas, const Page& page, std::size_t ser
 }
 
 // The upper edge of bars that others overlap.
-void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t series,
+void HistogramPanel::draw_outline(Canvas& canvas, const DrawContext& dc, std::size_t series,
                                   const MeanHistogram& now) const {
-    const Scales s = scales(page);
+    const Scales s = scales(dc);
     std::vector<Point> path;
     for (int i = 0; i < bins_.count; ++i) {
         const double y = s.y(std::min(now.counts[static_cast<std::size_t>(i)], tallest_));
@@ -123,19 +123,19 @@ void HistogramPanel::draw_outline(Canvas& canvas, const Page& page, std::size_t 
         path.push_back({s.x(bins_.edge(i + 1)), y});
     }
     if (compares())
-        return canvas.stroke_path(path, curve_width * page.unit, ink(series, page).bar,
-                                  compared_dashes(series, page));
-    canvas.stroke_path(path, 0.1 * page.unit, edge_of(ink(series, page).bar, page.theme),
-                       line_dashes(series, series_.size(), page));
+        return canvas.stroke_path(path, curve_width * dc.unit, ink(series, dc).bar,
+                                  compared_dashes(series, dc));
+    canvas.stroke_path(path, 0.1 * dc.unit, edge_of(ink(series, dc).bar, dc.theme),
+                       line_dashes(series, series_.size(), dc));
 }
 
 // A standard error to either side of each mean, as far as the axis goes.
-void HistogramPanel::draw_errors(Canvas& canvas, const Page& page, std::size_t series,
+void HistogramPanel::draw_errors(Canvas& canvas, const DrawContext& dc, std::size_t series,
                                  const PanelState& state) const {
     if (errors(state).empty()) return;
-    const Scales s = scales(page);
-    const double u = page.unit;
-    const Color color = series_.size() > 1 ? ink(series, page).curve : page.theme.ink;
+    const Scales s = scales(dc);
+    const double u = dc.unit;
+    const Color color = series_.size() > 1 ? ink(series, dc).curve : dc.theme.ink;
     const double half = std::min(0.25 * u, 0.3 * (s.x(bins_.edge(1)) - s.x(bins_.edge(0))));
     for (int i = 0; i < bins_.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -153,10 +153,10 @@ void HistogramPanel::draw_errors(Canvas& canvas, const Page& page, std::size_t s
 }
 
 // What the axes cannot hold is said: a bar that is cut, with its count.
-void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page,
+void HistogramPanel::draw_cuts(Canvas& canvas, const DrawContext& dc,
                                const std::vector<MeanHistogram>& now) const {
-    const Scales s = scales(page);
-    const double u = page.unit;
+    const Scales s = scales(dc);
+    const double u = dc.unit;
     double free_from = s.area.x;  // counts of neighbours must not lie on each other
     for (int i = 0; i < bins_.count; ++i) {
         std::string words;  // of all choices whose bars are cut here
@@ -164,7 +164,7 @@ void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page,
             const double count = now[k].counts[static_cast<std::size_t>(i)];
             if (count > tallest_)
                 words += (words.empty() ? "" : ", ") +
-                         colored(count_words(count), ink(k, page).bar, page.theme);
+                         colored(count_words(count), ink(k, dc).bar, dc.theme);
         }
         if (words.empty()) continue;
         const double left = s.x(bins_.edge(i));
@@ -172,8 +172,8 @@ void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page,
         for (double y : {0.9 * u, 1.3 * u})
             canvas.stroke_line({left - 0.15 * u, s.area.y + y + 0.25 * u},
                                {right + 0.15 * u, s.area.y + y - 0.25 * u}, 0.14 * u,
-                               page.theme.page);
-        const TextStyle style = label_style(page);
+                               dc.theme.page);
+        const TextStyle style = label_style(dc);
         if (left < free_from) continue;
         free_from =
             left + 0.4 * u + draw_text(canvas, {left, s.area.y - 0.25 * u}, words, style).width;
@@ -181,7 +181,7 @@ void HistogramPanel::draw_cuts(Canvas& canvas, const Page& page,
 }
 
 // How many lie beyond the ends of the axis. A mean over a while may be a small part of one.
-void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
+void HistogramPanel::draw_beyond(Canvas& canvas, const DrawContext& dc,
                                  const std::vector<MeanHistogram>& now) const {
     double below = 0.0, above = 0.0;
     for (const MeanHistogram& one : now) {
@@ -191,37 +191,37 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const Page& page,
     const double least = window() == 0.0 ? 0.0 : told_beyond * numbers_at_a_time();
     if (below < least) below = 0.0;
     if (above < least) above = 0.0;
-    const Scales s = scales(page);
-    const double top = s.area.y + 0.8 * page.unit;
-    if (names_place(page) == NamesPlace::above) {  // each at its own end
+    const Scales s = scales(dc);
+    const double top = s.area.y + 0.8 * dc.unit;
+    if (names_place(dc) == NamesPlace::above) {  // each at its own end
         const std::string higher = count_words(above) + " →";
-        const double width = measure_text(higher, label_style(page)).width;
+        const double width = measure_text(higher, label_style(dc)).width;
         if (below > 0.0)
-            draw_name(canvas, page, {s.area.x + 0.6 * page.unit, top}, "← " + count_words(below),
-                      page.theme.muted);
+            draw_name(canvas, dc, {s.area.x + 0.6 * dc.unit, top}, "← " + count_words(below),
+                      dc.theme.muted);
         if (above > 0.0)
-            draw_name(canvas, page, {s.area.right() - width, top}, higher, page.theme.muted);
+            draw_name(canvas, dc, {s.area.right() - width, top}, higher, dc.theme.muted);
         return;
     }
     std::string words = below > 0.0 ? "← " + count_words(below) + "  " : "";
     if (above > 0.0) words += fmt::format("{} {} →", count_words(above), subject_.beyond);
     if (words.empty()) return;
     const double row = now.size() > 1 ? 1.4 * static_cast<double>(now.size()) : 2.8;
-    draw_name(canvas, page, {names_x(page) + 0.6 * page.unit, top + row * page.unit}, words,
-              page.theme.muted);
+    draw_name(canvas, dc, {names_x(dc) + 0.6 * dc.unit, top + row * dc.unit}, words,
+              dc.theme.muted);
 }
 
-std::vector<Point> HistogramPanel::path_of(const Page& page,
+std::vector<Point> HistogramPanel::path_of(const DrawContext& dc,
                                            const std::vector<Point>& curve) const {
-    const Scales s = scales(page);
+    const Scales s = scales(dc);
     std::vector<Point> path;
     for (const Point& point : curve)
         path.push_back({s.x(point.x), s.y(std::min(point.y, tallest_))});
     return path;
 }
 
-std::optional<double> HistogramPanel::mark_place(const Page& page, double value) const {
-    const Scales s = scales(page);
+std::optional<double> HistogramPanel::mark_place(const DrawContext& dc, double value) const {
+    const Scales s = scales(dc);
     const double x = s.x(value);
     if (!(x >= s.area.x && x <= s.area.right())) return {};
     return x;
@@ -230,23 +230,22 @@ std::optional<double> HistogramPanel::mark_place(const Page& page, double value)
 // Solid bars have hardly another lightness than curves and marks: a line of the page on each side
 // keeps those apart. Under all of them, and not over the axes. It would hide low bars and
 // the feet of others, on which a curve lies like a lid: there the curve has none.
-void HistogramPanel::draw_casings(Canvas& canvas, const Page& page,
+void HistogramPanel::draw_casings(Canvas& canvas, const DrawContext& dc,
                                   const MeanHistogram& now) const {
-    const Scales s = scales(page);
-    const double u = page.unit, axis = axis_style(page).line_width;
+    const Scales s = scales(dc);
+    const double u = dc.unit, axis = axis_style(dc).line_width;
     canvas.clip_to({s.area.x + axis, s.area.y, s.area.width - axis, s.area.height - axis});
     const Series& one = series_.front();
     const auto stroke = [&](const std::vector<Point>& points) {
-        canvas.stroke_path(path_of(page, points), (curve_width + 2.0 * casing) * u,
-                           page.theme.page);
+        canvas.stroke_path(path_of(dc, points), (curve_width + 2.0 * casing) * u, dc.theme.page);
     };
     const auto is_tall = [&](int bin) {
         return s.area.bottom() - s.y(now.counts[static_cast<std::size_t>(bin)]) >= cased_bar * u;
     };
     const auto mark = [&](double value) {
-        if (const std::optional<double> x = mark_place(page, value))
+        if (const std::optional<double> x = mark_place(dc, value))
             canvas.stroke_line({*x, s.area.bottom()}, {*x, s.area.y},
-                               (mark_width + 2.0 * casing) * u, page.theme.page);
+                               (mark_width + 2.0 * casing) * u, dc.theme.page);
     };
     if (marks_mean_start()) mark(one.mean_start);
     if (marks_mean_now()) mark(now.mean);
@@ -283,41 +282,40 @@ std::vector<Point> HistogramPanel::fit_curve(std::size_t series, const MeanHisto
 }
 
 // Dashed beside the equilibrium curve, which has no other colour in print.
-void HistogramPanel::draw_fit(Canvas& canvas, const Page& page, std::size_t series,
+void HistogramPanel::draw_fit(Canvas& canvas, const DrawContext& dc, std::size_t series,
                               const MeanHistogram& now) const {
-    const Color color = ink(series, page).fit;
+    const Color color = ink(series, dc).fit;
     const bool dashed = !series_[series].curve.empty();
     std::vector<double> dashes;
-    if (dashed) dashes = {0.8 * page.unit};
-    if (page.theme.kind == ThemeKind::print && series_.size() > 1)  // other than the bars' own
-        dashes = line_dashes(series_.size() + series, 2 * series_.size(), page);
-    canvas.stroke_path(path_of(page, fit_curve(series, now)), curve_width * page.unit, color,
-                       dashes);
+    if (dashed) dashes = {0.8 * dc.unit};
+    if (dc.theme.kind == ThemeKind::print && series_.size() > 1)  // other than the bars' own
+        dashes = line_dashes(series_.size() + series, 2 * series_.size(), dc);
+    canvas.stroke_path(path_of(dc, fit_curve(series, now)), curve_width * dc.unit, color, dashes);
     if (series >= most_fit_rows) return;
     const Point row =
-        row_above(page, static_cast<int>(series) + (compares() ? key_rows(page, names_) : 0));
+        row_above(dc, static_cast<int>(series) + (compares() ? key_rows(dc, names_) : 0));
     if (!dashes.empty())  // a sample of it, left of the words
-        canvas.stroke_path(std::array{Point{row.x - 2.9 * page.unit, row.y - 0.35 * page.unit},
-                                      Point{row.x - 0.5 * page.unit, row.y - 0.35 * page.unit}},
-                           curve_width * page.unit, color, dashes);
-    TextStyle style = label_style(page);
-    style.color = legible(color, page.theme);
-    style.max_width = plot_area(page).width;
+        canvas.stroke_path(std::array{Point{row.x - 2.9 * dc.unit, row.y - 0.35 * dc.unit},
+                                      Point{row.x - 0.5 * dc.unit, row.y - 0.35 * dc.unit}},
+                           curve_width * dc.unit, color, dashes);
+    TextStyle style = label_style(dc);
+    style.color = legible(color, dc.theme);
+    style.max_width = plot_area(dc).width;
     const std::string whose =
         series_.size() == 1 ? "normal curve" : escape_markup(name_of_series(series));
     const std::string numbers_of_it =
         fmt::format("mean {}, deviation {}", three_digits(now.mean), three_digits(now.deviation));
     const std::string whole = whose + ": " + numbers_of_it;  // without the name the colour tells
-    const bool fits = measure_text(whole + "00", label_style(page)).width <= style.max_width;
+    const bool fits = measure_text(whole + "00", label_style(dc)).width <= style.max_width;
     draw_text(canvas, row, fits ? whole : numbers_of_it, style);
 }
 
-void HistogramPanel::draw_mark(Canvas& canvas, const Page& page, double value, bool solid,
+void HistogramPanel::draw_mark(Canvas& canvas, const DrawContext& dc, double value, bool solid,
                                Color color) const {
-    const std::optional<double> x = mark_place(page, value);
+    const std::optional<double> x = mark_place(dc, value);
     if (!x) return;
-    const Scales s = scales(page);
-    const double u = page.unit;
+    const Scales s = scales(dc);
+    const double u = dc.unit;
     if (solid) canvas.stroke_line({*x, s.area.bottom()}, {*x, s.area.y}, mark_width * u, color);
     if (!solid)
         canvas.stroke_dashed({*x, s.area.bottom()}, {*x, s.area.y}, mark_width * u, 0.25 * u,

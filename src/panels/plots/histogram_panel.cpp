@@ -27,14 +27,16 @@ double finite_mean(const Eigen::ArrayXd& values) {
 
 }  // namespace
 
-HistogramPanel::HistogramPanel(const Cast& cast, const PanelSpec& spec, HistogramSubject subject)
-    : cast_(cast), spec_(spec), subject_(std::move(subject)) {
+HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spec,
+                               HistogramSubject subject)
+    : context_(context), spec_(spec), subject_(std::move(subject)) {
     for (const Chosen& chosen : choices(spec)) {
-        Series series{.chosen = chosen, .members = members(cast, chosen)};
+        Series series{.chosen = chosen, .members = members(context, chosen)};
         const bool all = !chosen.species && !chosen.particle;
-        if (cast.equilibrium)
+        if (context.equilibrium)
             series.equilibrium =
-                all ? cast.equilibrium : among(*cast.equilibrium, cast.particles, series.members);
+                all ? context.equilibrium
+                    : among(*context.equilibrium, context.particles, series.members);
         series_.push_back(std::move(series));
     }
     own_ = series_.size();
@@ -72,22 +74,22 @@ double HistogramPanel::numbers_in_bars() const {
     const std::optional<double> back = window();
     const double share = !back ? 1.0 : span_ > 0.0 ? std::min(1.0, *back / span_) : 0.0;
     return numbers_at_a_time() / static_cast<double>(series_.size()) *
-           std::max(1.0, share * cast_.frames / 10.0);
+           std::max(1.0, share * context_.frames / 10.0);
 }
 
-void HistogramPanel::survey(const Observation& observation) {
-    const Eigen::ArrayXXd all = subject_.values(observation);
+void HistogramPanel::survey(const FrameInput& input) {
+    const Eigen::ArrayXXd all = subject_.values(input);
     numbers_each_ = static_cast<double>(all.cols());
-    span_ = observation.tick.time;
+    span_ = input.tick.time;
     const double numbers = numbers_at_a_time();
     const auto stride = std::max<Eigen::Index>(
-        1, static_cast<Eigen::Index>(numbers * cast_.frames / static_cast<double>(pool_size)));
+        1, static_cast<Eigen::Index>(numbers * context_.frames / static_cast<double>(pool_size)));
     // Bars of a few particles over a while are as rough as their probes are few.
     const int probes = window() == 0.0
                            ? probe_frames
                            : static_cast<int>(std::clamp(pool_size / numbers, double(probe_frames),
-                                                         std::max(40.0, double(cast_.frames))));
-    const bool probe = surveyed_ % std::max(1, cast_.frames / probes) == 0;
+                                                         std::max(40.0, double(context_.frames))));
+    const bool probe = surveyed_ % std::max(1, context_.frames / probes) == 0;
     for (Series& one : series_) {
         const Eigen::ArrayXd values = values_of(one, all);
         const double mean = finite_mean(values);
@@ -96,12 +98,12 @@ void HistogramPanel::survey(const Observation& observation) {
         one.highest_mean = std::max(one.highest_mean, mean);
         for (Eigen::Index i = surveyed_ % stride; i < values.size(); i += stride)
             if (std::isfinite(values[i])) pool_.push_back(values[i]);  // moving infinite masses
-        if (probe) one.probes.push_back({observation.tick.time, values});
+        if (probe) one.probes.push_back({input.tick.time, values});
     }
     ++surveyed_;
 }
 
-void HistogramPanel::settle() {
+void HistogramPanel::fix_axes() {
     choose_bins(reach(), numbers_in_bars());
     choose_curves();
     finish();
@@ -205,14 +207,14 @@ void HistogramPanel::choose_height() {
     tallest_ = round_up_for_axis(std::max(least, top));
 }
 
-std::shared_ptr<const PanelState> HistogramPanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input) {
     auto state = std::make_shared<HistogramState>();
-    const Eigen::ArrayXXd all = subject_.values(observation);
+    const Eigen::ArrayXXd all = subject_.values(input);
     // A held frame is no new sample of a mean; at a reversal the present changes while time stands.
-    const bool counts = window() == 0.0 || observation.tick.time > seen_until_;
-    seen_until_ = observation.tick.time;
+    const bool counts = window() == 0.0 || input.tick.time > seen_until_;
+    seen_until_ = input.tick.time;
     for (Series& one : std::span(series_).first(own_)) {
-        if (counts) one.running.front().add(observation.tick.time, values_of(one, all));
+        if (counts) one.running.front().add(input.tick.time, values_of(one, all));
         state->histograms.push_back(one.running.front().mean());
     }
     return state;
@@ -236,8 +238,8 @@ Table HistogramPanel::table_of(const PanelState& state, std::size_t from, std::s
     for (std::size_t k = from; k < to; ++k) {
         const Series& one = series_[k];
         const MeanHistogram& now = histograms(state)[k];
-        const auto add = [&, of = name_of(cast_, one.chosen)](const char* part, Cell low, Cell high,
-                                                              Cell value) {
+        const auto add = [&, of = name_of(context_, one.chosen)](const char* part, Cell low,
+                                                                 Cell high, Cell value) {
             table.rows.push_back({part, of, std::move(low), std::move(high), std::move(value)});
         };
         for (int i = 0; i < bins_.count; ++i) {

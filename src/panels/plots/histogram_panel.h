@@ -18,7 +18,7 @@ struct HistogramSubject {
     std::string title;     ///< "Particles by speed"
     std::string quantity;  ///< "speed": the axis title
     std::string beyond;    ///< "faster": what lies beyond the end of the axis
-    std::function<Eigen::ArrayXXd(const Observation&)>
+    std::function<Eigen::ArrayXXd(const FrameInput&)>
         values;  ///< a row for each particle: one number, or several that count alike
     std::function<double(const EquilibriumGas& gas, double value)> density =
         {};  ///< of a number at equilibrium; empty where there is no such curve
@@ -34,10 +34,10 @@ struct HistogramSubject {
 
 class HistogramPanel : public Panel {
   public:
-    HistogramPanel(const Cast& cast, const PanelSpec& spec, HistogramSubject subject);
+    HistogramPanel(const PanelContext& context, const PanelSpec& spec, HistogramSubject subject);
 
-    void survey(const Observation& observation) override;
-    void settle() override;
+    void survey(const FrameInput& input) override;
+    void fix_axes() override;
     void settle_with(const std::vector<Panel*>& others) override;
     std::shared_ptr<const PanelState> mean_of(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
@@ -46,9 +46,9 @@ class HistogramPanel : public Panel {
     std::shared_ptr<const PanelState> beside(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     std::vector<std::string> told_of_runs(const PanelState& state) const override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     std::string finding(const PanelState& state) const override;
 
@@ -80,7 +80,7 @@ class HistogramPanel : public Panel {
         double lowest_mean = 0.0, highest_mean = 0.0;  ///< of the whole run, that at the start too
         std::vector<Probe> probes = {};  ///< whole samples at a few frames, for the height of bars
         std::vector<Point> curve = {};   ///< value, expected number in a bin around it
-        std::vector<RunningHistogram> running = {};  ///< one, from settle() on
+        std::vector<RunningHistogram> running = {};  ///< one, from fix_axes() on
     };
     struct Scales {
         Rect area;
@@ -114,45 +114,50 @@ class HistogramPanel : public Panel {
     std::string name_of_series(std::size_t series) const;
     Table table_of(const PanelState& state, std::size_t from, std::size_t to) const;
 
-    Scales scales(const Page& page) const;
-    Ink ink(std::size_t series, const Page& page) const;
+    Scales scales(const DrawContext& dc) const;
+    Ink ink(std::size_t series, const DrawContext& dc) const;
     std::string time_words() const;
-    std::string title(const Page& page) const;
+    std::string title(const DrawContext& dc) const;
     enum class NamesPlace { right, left, above };
-    NamesPlace names_place(const Page& page) const;
-    double names_width(const Page& page) const;
-    double width_of_name(const Page& page, const std::string& name) const;
+    NamesPlace names_place(const DrawContext& dc) const;
+    double names_width(const DrawContext& dc) const;
+    double width_of_name(const DrawContext& dc, const std::string& name) const;
     std::string name_of_mean(bool is_short) const;
-    bool has_short_names(const Page& page) const;
-    bool is_low_right_of(const Rect& area, double x, const Page& page) const;
-    int rows_above(const Page& page) const;
-    Point row_above(const Page& page, int row) const;
-    std::string title_of_runs(const Page& page) const;
-    void draw_runs(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
-    void draw_beyond_runs(Canvas& canvas, const Page& page,
+    bool has_short_names(const DrawContext& dc) const;
+    bool is_low_right_of(const Rect& area, double x, const DrawContext& dc) const;
+    int rows_above(const DrawContext& dc) const;
+    Point row_above(const DrawContext& dc, int row) const;
+    std::string title_of_runs(const DrawContext& dc) const;
+    void draw_runs(Canvas& canvas, const DrawContext& dc,
+                   const std::vector<MeanHistogram>& now) const;
+    void draw_beyond_runs(Canvas& canvas, const DrawContext& dc,
                           const std::vector<MeanHistogram>& now) const;
-    void draw_bars(Canvas& canvas, const Page& page, std::size_t series,
+    void draw_bars(Canvas& canvas, const DrawContext& dc, std::size_t series,
                    const MeanHistogram& now) const;
-    void draw_outline(Canvas& canvas, const Page& page, std::size_t series,
+    void draw_outline(Canvas& canvas, const DrawContext& dc, std::size_t series,
                       const MeanHistogram& now) const;
-    std::vector<Point> path_of(const Page& page, const std::vector<Point>& curve) const;
+    std::vector<Point> path_of(const DrawContext& dc, const std::vector<Point>& curve) const;
     std::vector<Point> fit_curve(std::size_t series, const MeanHistogram& now) const;
-    std::optional<double> mark_place(const Page& page, double value) const;
-    void draw_casings(Canvas& canvas, const Page& page, const MeanHistogram& now) const;
-    void draw_errors(Canvas& canvas, const Page& page, std::size_t series,
+    std::optional<double> mark_place(const DrawContext& dc, double value) const;
+    void draw_casings(Canvas& canvas, const DrawContext& dc, const MeanHistogram& now) const;
+    void draw_errors(Canvas& canvas, const DrawContext& dc, std::size_t series,
                      const PanelState& state) const;
-    void draw_fit(Canvas& canvas, const Page& page, std::size_t series,
+    void draw_fit(Canvas& canvas, const DrawContext& dc, std::size_t series,
                   const MeanHistogram& now) const;
-    void draw_means(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
-    void draw_mark(Canvas& canvas, const Page& page, double value, bool solid, Color color) const;
-    double names_x(const Page& page) const;
-    Point name_place(const Page& page, int index) const;
-    void draw_name(Canvas& canvas, const Page& page, Point at, const std::string& words,
+    void draw_means(Canvas& canvas, const DrawContext& dc,
+                    const std::vector<MeanHistogram>& now) const;
+    void draw_mark(Canvas& canvas, const DrawContext& dc, double value, bool solid,
                    Color color) const;
-    void draw_cuts(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
-    void draw_beyond(Canvas& canvas, const Page& page, const std::vector<MeanHistogram>& now) const;
+    double names_x(const DrawContext& dc) const;
+    Point name_place(const DrawContext& dc, int index) const;
+    void draw_name(Canvas& canvas, const DrawContext& dc, Point at, const std::string& words,
+                   Color color) const;
+    void draw_cuts(Canvas& canvas, const DrawContext& dc,
+                   const std::vector<MeanHistogram>& now) const;
+    void draw_beyond(Canvas& canvas, const DrawContext& dc,
+                     const std::vector<MeanHistogram>& now) const;
 
-    Cast cast_;
+    PanelContext context_;
     PanelSpec spec_;
     HistogramSubject subject_;
     std::vector<Series> series_;

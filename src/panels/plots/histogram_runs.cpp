@@ -92,7 +92,7 @@ std::vector<std::string> HistogramPanel::told_of_runs(const PanelState& state) c
 }
 
 std::string HistogramPanel::name_of_series(std::size_t series) const {
-    return compares() ? names_[series] : name_of(cast_, series_[series].chosen);
+    return compares() ? names_[series] : name_of(context_, series_[series].chosen);
 }
 
 void HistogramPanel::take_mean_of_curves(const std::vector<HistogramPanel*>& runs) {
@@ -135,40 +135,39 @@ std::shared_ptr<const PanelState> HistogramPanel::mean_of(
     return mean;
 }
 
-std::string HistogramPanel::title_of_runs(const Page& page) const {
+std::string HistogramPanel::title_of_runs(const DrawContext& dc) const {
     const std::string of = spec_.of.empty() ? subject_.title
                                             : capitalised(subject_.quantity) + " of " +
-                                                  name_of(cast_, series_.front().chosen);
+                                                  name_of(context_, series_.front().chosen);
     const std::string unit = percent_ ? ", per cent" : "";
     const std::string time = same_time_ ? ": " + time_words() : "";
     const std::string words = escape_markup(spec_.title.value_or(of)) + unit + time;
     const std::string shortest = capitalised(subject_.quantity) + unit + time;
-    if (curve_top() == 0.0) return fitting_title(page, {words, shortest});
-    return fitting_title(page,
-                         {words + ", thin lines: in equilibrium", words + ", thin: equilibrium",
-                          shortest + ", thin: equilibrium", shortest});
+    if (curve_top() == 0.0) return fitting_title(dc, {words, shortest});
+    return fitting_title(dc, {words + ", thin lines: in equilibrium", words + ", thin: equilibrium",
+                              shortest + ", thin: equilibrium", shortest});
 }
 
 // Several runs: only the upper edges of their bars, as areas of more than two would hide one
 // another.
-void HistogramPanel::draw_runs(Canvas& canvas, const Page& page,
+void HistogramPanel::draw_runs(Canvas& canvas, const DrawContext& dc,
                                const std::vector<MeanHistogram>& now) const {
     constexpr double thin = 0.07;  // units
     for (std::size_t k = 0; k < series_.size(); ++k)
-        canvas.stroke_path(path_of(page, series_[k].curve), thin * page.unit, ink(k, page).curve);
-    for (std::size_t k = series_.size(); k-- > 0;) draw_outline(canvas, page, k, now[k]);
+        canvas.stroke_path(path_of(dc, series_[k].curve), thin * dc.unit, ink(k, dc).curve);
+    for (std::size_t k = series_.size(); k-- > 0;) draw_outline(canvas, dc, k, now[k]);
     for (std::size_t k = 0; k < series_.size(); ++k) {
-        if (spec_.fit) draw_fit(canvas, page, k, now[k]);
+        if (spec_.fit) draw_fit(canvas, dc, k, now[k]);
         if (marks_mean_start())
-            draw_mark(canvas, page, series_[k].mean_start, false, ink(k, page).curve);
-        if (marks_mean_now()) draw_mark(canvas, page, now[k].mean, true, ink(k, page).curve);
+            draw_mark(canvas, dc, series_[k].mean_start, false, ink(k, dc).curve);
+        if (marks_mean_now()) draw_mark(canvas, dc, now[k].mean, true, ink(k, dc).curve);
     }
-    draw_cuts(canvas, page, now);
-    draw_beyond_runs(canvas, page, now);
+    draw_cuts(canvas, dc, now);
+    draw_beyond_runs(canvas, dc, now);
 }
 
 // How many of a run lie beyond the ends of the axis: from the fewest of a run to the most.
-void HistogramPanel::draw_beyond_runs(Canvas& canvas, const Page& page,
+void HistogramPanel::draw_beyond_runs(Canvas& canvas, const DrawContext& dc,
                                       const std::vector<MeanHistogram>& now) const {
     const auto words = [&](double MeanHistogram::*beyond) -> std::string {
         const auto [fewest, most] = std::ranges::minmax(now, {}, beyond);
@@ -178,14 +177,14 @@ void HistogramPanel::draw_beyond_runs(Canvas& canvas, const Page& page,
         return low == high ? high + unit : low + " to " + high + unit;
     };
     const std::string below = words(&MeanHistogram::below), above = words(&MeanHistogram::above);
-    const Rect area = scales(page).area;
-    const double top = area.y + 0.8 * page.unit;
+    const Rect area = scales(dc).area;
+    const double top = area.y + 0.8 * dc.unit;
     if (!below.empty())
-        draw_name(canvas, page, {area.x + 0.6 * page.unit, top}, "← " + below, page.theme.muted);
+        draw_name(canvas, dc, {area.x + 0.6 * dc.unit, top}, "← " + below, dc.theme.muted);
     if (above.empty()) return;
     const std::string higher = above + " →";
-    const double width = measure_text(higher, label_style(page)).width;
-    draw_name(canvas, page, {area.right() - width, top}, higher, page.theme.muted);
+    const double width = measure_text(higher, label_style(dc)).width;
+    draw_name(canvas, dc, {area.right() - width, top}, higher, dc.theme.muted);
 }
 
 }  // namespace carom

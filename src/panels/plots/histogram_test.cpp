@@ -68,7 +68,7 @@ std::string HistogramPanel::finding(const PanelState& state) const {
         const ChiSquared found = test(state, k).value();
         words += fmt::format(
             "{}{} \u03C7\u00B2 = {} for {} degrees of freedom, p = {}", k == 0 ? ":" : ";",
-            series_.size() > 1 ? " " + name_of(cast_, series_[k].chosen) + "," : "",
+            series_.size() > 1 ? " " + name_of(context_, series_[k].chosen) + "," : "",
             three_digits(found.statistic), three_digits(found.freedom), three_digits(found.p));
     }
     return words +

@@ -42,14 +42,14 @@ const std::vector<Point>& PointsPanel::points(const PanelState& state, std::size
     return static_cast<const PointsState&>(state).sets[set];
 }
 
-void PointsPanel::survey(const Observation& observation) {
+void PointsPanel::survey(const FrameInput& input) {
     paths_.resize(subject_.sets);
     for (std::size_t k = 0; k < subject_.sets; ++k) {
-        const std::vector<Point> now = subject_.points(observation, k);
+        const std::vector<Point> now = subject_.points(input, k);
         if (now.size() == 1) {
             std::vector<Point>& path = paths_[k].points;
             if (subject_.corners)
-                for (const Point& corner : subject_.corners(observation, k)) path.push_back(corner);
+                for (const Point& corner : subject_.corners(input, k)) path.push_back(corner);
             path.push_back(now.front());
             paths_[k].ends.push_back(path.size());
         }
@@ -60,7 +60,7 @@ void PointsPanel::survey(const Observation& observation) {
     ++surveyed_;
 }
 
-void PointsPanel::settle() {
+void PointsPanel::fix_axes() {
     if (subject_.height) {
         std::tie(low_, high_) = *subject_.height;
     } else {
@@ -71,35 +71,35 @@ void PointsPanel::settle() {
     pool_ = {};
 }
 
-std::shared_ptr<const PanelState> PointsPanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> PointsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<PointsState>();
     for (std::size_t k = 0; k < subject_.sets; ++k)
-        state->sets.push_back(subject_.points(observation, k));
+        state->sets.push_back(subject_.points(input, k));
     state->shown = ++seen_;
     return state;
 }
 
-PointsPanel::Scales PointsPanel::scales(const Page& page) const {
-    const Rect area = plot_area(page);
+PointsPanel::Scales PointsPanel::scales(const DrawContext& dc) const {
+    const Rect area = plot_area(dc);
     return {area,
             {subject_.width.first, subject_.width.second, area.x, area.right()},
             {low_, high_, area.bottom(), area.y}};
 }
 
-void PointsPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    draw_panel_title(canvas, page, fitting_title(page, subject_.titles(page.theme)));
-    const Scales s = scales(page);
-    draw_x_axis(canvas, s.area, s.x, subject_.across, axis_style(page));
-    draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
+void PointsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    draw_panel_title(canvas, dc, fitting_title(dc, subject_.titles(dc.theme)));
+    const Scales s = scales(dc);
+    draw_x_axis(canvas, s.area, s.x, subject_.across, axis_style(dc));
+    draw_y_axis(canvas, s.area, s.y, "", axis_style(dc));
     if (low_ < 0.0)
-        canvas.stroke_dashed({s.area.x, s.y(0.0)}, {s.area.right(), s.y(0.0)}, 0.06 * page.unit,
-                             0.3 * page.unit, page.theme.muted);
+        canvas.stroke_dashed({s.area.x, s.y(0.0)}, {s.area.right(), s.y(0.0)}, 0.06 * dc.unit,
+                             0.3 * dc.unit, dc.theme.muted);
     if (subject_.never_equal)
         canvas.stroke_dashed(s({subject_.width.first, subject_.width.first}),
-                             s({subject_.width.second, subject_.width.second}), 0.06 * page.unit,
-                             0.3 * page.unit, page.theme.muted);
-    draw_text(canvas, {s.area.x + 0.4 * page.unit, s.area.y - 0.1 * page.unit}, subject_.up,
-              label_style(page));
+                             s({subject_.width.second, subject_.width.second}), 0.06 * dc.unit,
+                             0.3 * dc.unit, dc.theme.muted);
+    draw_text(canvas, {s.area.x + 0.4 * dc.unit, s.area.y - 0.1 * dc.unit}, subject_.up,
+              label_style(dc));
 }
 
 // Whether a step goes around the box.
@@ -108,41 +108,41 @@ bool PointsPanel::breaks_between(const Point& from, const Point& to) const {
            (subject_.breaks_up > 0.0 && std::abs(to.y - from.y) > subject_.breaks_up);
 }
 
-void PointsPanel::draw_path(Canvas& canvas, const Page& page, std::size_t set,
+void PointsPanel::draw_path(Canvas& canvas, const DrawContext& dc, std::size_t set,
                             std::size_t shown) const {
-    const Scales s = scales(page);
+    const Scales s = scales(dc);
     const std::vector<Point>& all = paths_[set].points;
     const auto [first, end] = paths_[set].until(shown);
-    const Color color = edge_of(subject_.color(set, page.theme), page.theme);
+    const Color color = edge_of(subject_.color(set, dc.theme), dc.theme);
     // Dashes of a path that goes to and fro add up to a thicket. Two are told apart by their greys,
     // and by the points at their ends.
     std::vector<double> dashes;
-    if (subject_.sets > 2) dashes = line_dashes(set, subject_.sets, page);
+    if (subject_.sets > 2) dashes = line_dashes(set, subject_.sets, dc);
     std::vector<Point> path;
     for (std::size_t i = first; i < end; ++i) {
         if (!path.empty() && breaks_between(all[i - 1], all[i])) {
-            canvas.stroke_path(path, 0.1 * page.unit, color, dashes);
+            canvas.stroke_path(path, 0.1 * dc.unit, color, dashes);
             path.clear();
         }
         path.push_back(s(all[i]));
     }
-    if (!path.empty()) canvas.stroke_path(path, 0.1 * page.unit, color, dashes);
+    if (!path.empty()) canvas.stroke_path(path, 0.1 * dc.unit, color, dashes);
 }
 
-void PointsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+void PointsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& now = static_cast<const PointsState&>(state);
-    const Scales s = scales(page);
-    for (std::size_t k = 0; k < now.sets.size(); ++k) draw_path(canvas, page, k, now.shown);
+    const Scales s = scales(dc);
+    for (std::size_t k = 0; k < now.sets.size(); ++k) draw_path(canvas, dc, k, now.shown);
     for (std::size_t k = 0; k < now.sets.size(); ++k) {
         const bool has_path = now.sets[k].size() == 1;
-        const double radius = (has_path ? 0.35 : 0.16) * page.unit;
-        const Color color = subject_.color(k, page.theme);
-        const bool hollow = page.theme.kind == ThemeKind::print && looks_hollow(color, page.theme);
+        const double radius = (has_path ? 0.35 : 0.16) * dc.unit;
+        const Color color = subject_.color(k, dc.theme);
+        const bool hollow = dc.theme.kind == ThemeKind::print && looks_hollow(color, dc.theme);
         for (const Point& point : now.sets[k]) {
             if (has_path)  // its own path and others' end before it
-                canvas.fill_circle(s(point), radius + 0.12 * page.unit, page.theme.page);
-            canvas.fill_circle(s(point), radius, edge_of(color, page.theme));
-            if (hollow) canvas.fill_circle(s(point), 0.6 * radius, page.theme.page);
+                canvas.fill_circle(s(point), radius + 0.12 * dc.unit, dc.theme.page);
+            canvas.fill_circle(s(point), radius, edge_of(color, dc.theme));
+            if (hollow) canvas.fill_circle(s(point), 0.6 * radius, dc.theme.page);
         }
     }
 }

@@ -20,9 +20,9 @@ struct PointsSubject {
     std::optional<std::pair<double, double>>
         height;  ///< of the axis up; none: symmetric about 0, as the run shows
     std::size_t sets = 1;
-    std::function<std::vector<Point>(const Observation&, std::size_t set)> points;
+    std::function<std::vector<Point>(const FrameInput&, std::size_t set)> points;
     std::function<Color(std::size_t set, const Theme&)> color;
-    std::function<std::vector<Point>(const Observation&, std::size_t set)>
+    std::function<std::vector<Point>(const FrameInput&, std::size_t set)>
         corners;  ///< of the path of a set of one, on the way from the frame before, in order;
                   ///< every frame in order; none: paths have no corners but at frames
     bool never_equal = false;    ///< the two numbers: a line where they would be is drawn
@@ -36,12 +36,12 @@ class PointsPanel : public Panel {
   public:
     explicit PointsPanel(PointsSubject subject) : subject_(std::move(subject)) {}
 
-    void survey(const Observation& observation) override;
-    void settle() override;
+    void survey(const FrameInput& input) override;
+    void fix_axes() override;
     bool surveys_collisions() const override { return static_cast<bool>(subject_.corners); }
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
     /// For tests: the points of a set in a state.
@@ -56,8 +56,8 @@ class PointsPanel : public Panel {
         std::pair<std::size_t, std::size_t> until(std::size_t frames) const;  ///< first and end
     };
     bool breaks_between(const Point& from, const Point& to) const;
-    Scales scales(const Page& page) const;
-    void draw_path(Canvas& canvas, const Page& page, std::size_t set, std::size_t shown) const;
+    Scales scales(const DrawContext& dc) const;
+    void draw_path(Canvas& canvas, const DrawContext& dc, std::size_t set, std::size_t shown) const;
 
     PointsSubject subject_;
     std::vector<Path> paths_;

@@ -4,8 +4,8 @@
 
 namespace carom {
 
-std::unique_ptr<Panel> make_position_histogram(const Cast& cast, const PanelSpec& spec) {
-    const Box& box = cast.scene.gas.box;
+std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, const PanelSpec& spec) {
+    const Box& box = context.scene.gas.box;
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     std::string quantity = "position";
     if (box.dimension == 2) quantity += axis == 1 ? " along y" : " along x";
@@ -13,11 +13,11 @@ std::unique_ptr<Panel> make_position_histogram(const Cast& cast, const PanelSpec
         .title = "P" + quantity.substr(1),
         .quantity = quantity,
         .beyond = "",
-        .values = [axis](const Observation& o) { return o.sample.position.col(axis); },
+        .values = [axis](const FrameInput& o) { return o.sample.position.col(axis); },
         .extent = std::pair{0.0, box.size[axis]},
         .means = false,
         .unit = reduced::length};
-    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+    return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

@@ -9,15 +9,15 @@ namespace carom {
 namespace {
 
 // The name of the only particle of its kind says more than its number.
-std::string name_on_axis(const Cast& cast, const Chosen& chosen) {
-    const std::string single = single_name(cast, static_cast<Eigen::Index>(*chosen.particle));
-    return escape_markup(single.empty() ? name_of(cast, chosen) : single);
+std::string name_on_axis(const PanelContext& context, const Chosen& chosen) {
+    const std::string single = single_name(context, static_cast<Eigen::Index>(*chosen.particle));
+    return escape_markup(single.empty() ? name_of(context, chosen) : single);
 }
 
 }  // namespace
 
-std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
-    const Box& box = cast.scene.gas.box;
+std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec) {
+    const Box& box = context.scene.gas.box;
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     const std::string along = box.dimension == 1 ? "" : axis == 1 ? ", along y" : ", along x";
     const auto first = static_cast<Eigen::Index>(spec.of.at(0).particle.value());
@@ -29,19 +29,19 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
                 return std::vector<std::string>{spec.title ? escape_markup(*spec.title)
                                                            : "Positions of two particles" + along};
             },
-        .across = name_on_axis(cast, spec.of[0]),
-        .up = name_on_axis(cast, spec.of[1]),
+        .across = name_on_axis(context, spec.of[0]),
+        .up = name_on_axis(context, spec.of[1]),
         .width = {0.0, length},
         .height = std::pair{0.0, length},
         .sets = 1,
         .points =
-            [first, second, axis](const Observation& o, std::size_t) {
+            [first, second, axis](const FrameInput& o, std::size_t) {
                 return std::vector<Point>{
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
         .color = [](std::size_t, const Theme& theme) { return theme.bar; },
         .corners =
-            [flights = Flights(box, axis, {first, second})](const Observation& o,
+            [flights = Flights(box, axis, {first, second})](const FrameInput& o,
                                                             std::size_t) mutable {
                 std::vector<Point> points;
                 for (const Flights::Corner& corner : flights.see(o))
@@ -51,8 +51,8 @@ std::unique_ptr<Panel> make_positions(const Cast& cast, const PanelSpec& spec) {
         .never_equal = box.dimension == 1 && box.walls[0] == Wall::solid,  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
-        .columns = {column_name("position of " + name_of(cast, spec.of[0]), reduced::length),
-                    column_name("position of " + name_of(cast, spec.of[1]), reduced::length)},
+        .columns = {column_name("position of " + name_of(context, spec.of[0]), reduced::length),
+                    column_name("position of " + name_of(context, spec.of[1]), reduced::length)},
         .names = {"both"}};
     return std::make_unique<PointsPanel>(std::move(subject));
 }

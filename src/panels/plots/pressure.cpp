@@ -33,10 +33,10 @@ ImpulseTotals between(const ImpulseTotals& from, const ImpulseTotals& to) {
 // The pressures over the time that the scene asks for, frame by frame.
 class Gauge {
   public:
-    Gauge(const Cast& cast, Over over) : cast_(cast), over_(over) {}
+    Gauge(const PanelContext& context, Over over) : context_(context), over_(over) {}
 
-    std::vector<double> operator()(const Observation& o) {
-        const Box& box = cast_.scene.gas.box;
+    std::vector<double> operator()(const FrameInput& o) {
+        const Box& box = context_.scene.gas.box;
         if (accounts_.empty()) accounts_.push_back({});
         if (o.tick.time > accounts_.back().time)
             accounts_.push_back({o.tick.time, o.advanced.impulses});
@@ -46,10 +46,10 @@ class Gauge {
         if (!(to.time > from.time)) return {nan_, nan_};
         const ImpulseTotals change = between(from.impulses, to.impulses);
         const double time = to.time - from.time;
-        const double thermal = thermal_energy(box, cast_.particles, o.sample);
-        const bool pushed = infinite_mass_moves(cast_.particles, o.sample);
+        const double thermal = thermal_energy(box, context_.particles, o.sample);
+        const bool pushed = infinite_mass_moves(context_.particles, o.sample);
         *of_points_ = pushed ? nan_ : pressure_of_points(box, thermal);
-        const auto virial = virial_pressure(box, cast_.particles, thermal, change, time);
+        const auto virial = virial_pressure(box, context_.particles, thermal, change, time);
         return {wall_pressure(box, change, time).value_or(nan_),
                 pushed ? nan_ : virial.value_or(nan_)};
     }
@@ -71,7 +71,7 @@ class Gauge {
     }
 
     static constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
-    Cast cast_;
+    PanelContext context_;
     Over over_;
     std::deque<Account> accounts_;
     std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
@@ -90,12 +90,12 @@ Color line_color(std::size_t line, const Theme& theme) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
-    const Box& box = cast.scene.gas.box;
+    const Box& box = context.scene.gas.box;
     const bool walls =
         box.walls[0] == Wall::solid || (box.dimension == 2 && box.walls[1] == Wall::solid);
-    const Gauge gauge(cast, over);
+    const Gauge gauge(context, over);
     SeriesSubject subject{
         .measure = gauge,
         .color = line_color,
@@ -120,7 +120,7 @@ std::unique_ptr<Panel> make_pressure(const Cast& cast, const PanelSpec& spec) {
         .names = {"on the walls", "from collisions"},
         .compared = 1,
         .compared_title = spec.title ? escape_markup(*spec.title) : "Pressure from collisions"};
-    return std::make_unique<SeriesPanel>(cast, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, std::move(subject));
 }
 
 }  // namespace carom

@@ -34,13 +34,13 @@ struct SeriesPanel::Scales {
     }
 };
 
-SeriesPanel::SeriesPanel(const Cast& cast, SeriesSubject subject)
-    : cast_(cast), subject_(std::move(subject)) {}
+SeriesPanel::SeriesPanel(const PanelContext& context, SeriesSubject subject)
+    : context_(context), subject_(std::move(subject)) {}
 
-void SeriesPanel::survey(const Observation& observation) {
-    const std::vector<double> now = subject_.measure(observation);
-    history_.time.push_back(folded_time(cast_.scene.run, observation.tick.time));
-    history_.leg.push_back(observation.tick.reversals);
+void SeriesPanel::survey(const FrameInput& input) {
+    const std::vector<double> now = subject_.measure(input);
+    history_.time.push_back(folded_time(context_.scene.run, input.tick.time));
+    history_.leg.push_back(input.tick.reversals);
     history_.lines.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k) history_.lines[k].push_back(now[k]);
 }
@@ -54,7 +54,7 @@ bool SeriesPanel::rests_at_zero() const {
     });
 }
 
-void SeriesPanel::settle() {
+void SeriesPanel::fix_axes() {
     std::vector<double> all;
     for (const History* history : histories())
         for (const std::vector<double>& line : history->lines)
@@ -110,7 +110,7 @@ void SeriesPanel::settle_with(const std::vector<Panel*>& others) {
             history_.errors[k][i] = mean.error;
         }
     tell_means(runs.size());
-    settle();
+    fix_axes();
 }
 
 // One line of each run. A level that they do not share is each one's own.
@@ -120,7 +120,8 @@ void SeriesPanel::settle_beside(const std::vector<Panel*>& others,
     names_ = names;
     for (SeriesPanel* run : runs) {
         run->history_.lines = {run->history_.lines[subject_.compared]};
-        same_reversals_ &= reversal_times(run->cast_.scene.run) == reversal_times(cast_.scene.run);
+        same_reversals_ &=
+            reversal_times(run->context_.scene.run) == reversal_times(context_.scene.run);
         const auto level =
             run->subject_.reference ? run->subject_.reference() : std::optional<ReferenceLevel>{};
         levels_.push_back(level.value_or(ReferenceLevel{"", std::nan("")}));
@@ -135,7 +136,7 @@ void SeriesPanel::settle_beside(const std::vector<Panel*>& others,
             return std::isfinite(level.value);
         }))
         levels_.clear();
-    settle();
+    fix_axes();
 }
 
 std::shared_ptr<const PanelState> SeriesPanel::beside(
@@ -172,7 +173,7 @@ void SeriesPanel::tell_means(std::size_t runs) {
             : std::vector<std::string>{subject_.notes.front() + "; " + whole, whole, mean};
 }
 
-std::shared_ptr<const PanelState> SeriesPanel::state(const Observation&) {
+std::shared_ptr<const PanelState> SeriesPanel::state(const FrameInput&) {
     auto state = std::make_shared<SeriesState>();
     state->shown = {++seen_};
     return state;
@@ -180,12 +181,12 @@ std::shared_ptr<const PanelState> SeriesPanel::state(const Observation&) {
 
 double SeriesPanel::reference_value() const { return reference_ ? reference_->value : 0.0; }
 
-SeriesPanel::Scales SeriesPanel::scales(const Page& page) const {
-    Rect area = plot_area(page);
-    const int rows = (notes().empty() ? 0 : 1) + (compares() ? key_rows(page, names_) : 0);
-    const double note = rows * note_height * page.unit;
+SeriesPanel::Scales SeriesPanel::scales(const DrawContext& dc) const {
+    Rect area = plot_area(dc);
+    const int rows = (notes().empty() ? 0 : 1) + (compares() ? key_rows(dc, names_) : 0);
+    const double note = rows * note_height * dc.unit;
     area.y += note;
-    area.height = std::max(page.unit, area.height - note);
+    area.height = std::max(dc.unit, area.height - note);
     return {area, {first_, last_, area.x, area.right()}, {low_, high_, area.bottom(), area.y}};
 }
 
@@ -199,57 +200,56 @@ std::vector<std::string> SeriesPanel::notes() const {
     return notes;
 }
 
-void SeriesPanel::draw_ground(Canvas& canvas, const Page& page) const {
+void SeriesPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     const bool own_title = compares() && !subject_.compared_title.empty();
-    draw_panel_title(canvas, page,
-                     own_title ? subject_.compared_title : subject_.title(page.theme));
-    TextStyle note = label_style(page);
-    note.max_width = page.area.width;
+    draw_panel_title(canvas, dc, own_title ? subject_.compared_title : subject_.title(dc.theme));
+    TextStyle note = label_style(dc);
+    note.max_width = dc.area.width;
     const std::vector<std::string> remarks = notes();
-    Point row{page.area.x, page.area.y + 2.5 * page.unit};
+    Point row{dc.area.x, dc.area.y + 2.5 * dc.unit};
     if (!remarks.empty()) {
-        draw_text(canvas, row, fitting_title(page, remarks), note);
-        row.y += note_height * page.unit;
+        draw_text(canvas, row, fitting_title(dc, remarks), note);
+        row.y += note_height * dc.unit;
     }
-    if (compares()) draw_key_of_runs(canvas, page, row, names_);
-    const Scales s = scales(page);
-    draw_x_axis(canvas, s.area, s.x, "time", axis_style(page));
-    if (logarithmic_) draw_log_y_axis(canvas, s.area, s.y, "", axis_style(page));
-    if (!logarithmic_) draw_y_axis(canvas, s.area, s.y, "", axis_style(page));
-    if (same_reversals_) draw_reversals(canvas, page);
-    draw_reference(canvas, page);
-    draw_levels(canvas, page);
+    if (compares()) draw_key_of_runs(canvas, dc, row, names_);
+    const Scales s = scales(dc);
+    draw_x_axis(canvas, s.area, s.x, "time", axis_style(dc));
+    if (logarithmic_) draw_log_y_axis(canvas, s.area, s.y, "", axis_style(dc));
+    if (!logarithmic_) draw_y_axis(canvas, s.area, s.y, "", axis_style(dc));
+    if (same_reversals_) draw_reversals(canvas, dc);
+    draw_reference(canvas, dc);
+    draw_levels(canvas, dc);
 }
 
 // Each run's own, where they differ.
-void SeriesPanel::draw_levels(Canvas& canvas, const Page& page) const {
-    const Scales s = scales(page);
+void SeriesPanel::draw_levels(Canvas& canvas, const DrawContext& dc) const {
+    const Scales s = scales(dc);
     for (std::size_t k = 0; k < levels_.size(); ++k) {
         if (!std::isfinite(levels_[k].value)) continue;
         const double y = s.height(levels_[k].value, logarithmic_);
-        canvas.stroke_line({s.area.x, y}, {s.area.right(), y}, 0.07 * page.unit,
-                           compared_color(k, page.theme));
+        canvas.stroke_line({s.area.x, y}, {s.area.right(), y}, 0.07 * dc.unit,
+                           compared_color(k, dc.theme));
     }
 }
 
-void SeriesPanel::draw_reference(Canvas& canvas, const Page& page) const {
+void SeriesPanel::draw_reference(Canvas& canvas, const DrawContext& dc) const {
     if (!reference_) return;
-    const Scales s = scales(page);
-    const double u = page.unit;
+    const Scales s = scales(dc);
+    const double u = dc.unit;
     const double y = s.height(reference_->value, logarithmic_);
-    canvas.stroke_dashed({s.area.x, y}, {s.area.right(), y}, 0.08 * u, 0.3 * u, page.theme.muted);
+    canvas.stroke_dashed({s.area.x, y}, {s.area.right(), y}, 0.08 * u, 0.3 * u, dc.theme.muted);
     const std::string words = reference_->name + " " + three_digits(reference_->value);
     const Point sample{s.area.right() - 10.3 * u, s.area.y + 0.8 * u};
     canvas.stroke_dashed({sample.x - 1.2 * u, sample.y - 0.35 * u},
                          {sample.x + 0.1 * u, sample.y - 0.35 * u}, 0.08 * u, 0.3 * u,
-                         page.theme.muted);
-    draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words, label_style(page));
+                         dc.theme.muted);
+    draw_text(canvas, {sample.x + 0.6 * u, sample.y}, words, label_style(dc));
 }
 
 // Whether a line or a label would cross a part of the plot.
-bool SeriesPanel::is_crossed(const Rect& part, const Page& page) const {
-    const Scales s = scales(page);
-    const double u = page.unit;
+bool SeriesPanel::is_crossed(const Rect& part, const DrawContext& dc) const {
+    const Scales s = scales(dc);
+    const double u = dc.unit;
     const auto meets = [&](double x, double low, double high) {
         return x >= part.x && x <= part.right() && high >= part.y && low <= part.bottom();
     };
@@ -270,20 +270,20 @@ bool SeriesPanel::is_crossed(const Rect& part, const Page& page) const {
 }
 
 // A thin line where the time axis turns back, with the word as low as no line crosses it.
-void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
-    const Scales s = scales(page);
-    const double u = page.unit;
-    TextStyle style = label_style(page);
+void SeriesPanel::draw_reversals(Canvas& canvas, const DrawContext& dc) const {
+    const Scales s = scales(dc);
+    const double u = dc.unit;
+    TextStyle style = label_style(dc);
     const double width = measure_text("reversed", style).width;
-    for (const double at : reversal_times(cast_.scene.run)) {
-        const double x = s.x(folded_time(cast_.scene.run, at));
-        canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * u, page.theme.muted);
+    for (const double at : reversal_times(context_.scene.run)) {
+        const double x = s.x(folded_time(context_.scene.run, at));
+        canvas.stroke_line({x, s.area.y}, {x, s.area.bottom()}, 0.08 * u, dc.theme.muted);
         const bool on_left = x > s.area.x + s.area.width / 2;
         const double left = on_left ? x - 0.4 * u - width : x + 0.4 * u;
         const double lowest = s.area.bottom() - 0.5 * u;
         double baseline = lowest;
         const auto crossed = [&] {
-            return is_crossed({left, baseline - 1.1 * u, width, 1.5 * u}, page);
+            return is_crossed({left, baseline - 1.1 * u, width, 1.5 * u}, dc);
         };
         while (crossed() && baseline - 1.6 * u > s.area.y) baseline -= 0.5 * u;
         if (crossed()) baseline = lowest;
@@ -292,17 +292,17 @@ void SeriesPanel::draw_reversals(Canvas& canvas, const Page& page) const {
 }
 
 // `index`: of a line, or of a run beside others.
-SeriesPanel::Look SeriesPanel::look(std::size_t index, const Page& page) const {
-    if (compares()) return {compared_color(index, page.theme), compared_dashes(index, page)};
-    return {subject_.color(index, page.theme), line_dashes(index, history_.lines.size(), page)};
+SeriesPanel::Look SeriesPanel::look(std::size_t index, const DrawContext& dc) const {
+    if (compares()) return {compared_color(index, dc.theme), compared_dashes(index, dc)};
+    return {subject_.color(index, dc.theme), line_dashes(index, history_.lines.size(), dc)};
 }
 
-void SeriesPanel::draw_line(Canvas& canvas, const Page& page, const History& history,
+void SeriesPanel::draw_line(Canvas& canvas, const DrawContext& dc, const History& history,
                             std::size_t index, const Look& look, std::size_t shown) const {
-    const Scales s = scales(page);
+    const Scales s = scales(dc);
     const std::vector<double>& line = history.lines[index];
     const Color color = look.color;
-    const Color edge = compares() ? color : edge_of(color, page.theme);
+    const Color edge = compares() ? color : edge_of(color, dc.theme);
     const bool has_edge = to_pixel(edge) != to_pixel(color);
     const std::vector<double>& dashes = look.dashes;
     std::vector<Point> path;
@@ -311,27 +311,27 @@ void SeriesPanel::draw_line(Canvas& canvas, const Page& page, const History& his
         const Point last{s.x(history.time[i]), s.height(std::max(line[i], 1e-300), logarithmic_)};
         const bool leg_ends = i + 1 == shown || history.leg[i + 1] != history.leg[i];
         // Points nearer than half the line's width show nothing new, and a long film has thousands.
-        if (leg_ends || path.empty() || is_apart(path.back(), last, 0.08 * page.unit))
+        if (leg_ends || path.empty() || is_apart(path.back(), last, 0.08 * dc.unit))
             path.push_back(last);
         if (!leg_ends) continue;
         const bool way_back = history.leg[i] % 2 == 1;
-        const double wider = way_back ? 0.1 * page.unit : 0.0;
+        const double wider = way_back ? 0.1 * dc.unit : 0.0;
         const bool dashed = !dashes.empty();
-        if (has_edge && !dashed) canvas.stroke_path(path, 0.26 * page.unit + wider, edge);
-        canvas.stroke_path(path, 0.16 * page.unit + wider, dashed ? edge : color, dashes);
-        if (way_back) canvas.stroke_path(path, 0.12 * page.unit, lighter(color), dashes);
+        if (has_edge && !dashed) canvas.stroke_path(path, 0.26 * dc.unit + wider, edge);
+        canvas.stroke_path(path, 0.16 * dc.unit + wider, dashed ? edge : color, dashes);
+        if (way_back) canvas.stroke_path(path, 0.12 * dc.unit, lighter(color), dashes);
         path = {last};
     }
     if (path.empty()) return;
-    canvas.fill_circle(path.back(), 0.3 * page.unit, edge);
-    canvas.fill_circle(path.back(), (has_edge ? 0.2 : 0.3) * page.unit, color);
+    canvas.fill_circle(path.back(), 0.3 * dc.unit, edge);
+    canvas.fill_circle(path.back(), (has_edge ? 0.2 : 0.3) * dc.unit, color);
 }
 
 // Of a standard error to either side, leg by leg.
-void SeriesPanel::draw_band(Canvas& canvas, const Page& page, std::size_t index,
+void SeriesPanel::draw_band(Canvas& canvas, const DrawContext& dc, std::size_t index,
                             std::size_t shown) const {
-    const Scales s = scales(page);
-    const Color color = with_alpha(subject_.color(index, page.theme), band_alpha);
+    const Scales s = scales(dc);
+    const Color color = with_alpha(subject_.color(index, dc.theme), band_alpha);
     std::vector<Point> upper, lower;
     const auto end_band = [&] {
         upper.insert(upper.end(), lower.rbegin(), lower.rend());
@@ -346,7 +346,7 @@ void SeriesPanel::draw_band(Canvas& canvas, const Page& page, std::size_t index,
             const double x = s.x(history_.time[i]);
             const Point high{x, s.height(std::max(mean + error, 1e-300), logarithmic_)};
             const Point low{x, s.height(std::max(mean - error, 1e-300), logarithmic_)};
-            if (leg_ends || upper.empty() || is_apart(upper.back(), high, 0.08 * page.unit)) {
+            if (leg_ends || upper.empty() || is_apart(upper.back(), high, 0.08 * dc.unit)) {
                 upper.push_back(high);
                 lower.push_back(low);
             }
@@ -355,16 +355,16 @@ void SeriesPanel::draw_band(Canvas& canvas, const Page& page, std::size_t index,
     }
 }
 
-void SeriesPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
+void SeriesPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& now = static_cast<const SeriesState&>(state);
     const std::size_t shown = now.shown.front();
-    for (std::size_t k = 0; k < history_.errors.size(); ++k) draw_band(canvas, page, k, shown);
+    for (std::size_t k = 0; k < history_.errors.size(); ++k) draw_band(canvas, dc, k, shown);
     if (!compares())
         for (std::size_t k = history_.lines.size(); k-- > 0;)
-            draw_line(canvas, page, history_, k, look(k, page), shown);
+            draw_line(canvas, dc, history_, k, look(k, dc), shown);
     const std::vector<const History*> runs = histories();
     for (std::size_t k = compares() ? runs.size() : 0; k-- > 0;)
-        draw_line(canvas, page, *runs[k], 0, look(k, page), now.shown.at(k));
+        draw_line(canvas, dc, *runs[k], 0, look(k, dc), now.shown.at(k));
 }
 
 // Frames in which time stands show one point.
@@ -401,8 +401,8 @@ Table SeriesPanel::table_of(const History& history, std::size_t shown,
         for (const double time : {first_, last_})
             table.rows.push_back({"reference", reference->name, time, {}, reference->value});
     if (same_reversals_)
-        for (const double at : reversal_times(cast_.scene.run))
-            table.rows.push_back({"reversal", {}, folded_time(cast_.scene.run, at), {}, {}});
+        for (const double at : reversal_times(context_.scene.run))
+            table.rows.push_back({"reversal", {}, folded_time(context_.scene.run, at), {}, {}});
     for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
     return table;
 }

@@ -19,7 +19,7 @@ struct ReferenceLevel {
 
 /// What the lines show.
 struct SeriesSubject {
-    std::function<std::vector<double>(const Observation&)>
+    std::function<std::vector<double>(const FrameInput&)>
         measure;  ///< one number for each line, every frame of the first pass in order; NaN: none
     std::function<Color(std::size_t line, const Theme&)> color;
     std::function<std::string(const Theme&)> title;  ///< markup
@@ -36,19 +36,19 @@ struct SeriesSubject {
 
 class SeriesPanel : public Panel {
   public:
-    SeriesPanel(const Cast& cast, SeriesSubject subject);
+    SeriesPanel(const PanelContext& context, SeriesSubject subject);
 
-    void survey(const Observation& observation) override;
-    void settle() override;
+    void survey(const FrameInput& input) override;
+    void fix_axes() override;
     void settle_with(const std::vector<Panel*>& others) override;
     void settle_beside(const std::vector<Panel*>& others,
                        const std::vector<std::string>& names) override;
     std::shared_ptr<const PanelState> beside(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     std::vector<std::string> told_of_runs(const PanelState& state) const override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
     /// For tests: the numbers of a line, one for each frame surveyed; their errors, if means.
@@ -69,7 +69,7 @@ class SeriesPanel : public Panel {
         std::vector<double> dashes;
     };
     struct Scales;
-    Scales scales(const Page& page) const;
+    Scales scales(const DrawContext& dc) const;
     bool compares() const { return !names_.empty(); }
     std::vector<const History*> histories() const;
     std::vector<std::string> notes() const;
@@ -78,16 +78,17 @@ class SeriesPanel : public Panel {
     Table table_of(const History& history, std::size_t shown,
                    const std::optional<ReferenceLevel>& reference) const;
     void tell_means(std::size_t runs);
-    void draw_band(Canvas& canvas, const Page& page, std::size_t index, std::size_t shown) const;
-    void draw_reference(Canvas& canvas, const Page& page) const;
-    void draw_levels(Canvas& canvas, const Page& page) const;
-    bool is_crossed(const Rect& part, const Page& page) const;
-    void draw_reversals(Canvas& canvas, const Page& page) const;
-    Look look(std::size_t index, const Page& page) const;
-    void draw_line(Canvas& canvas, const Page& page, const History& history, std::size_t index,
+    void draw_band(Canvas& canvas, const DrawContext& dc, std::size_t index,
+                   std::size_t shown) const;
+    void draw_reference(Canvas& canvas, const DrawContext& dc) const;
+    void draw_levels(Canvas& canvas, const DrawContext& dc) const;
+    bool is_crossed(const Rect& part, const DrawContext& dc) const;
+    void draw_reversals(Canvas& canvas, const DrawContext& dc) const;
+    Look look(std::size_t index, const DrawContext& dc) const;
+    void draw_line(Canvas& canvas, const DrawContext& dc, const History& history, std::size_t index,
                    const Look& look, std::size_t shown) const;
 
-    Cast cast_;
+    PanelContext context_;
     SeriesSubject subject_;
     History history_;
     std::size_t seen_ = 0;

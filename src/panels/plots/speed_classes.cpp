@@ -11,9 +11,9 @@
 namespace carom {
 namespace {
 
-std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
+std::string title(const PanelContext& context, const PanelSpec& spec, const Theme& theme) {
     if (spec.title) return escape_markup(*spec.title);
-    const std::vector<Color> colors = speed_class_colors(cast.scene, theme);
+    const std::vector<Color> colors = speed_class_colors(context.scene, theme);
     const auto name = [&](std::size_t k, const std::string& words) {
         return line_sample(k, colors[k], theme) + colored(words, colors[k], theme);
     };
@@ -25,12 +25,13 @@ std::string title(const Cast& cast, const PanelSpec& spec, const Theme& theme) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject{
         .measure = {},
-        .color = [cast](std::size_t k,
-                        const Theme& theme) { return speed_class_colors(cast.scene, theme)[k]; },
-        .title = [cast, spec](const Theme& theme) { return title(cast, spec, theme); },
+        .color = [context](
+                     std::size_t k,
+                     const Theme& theme) { return speed_class_colors(context.scene, theme)[k]; },
+        .title = [context, spec](const Theme& theme) { return title(context, spec, theme); },
         .notes =
             spec.reference_initial
                 ? std::vector<std::string>{"slow below ½, fast above 1½ of the mean at the start",
@@ -45,7 +46,7 @@ std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spe
         .names = {"slow", "medium", "fast"}};
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{},
-                       spec](const Observation& o) mutable -> std::vector<double> {
+                       spec](const FrameInput& o) mutable -> std::vector<double> {
         const double now = o.speed.mean();
         if (!first) first = now;
         std::vector<double> percent;
@@ -53,7 +54,7 @@ std::unique_ptr<Panel> make_speed_classes(const Cast& cast, const PanelSpec& spe
             percent.push_back(100.0 * share);
         return percent;
     };
-    return std::make_unique<SeriesPanel>(cast, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, std::move(subject));
 }
 
 }  // namespace carom

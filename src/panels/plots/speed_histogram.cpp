@@ -5,14 +5,14 @@
 
 namespace carom {
 
-std::unique_ptr<Panel> make_speed_histogram(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = "Particles by speed",
                              .quantity = "speed",
                              .beyond = "faster",
-                             .values = [](const Observation& o) { return o.speed; },
+                             .values = [](const FrameInput& o) { return o.speed; },
                              .density = speed_density,
                              .law = Law::speed};
-    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+    return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

@@ -9,14 +9,15 @@ namespace carom {
 namespace {
 
 // Of all particles without the drift that nothing stops; NaN where masses are infinite.
-double temperature_of(const Cast& cast, const Chosen& chosen,
-                      const std::vector<Eigen::Index>& members, const Observation& o) {
-    const Box& box = cast.scene.gas.box;
+double temperature_of(const PanelContext& context, const Chosen& chosen,
+                      const std::vector<Eigen::Index>& members, const FrameInput& o) {
+    const Box& box = context.scene.gas.box;
     if (!chosen.species && !chosen.particle)
-        return temperature(box, cast.particles, thermal_energy(box, cast.particles, o.sample));
+        return temperature(box, context.particles,
+                           thermal_energy(box, context.particles, o.sample));
     double sum = 0.0, count = 0.0;
     for (const Eigen::Index i : members) {
-        if (!(cast.particles.inverse_mass[i] > 0.0)) continue;
+        if (!(context.particles.inverse_mass[i] > 0.0)) continue;
         sum += o.energy[i];
         count += 1.0;
     }
@@ -25,31 +26,31 @@ double temperature_of(const Cast& cast, const Chosen& chosen,
 
 }  // namespace
 
-std::unique_ptr<Panel> make_temperature(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
     const std::vector<Chosen> chosen = choices(spec);
     std::vector<std::vector<Eigen::Index>> lists;
-    for (const Chosen& one : chosen) lists.push_back(members(cast, one));
+    for (const Chosen& one : chosen) lists.push_back(members(context, one));
     SeriesSubject subject{
         .measure =
-            [cast, chosen, lists](const Observation& o) {
+            [context, chosen, lists](const FrameInput& o) {
                 std::vector<double> now;
                 for (std::size_t k = 0; k < chosen.size(); ++k)
-                    now.push_back(temperature_of(cast, chosen[k], lists[k], o));
+                    now.push_back(temperature_of(context, chosen[k], lists[k], o));
                 return now;
             },
         .color =
-            [cast, chosen](std::size_t k, const Theme& theme) {
-                return chosen.size() == 1 ? theme.bar : choice_color(cast, chosen[k], k, theme);
+            [context, chosen](std::size_t k, const Theme& theme) {
+                return chosen.size() == 1 ? theme.bar : choice_color(context, chosen[k], k, theme);
             },
         .title =
-            [cast, chosen, spec](const Theme& theme) {
+            [context, chosen, spec](const Theme& theme) {
                 if (spec.title) return escape_markup(*spec.title);
                 if (spec.of.empty()) return std::string("Temperature");
-                return "Temperature of " + colored_names(cast, chosen, theme);
+                return "Temperature of " + colored_names(context, chosen, theme);
             },
         .column = column_name("temperature", reduced::energy)};
-    for (const Chosen& one : chosen) subject.names.push_back(name_of(cast, one));
-    return std::make_unique<SeriesPanel>(cast, std::move(subject));
+    for (const Chosen& one : chosen) subject.names.push_back(name_of(context, one));
+    return std::make_unique<SeriesPanel>(context, std::move(subject));
 }
 
 }  // namespace carom

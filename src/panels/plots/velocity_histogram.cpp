@@ -6,12 +6,12 @@
 
 namespace carom {
 
-std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Component component = spec.component.value_or(Component::both);
     const bool both = component == Component::both;
     std::string quantity = "velocity";
     if (!both) quantity += component == Component::x ? " along x" : " along y";
-    const bool plane = cast.scene.gas.box.dimension == 2;  // where each particle counts twice
+    const bool plane = context.scene.gas.box.dimension == 2;  // where each particle counts twice
     const Eigen::Index first = component == Component::y ? 1 : 0;
     HistogramSubject subject{.title = !both   ? "V" + quantity.substr(1)
                                       : plane ? "Velocity along x and y"
@@ -23,10 +23,10 @@ std::unique_ptr<Panel> make_velocity_histogram(const Cast& cast, const PanelSpec
                              .symmetric = true,
                              .means = false,
                              .law = Law::velocity};
-    subject.values = [both, first](const Observation& o) -> Eigen::ArrayXXd {
+    subject.values = [both, first](const FrameInput& o) -> Eigen::ArrayXXd {
         return both ? o.sample.velocity : o.sample.velocity.col(first);
     };
-    return std::make_unique<HistogramPanel>(cast, spec, std::move(subject));
+    return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

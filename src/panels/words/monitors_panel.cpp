@@ -131,16 +131,16 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
 }
 
 // As many of the numbers as there is room for, from the first on.
-MonitorsPanel::Row MonitorsPanel::row(const Page& page) const {
-    Rect area = page.area;
+MonitorsPanel::Row MonitorsPanel::row(const DrawContext& dc) const {
+    Rect area = dc.area;
     if (title_) {
-        area.y += title_height * page.unit;
-        area.height -= title_height * page.unit;
+        area.y += title_height * dc.unit;
+        area.height -= title_height * dc.unit;
     }
     constexpr double loosest = 1.35;
     std::size_t count = numbers_.size();
-    while (count > 1 && row_of(area, page.unit, count).spacing < tightest) --count;
-    Row best = row_of(area, page.unit, count);
+    while (count > 1 && row_of(area, dc.unit, count).spacing < tightest) --count;
+    Row best = row_of(area, dc.unit, count);
     best.size = std::max(1.0, best.size);
     best.spacing = std::min(best.spacing, loosest * best.size);
     return best;
@@ -166,11 +166,11 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
 // usual.
 double MonitorsPanel::widest_time(double unit) const {
     MonitorsState last;
-    last.time = cast_.scene.run.until;
+    last.time = context_.scene.run.until;
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     const double width = measure_text(text(last, Monitor::time), style).width / unit;
     if (width < arrow_place - arrow_size) return 0.0;
-    return width + (branch_count(cast_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
+    return width + (branch_count(context_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
 }
 
 // In units, at the smallest size of text: numbers that need a power of ten need more than usual.
@@ -199,54 +199,54 @@ double MonitorsPanel::column_width(double unit) const {
     return std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
 }
 
-MonitorsPanel::MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
+MonitorsPanel::MonitorsPanel(const PanelContext& context, std::vector<Monitor> numbers,
                              std::optional<std::string> title)
-    : cast_(cast), numbers_(std::move(numbers)), title_(std::move(title)) {
+    : context_(context), numbers_(std::move(numbers)), title_(std::move(title)) {
     if (numbers_.empty())
         numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
                     Monitor::slow, Monitor::medium,     Monitor::fast};
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
-        echo_.emplace(cast);
+        echo_.emplace(context);
 }
 
-void MonitorsPanel::survey(const Observation& observation) {
-    if (echo_) echo_->survey(observation);
-    largest_speed_ = std::max(largest_speed_, observation.speed.mean());
-    largest_energy_ = std::max(largest_energy_, observation.energy.mean());
-    smallest_speed_ = std::min(smallest_speed_, observation.speed.mean());
-    smallest_energy_ = std::min(smallest_energy_, observation.energy.mean());
+void MonitorsPanel::survey(const FrameInput& input) {
+    if (echo_) echo_->survey(input);
+    largest_speed_ = std::max(largest_speed_, input.speed.mean());
+    largest_energy_ = std::max(largest_energy_, input.energy.mean());
+    smallest_speed_ = std::min(smallest_speed_, input.speed.mean());
+    smallest_energy_ = std::min(smallest_energy_, input.energy.mean());
 }
 
-void MonitorsPanel::settle() {
+void MonitorsPanel::fix_axes() {
     if (echo_) echo_->settle();
 }
 
-std::shared_ptr<const PanelState> MonitorsPanel::state(const Observation& observation) {
+std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<MonitorsState>();
-    state->time = folded_time(cast_.scene.run, observation.tick.time);
-    state->collisions = observation.advanced.counts.particle;
-    state->with_walls = observation.advanced.counts.wall;
-    state->mean_speed = observation.speed.mean();
-    state->mean_energy = observation.energy.mean();
-    state->shares = class_shares(observation.speed, state->mean_speed);
+    state->time = folded_time(context_.scene.run, input.tick.time);
+    state->collisions = input.advanced.counts.particle;
+    state->with_walls = input.advanced.counts.wall;
+    state->mean_speed = input.speed.mean();
+    state->mean_energy = input.energy.mean();
+    state->shares = class_shares(input.speed, state->mean_speed);
     if (echo_)
-        if (const auto apart = echo_->at(observation.tick.frame)) {
+        if (const auto apart = echo_->at(input.tick.frame)) {
             state->return_distance = apart->largest;
             state->log10_return_distance = apart->log10_largest;
         }
-    state->slow = observation.tick.slow;
-    const bool turning = observation.tick.phase == Phase::reversing;
-    const int before = observation.tick.reversals - (turning && observation.tick.progress > 0.5);
-    const double turned = turning ? observation.tick.progress : 0.0;
+    state->slow = input.tick.slow;
+    const bool turning = input.tick.phase == Phase::reversing;
+    const int before = input.tick.reversals - (turning && input.tick.progress > 0.5);
+    const double turned = turning ? input.tick.progress : 0.0;
     state->arrow = before + turned * turned * (3.0 - 2.0 * turned);
     return state;
 }
 
-void MonitorsPanel::draw_ground(Canvas& canvas, const Page& page) const {
-    if (title_) draw_panel_title(canvas, page, escape_markup(*title_));
-    const Row rows = row(page);
-    TextStyle style = label_style(page);
-    style.size = 1.035 * rows.label_size() * page.unit;
+void MonitorsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    if (title_) draw_panel_title(canvas, dc, escape_markup(*title_));
+    const Row rows = row(dc);
+    TextStyle style = label_style(dc);
+    style.size = 1.035 * rows.label_size() * dc.unit;
     for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
         draw_text(canvas, {at.x, at.y + rows.label_baseline()}, column(numbers_[i]).label, style);
@@ -257,7 +257,7 @@ std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
     const auto& now = static_cast<const MonitorsState&>(state);
     switch (number) {
         case Monitor::time:
-            return fixed_digits(now.time, cast_.scene.run.until);
+            return fixed_digits(now.time, context_.scene.run.until);
         case Monitor::collisions:
             return counted(now.collisions);
         case Monitor::mean_speed:
@@ -289,39 +289,39 @@ bool MonitorsPanel::shows_time() const {
 }
 
 // Beside the word "time".
-void MonitorsPanel::draw_slowness(Canvas& canvas, const Page& page, const Row& rows,
+void MonitorsPanel::draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                                   const PanelState& state) const {
     const Slowness& slow = static_cast<const MonitorsState&>(state).slow;
     if (slow.share <= 0.0) return;
     const auto index =
         static_cast<std::size_t>(std::ranges::find(numbers_, Monitor::time) - numbers_.begin());
     const Point at = place(rows, index);
-    TextStyle style = label_style(page);
-    style.size = 1.035 * rows.label_size() * page.unit;
+    TextStyle style = label_style(dc);
+    style.size = 1.035 * rows.label_size() * dc.unit;
     const double right = measure_text(column(Monitor::time).label, style).width;
     style.weight = 600;
-    style.color = with_alpha(page.theme.highlight, slow.share);
+    style.color = with_alpha(dc.theme.highlight, slow.share);
     draw_text(canvas, {at.x + right + 0.5 * style.size, at.y + rows.label_baseline()},
               slow_words(slow), style);
 }
 
-void MonitorsPanel::draw(Canvas& canvas, const Page& page, const PanelState& state) const {
-    const Row rows = row(page);
-    TextStyle style = title_style(page);
-    style.size = rows.digits() * page.unit;
+void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const Row rows = row(dc);
+    TextStyle style = title_style(dc);
+    style.size = rows.digits() * dc.unit;
     for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();
         draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);
         if (numbers_[i] != Monitor::time) continue;
-        draw_slowness(canvas, page, rows, state);
-        if (branch_count(cast_.scene.run) == 1) continue;
-        const double size = rows.size * page.unit;
-        const double x = std::max(arrow_place * rows.spacing,
-                                  (widest_time(page.unit) - arrow_size) * rows.size) *
-                         page.unit;
+        draw_slowness(canvas, dc, rows, state);
+        if (branch_count(context_.scene.run) == 1) continue;
+        const double size = rows.size * dc.unit;
+        const double x =
+            std::max(arrow_place * rows.spacing, (widest_time(dc.unit) - arrow_size) * rows.size) *
+            dc.unit;
         draw_arrow(canvas, {at.x + x, baseline - 0.55 * size}, 0.6 * size,
-                   static_cast<const MonitorsState&>(state).arrow, page.theme.accent);
+                   static_cast<const MonitorsState&>(state).arrow, dc.theme.accent);
     }
 }
 
@@ -359,8 +359,8 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
     return table;
 }
 
-std::unique_ptr<Panel> make_monitors(const Cast& cast, const PanelSpec& spec) {
-    return std::make_unique<MonitorsPanel>(cast, spec.numbers, spec.title);
+std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpec& spec) {
+    return std::make_unique<MonitorsPanel>(context, spec.numbers, spec.title);
 }
 
 }  // namespace carom

@@ -15,31 +15,31 @@ namespace carom {
 class MonitorsPanel : public Panel {
   public:
     /// No numbers stand for all of them.
-    MonitorsPanel(const Cast& cast, std::vector<Monitor> numbers,
+    MonitorsPanel(const PanelContext& context, std::vector<Monitor> numbers,
                   std::optional<std::string> title = {});
 
-    void survey(const Observation& observation) override;
-    void settle() override;
-    std::shared_ptr<const PanelState> state(const Observation& observation) override;
-    void draw_ground(Canvas& canvas, const Page& page) const override;
-    void draw(Canvas& canvas, const Page& page, const PanelState& state) const override;
+    void survey(const FrameInput& input) override;
+    void fix_axes() override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     bool shows_time() const override;
     std::optional<double> enough_height() const override;
 
   private:
     struct Row;
-    Row row(const Page& page) const;
+    Row row(const DrawContext& dc) const;
     Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  ///< its top left corner
-    void draw_slowness(Canvas& canvas, const Page& page, const Row& rows,
+    void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                        const PanelState& state) const;
     std::string text(const PanelState& state, Monitor number) const;
     double width(Monitor number, double unit) const;  ///< of its column
     double widest_time(double unit) const;
     double column_width(double unit) const;
 
-    Cast cast_;
+    PanelContext context_;
     std::vector<Monitor> numbers_;
     std::optional<std::string> title_;
     double largest_speed_ = 0.0;  ///< of the mean over the film: fixes the number of decimals

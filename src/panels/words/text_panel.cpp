@@ -68,17 +68,17 @@ class TextPanel : public Panel {
   public:
     explicit TextPanel(const PanelSpec& spec) : spec_(spec) {}
 
-    std::shared_ptr<const PanelState> state(const Observation&) override {
+    std::shared_ptr<const PanelState> state(const FrameInput&) override {
         return std::make_shared<PanelState>();
     }
 
-    void draw_ground(Canvas& canvas, const Page& page) const override {
-        if (spec_.title) draw_panel_title(canvas, page, escape_markup(*spec_.title));
-        const Rect area = below_title(page.area, page.unit, spec_.title.has_value());
-        const auto set = set_words(spec_.words, area.width, area.height, page.unit);
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override {
+        if (spec_.title) draw_panel_title(canvas, dc, escape_markup(*spec_.title));
+        const Rect area = below_title(dc.area, dc.unit, spec_.title.has_value());
+        const auto set = set_words(spec_.words, area.width, area.height, dc.unit);
         if (!set) return;  // refuse_long_words() has seen to it
         TextStyle style = style_of(set->size);
-        style.color = page.theme.ink;
+        style.color = dc.theme.ink;
         double baseline = area.y + set->size;
         for (const std::string& line : set->lines) {
             draw_text(canvas, {area.x, baseline}, escape_markup(line), style);
@@ -86,7 +86,7 @@ class TextPanel : public Panel {
         }
     }
 
-    void draw(Canvas&, const Page&, const PanelState&) const override {}
+    void draw(Canvas&, const DrawContext&, const PanelState&) const override {}
     Table table(const PanelState&, const Theme&) const override { return {}; }
 
   private:
@@ -133,7 +133,7 @@ void refuse_long_words(const Scene& scene) {
     if (!errors.empty()) throw SceneError(std::move(errors));
 }
 
-std::unique_ptr<Panel> make_text(const Cast&, const PanelSpec& spec) {
+std::unique_ptr<Panel> make_text(const PanelContext&, const PanelSpec& spec) {
     return std::make_unique<TextPanel>(spec);
 }
 

@@ -39,7 +39,7 @@ class StillFilm {
           tick_(timeline(scene).front()),
           advanced_(simulation_.advance_to(0.0)) {
         observers_.survey(tick_, simulation_.sample(), advanced_);
-        observers_.settle();
+        observers_.fix_axes();
     }
 
     VideoSettings settings() const {

@@ -245,11 +245,11 @@ TEST_CASE("every run has a line of its own, by its dashes alone and by its colou
     DiskPainter disks;
     for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::print}) {
         const Theme& colors = theme(kind);
-        const Page page{{0, 0, 400, 300}, 10, colors, disks};
+        const DrawContext dc{{0, 0, 400, 300}, 10, colors, disks};
         std::set<std::vector<double>> dashes;
         std::set<std::uint32_t> inks;
         for (std::size_t k = 0; k < most_compared.count(); ++k) {
-            dashes.insert(compared_dashes(k, page));
+            dashes.insert(compared_dashes(k, dc));
             inks.insert(to_pixel(compared_color(k, colors)));
             CHECK(contrast(compared_color(k, colors), colors.page) >= 3.0 - 1e-9);
         }
@@ -260,11 +260,11 @@ TEST_CASE("every run has a line of its own, by its dashes alone and by its colou
 
 TEST_CASE("a key that is longer than a column takes several rows") {
     DiskPainter disks;
-    const Page page{{0, 0, 360, 300}, 10, theme(ThemeKind::print), disks};
-    CHECK(key_rows(page, {}) == 0);
-    CHECK(key_rows(page, {"one", "two", "three"}) == 1);
-    CHECK(key_rows(page, {"a name of some length", "another name like it", "and a third"}) == 2);
-    CHECK(key_rows(page, {std::string(200, 'x'), "short"}) == 2);
+    const DrawContext dc{{0, 0, 360, 300}, 10, theme(ThemeKind::print), disks};
+    CHECK(key_rows(dc, {}) == 0);
+    CHECK(key_rows(dc, {"one", "two", "three"}) == 1);
+    CHECK(key_rows(dc, {"a name of some length", "another name like it", "and a third"}) == 2);
+    CHECK(key_rows(dc, {std::string(200, 'x'), "short"}) == 2);
 }
 
 TEST_CASE("what cannot be compared is refused with the reason") {

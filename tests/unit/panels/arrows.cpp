@@ -39,7 +39,7 @@ struct Shot {
           observers(scene, simulation.particles(), simulation.sample()) {
         Tick tick{};
         observers.survey(tick, simulation.sample(), simulation.advance_to(0.0));
-        observers.settle();
+        observers.fix_axes();
         const AdvanceResult advanced = simulation.advance_to(time);
         tick.time = time;
         const FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);

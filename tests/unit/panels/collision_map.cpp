@@ -51,7 +51,7 @@ struct Seen {
     Seen(Scene loaded, const PanelSpec& spec, bool in_film = true)
         : scene(std::move(loaded)),
           particles(Simulation(scene.gas, scene.run).particles()),
-          panel(Cast{scene, particles, 40, none, in_film}, spec) {
+          panel(PanelContext{scene, particles, 40, none, in_film}, spec) {
         const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(particles.count());
         for (const bool survey : {true, false}) {
             Simulation simulation(scene.gas, scene.run);
@@ -61,13 +61,13 @@ struct Seen {
                 tick.frame = frame;
                 tick.time = scene.run.until * frame / 40;
                 const AdvanceResult advanced = simulation.advance_to(tick.time);
-                const Observation seen{tick, simulation.sample(), zeros, zeros, advanced};
+                const FrameInput seen{tick, simulation.sample(), zeros, zeros, advanced};
                 if (survey)
                     panel.survey(seen);
                 else
                     states.push_back(panel.state(seen));
             }
-            if (survey) panel.settle();
+            if (survey) panel.fix_axes();
         }
     }
 
@@ -306,14 +306,14 @@ TEST_CASE("equal scales on both axes, 0 in the middle, the points where their ve
         for (const PixelSize size : {PixelSize{1000, 700}, PixelSize{500, 900}}) {
             CAPTURE(size.width);
             Canvas canvas(size);
-            const Page page{{20, 20, size.width - 40.0, size.height - 40.0},
-                            24.0,
-                            theme(ThemeKind::light),
-                            disks};
-            canvas.fill_all(page.theme.page);
-            seen.panel.draw_ground(canvas, page);
-            seen.panel.draw(canvas, page, *seen.states.back());
-            const VelocityPlane to = seen.panel.plane(page);
+            const DrawContext dc{{20, 20, size.width - 40.0, size.height - 40.0},
+                                 24.0,
+                                 theme(ThemeKind::light),
+                                 disks};
+            canvas.fill_all(dc.theme.page);
+            seen.panel.draw_ground(canvas, dc);
+            seen.panel.draw(canvas, dc, *seen.states.back());
+            const VelocityPlane to = seen.panel.plane(dc);
             const Point zero = to({0.0, 0.0});
             CHECK(zero.x == relative(to.area.x + to.area.width / 2, 1e-12));
             CHECK(zero.y == relative(to.area.y + to.area.height / 2, 1e-12));
@@ -325,21 +325,19 @@ TEST_CASE("equal scales on both axes, 0 in the middle, the points where their ve
                   relative(to({0.0, scaled ? 1.0 / std::sqrt(3.0) : 1.0}).y, 1e-12));
 
             const PixelView view = canvas.pixels();
-            const Color ink = page.theme.ink;
-            CHECK(pixel(view, to({-0.8, 0.4})) == rgb_of(ink));              // after, by hand
-            CHECK(pixel(view, to({1.0, -0.2})) == rgb_of(page.theme.page));  // before: hollow
+            const Color ink = dc.theme.ink;
+            CHECK(pixel(view, to({-0.8, 0.4})) == rgb_of(ink));            // after, by hand
+            CHECK(pixel(view, to({1.0, -0.2})) == rgb_of(dc.theme.page));  // before: hollow
             // On the ellipse v1^2 + 3 v2^2 = 1.12, away from the rest; and beside it nothing.
             for (const double turn : {1.2, 2.0, 3.6, 5.0}) {
                 const Eigen::Array2d on{std::sqrt(1.12) * std::cos(turn),
                                         std::sqrt(1.12 / 3.0) * std::sin(turn)};
-                CHECK(pixel(view, to(on)) == rgb_of(page.theme.muted));
-                CHECK(pixel(view, to(1.05 * on)) == rgb_of(page.theme.page));
+                CHECK(pixel(view, to(on)) == rgb_of(dc.theme.muted));
+                CHECK(pixel(view, to(1.05 * on)) == rgb_of(dc.theme.page));
             }
             // The line of momentum 0.4 beyond the points, and the end of the mass centre's arrow.
-            CHECK(pixel(view, to({-1.1, 0.5})) ==
-                  rgb_of(edge_of(page.theme.highlight, page.theme)));
-            if (size.width == 1000)
-                CHECK(pixel(view, to({0.06, 0.06})) == rgb_of(page.theme.muted));
+            CHECK(pixel(view, to({-1.1, 0.5})) == rgb_of(edge_of(dc.theme.highlight, dc.theme)));
+            if (size.width == 1000) CHECK(pixel(view, to({0.06, 0.06})) == rgb_of(dc.theme.muted));
             for (const double v : {-0.2, -0.6})
                 CHECK(pixel(view, to({v, (0.4 - v) / 3.0})) ==
                       rgb_of(ink));  // from the middle to after
@@ -353,31 +351,31 @@ TEST_CASE("an infinite mass has two lines instead of an ellipse") {
     const Seen seen(wire(light_and_heavy, 1.0), spec, false);
     DiskPainter disks;
     Canvas canvas(PixelSize{1000, 700});
-    const Page page{{20, 20, 960, 660}, 24.0, theme(ThemeKind::light), disks};
-    canvas.fill_all(page.theme.page);
-    seen.panel.draw_ground(canvas, page);
-    const VelocityPlane to = seen.panel.plane(page);
+    const DrawContext dc{{20, 20, 960, 660}, 24.0, theme(ThemeKind::light), disks};
+    canvas.fill_all(dc.theme.page);
+    seen.panel.draw_ground(canvas, dc);
+    const VelocityPlane to = seen.panel.plane(dc);
     const PixelView view = canvas.pixels();
     for (const double wall : {-0.8, 0.3, 0.7})
         for (const double bead : {-2.0, 1.0})
-            CHECK(pixel(view, to({bead, wall})) == rgb_of(page.theme.muted));
-    CHECK(pixel(view, to({-2.0, -0.5})) == rgb_of(page.theme.ink));
-    CHECK(pixel(view, to({1.7, -0.5})) == rgb_of(edge_of(page.theme.highlight, page.theme)));
+            CHECK(pixel(view, to({bead, wall})) == rgb_of(dc.theme.muted));
+    CHECK(pixel(view, to({-2.0, -0.5})) == rgb_of(dc.theme.ink));
+    CHECK(pixel(view, to({1.7, -0.5})) == rgb_of(edge_of(dc.theme.highlight, dc.theme)));
 }
 
 TEST_CASE("in a film a ring stands around the point of the present, before and after") {
     const Scene scene = wire("{name: a, position: [2, 6], velocity: [1, 0], mass: [1, 3]}", 6.0);
     const Seen seen(scene, PanelSpec{.kind = "collision-map"});
     DiskPainter disks;
-    const Page page{{20, 20, 960, 660}, 24.0, theme(ThemeKind::light), disks};
+    const DrawContext dc{{20, 20, 960, 660}, 24.0, theme(ThemeKind::light), disks};
     const auto picture = [&](std::size_t state) {
         Canvas canvas(PixelSize{1000, 700});
-        canvas.fill_all(page.theme.page);
-        seen.panel.draw(canvas, page, *seen.states[state]);
+        canvas.fill_all(dc.theme.page);
+        seen.panel.draw(canvas, dc, *seen.states[state]);
         return canvas;
     };
-    const VelocityPlane to = seen.panel.plane(page);
-    const std::uint32_t ring = rgb_of(edge_of(page.theme.highlight, page.theme));
+    const VelocityPlane to = seen.panel.plane(dc);
+    const std::uint32_t ring = rgb_of(edge_of(dc.theme.highlight, dc.theme));
     for (const auto& [state, v] :
          {std::pair<std::size_t, Eigen::Array2d>{10, {1.0, 0.0}}, {35, {-0.5, 0.5}}}) {
         const Canvas canvas = picture(state);

@@ -272,17 +272,17 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     const FirstFrame picture(scene);
     const Theme& print = theme(ThemeKind::print);
     DiskPainter disks;
-    const Page page{{0, 0, 100, 100}, 20.0, print, disks};
+    const DrawContext dc{{0, 0, 100, 100}, 20.0, print, disks};
     for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(line_dashes(i, 1, page).empty());
+        CHECK(line_dashes(i, 1, dc).empty());
         CHECK_FALSE(line_sample(i, print.ink, print).empty());
         for (std::size_t k = 0; k < i; ++k) {
-            CHECK(line_dashes(i, 4, page) != line_dashes(k, 4, page));
+            CHECK(line_dashes(i, 4, dc) != line_dashes(k, 4, dc));
             CHECK(line_sample(i, print.ink, print) != line_sample(k, print.ink, print));
         }
     }
     for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
-        const Page other{{0, 0, 100, 100}, 20.0, theme(kind), disks};
+        const DrawContext other{{0, 0, 100, 100}, 20.0, theme(kind), disks};
         CHECK(line_dashes(1, 4, other).empty());
         CHECK(line_sample(1, theme(kind).ink, theme(kind)).empty());
         CHECK(disk_sample(theme(kind).ink, theme(kind)).empty());

@@ -43,7 +43,7 @@ struct Walk {
     explicit Walk(Scene loaded)
         : scene(std::move(loaded)),
           particles(Simulation(scene.gas, scene.run).particles()),
-          echo(Cast{scene, particles, 100, equilibrium}) {}
+          echo(PanelContext{scene, particles, 100, equilibrium}) {}
 
     // The disks of `lanes` at x, each beside its lane by so much.
     void see(double time, double x, double first_aside, double second_aside, double ahead = 0.0) {
@@ -106,7 +106,7 @@ TEST_CASE("a film's last distance is that of the run from its start") {
     CHECK(truth.largest > 0.0);
 
     std::optional<EquilibriumGas> none;
-    EchoRecord echo(Cast{scene, run.particles(), 8, none});
+    EchoRecord echo(PanelContext{scene, run.particles(), 8, none});
     Simulation film(scene.gas, scene.run);
     const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(30);
     const std::vector<Tick> ticks = timeline(scene);

@@ -79,8 +79,8 @@ struct Pair {
 std::vector<std::vector<Flash>> all_flashes(const Scene& scene, std::vector<std::string>& remarks) {
     Simulation simulation(scene.gas, scene.run);
     const std::optional<EquilibriumGas> none;
-    const Cast cast{scene, simulation.particles(), frame_count(scene.film), none};
-    Flashes flashes(cast);
+    const PanelContext context{scene, simulation.particles(), frame_count(scene.film), none};
+    Flashes flashes(context);
     simulation.record_collisions(true);
     for (const Tick& tick : timeline(scene)) {
         const AdvanceResult advanced = simulation.advance_to(tick.time);
@@ -92,7 +92,7 @@ std::vector<std::vector<Flash>> all_flashes(const Scene& scene, std::vector<std:
             return Point{middle[0], middle[1]};
         });
     }
-    flashes.settle();
+    flashes.fix_scale();
     remarks = flashes.remarks();
     std::vector<std::vector<Flash>> frames;
     for (const Tick& tick : timeline(scene)) frames.push_back(flashes.at(tick));

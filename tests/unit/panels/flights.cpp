@@ -83,9 +83,9 @@ TEST_CASE("in print the paths of two are whole lines") {
         "panels: [{kind: phase, of: [0, 1]}]}\n"));
     const Grid grid(film.scene.film.layout, film.scene.film.size);
     DiskPainter disks;
-    const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()), grid.unit(),
-                    theme(ThemeKind::print), disks};
-    const Rect plot = plot_area(page);
+    const DrawContext dc{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
+                         grid.unit(), theme(ThemeKind::print), disks};
+    const Rect plot = plot_area(dc);
     FramePainter painter(film.scene, *film.observers);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     // At velocity -1, which is a share of the axis that the panel chose: some row is whole.
@@ -93,8 +93,8 @@ TEST_CASE("in print the paths of two are whole lines") {
     for (int y = static_cast<int>(plot.y + 0.55 * plot.height); y < plot.bottom() - 3; ++y) {
         int run = 0;
         for (int x = static_cast<int>(plot.x) + 3; x < plot.right(); ++x) {
-            const bool page_pixel = (view.data[y * view.stride + x] & 0xFFFFFF) ==
-                                    (to_pixel(page.theme.page) & 0xFFFFFF);
+            const bool page_pixel =
+                (view.data[y * view.stride + x] & 0xFFFFFF) == (to_pixel(dc.theme.page) & 0xFFFFFF);
             run = page_pixel ? 0 : run + 1;
             longest = std::max(longest, run);
         }

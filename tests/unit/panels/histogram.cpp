@@ -29,7 +29,7 @@ HistogramSubject speeds_with(Density density) {
     return {.title = "Speeds",
             .quantity = "speed",
             .beyond = "faster",
-            .values = [](const Observation& o) { return o.speed; },
+            .values = [](const FrameInput& o) { return o.speed; },
             .density = std::move(density)};
 }
 
@@ -40,7 +40,7 @@ void survey(HistogramPanel& panel, const std::vector<Eigen::ArrayXd>& frames) {
         const Tick tick;
         panel.survey({tick, sample, speed, speed, advanced});
     }
-    panel.settle();
+    panel.fix_axes();
 }
 
 }  // namespace
@@ -110,11 +110,11 @@ std::vector<std::vector<MeanHistogram>> shown(HistogramPanel& panel,
         for (std::size_t i = 0; i < times.size(); ++i) {
             Tick tick;
             tick.time = times[i];
-            const Observation observation{tick, sample, speeds[i], speeds[i], advanced};
-            if (surveying) panel.survey(observation);
-            if (!surveying) result.push_back(HistogramPanel::histograms(*panel.state(observation)));
+            const FrameInput input{tick, sample, speeds[i], speeds[i], advanced};
+            if (surveying) panel.survey(input);
+            if (!surveying) result.push_back(HistogramPanel::histograms(*panel.state(input)));
         }
-        if (surveying) panel.settle();
+        if (surveying) panel.fix_axes();
     }
     return result;
 }
@@ -182,16 +182,16 @@ TEST_CASE("the number beyond the lower end is told beside the axis, which stays 
     REQUIRE(shown(panel, {0.0}, {values}).front().front().below == 1.0);
 
     DiskPainter disks;
-    const Page page{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
+    const DrawContext dc{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
     Canvas canvas({600, 400});
-    canvas.fill({0, 0, 600, 400}, page.theme.page);
+    canvas.fill({0, 0, 600, 400}, dc.theme.page);
     const std::vector<std::uint32_t> blank = test::pixels_of(canvas);
-    panel.draw_ground(canvas, page);
+    panel.draw_ground(canvas, dc);
     const std::vector<std::uint32_t> ground = test::pixels_of(canvas);
     const Tick tick;
     const Sample sample;
     const AdvanceResult advanced;
-    panel.draw(canvas, page, *panel.state({tick, sample, values, values, advanced}));
+    panel.draw(canvas, dc, *panel.state({tick, sample, values, values, advanced}));
     const std::vector<std::uint32_t> drawn = test::pixels_of(canvas);
     CHECK(drawn != ground);
     // The axis is the column with most ink.

@@ -42,8 +42,8 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
         simulation.record_collisions(true);
         const Particles& particles = simulation.particles();
         const std::optional<EquilibriumGas> none;
-        const Cast cast{scene, particles, 30, none};
-        const WireMap map(cast, simulation.sample());
+        const PanelContext context{scene, particles, 30, none};
+        const WireMap map(context, simulation.sample());
         Eigen::ArrayXd last = map.places(simulation.sample(), {});
         int meetings = 0;
         for (double time = 0.02; time < 8.0; time += 0.02) {

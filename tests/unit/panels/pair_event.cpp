@@ -30,7 +30,7 @@ Scene scene_of(const std::string& box, const std::string& gas, double until,
 Meeting meeting_in(const Scene& scene, Simulation simulation, const PanelSpec& spec = {}) {
     const Particles particles = simulation.particles();
     const std::optional<EquilibriumGas> none;
-    MeetingWatch watch(Cast{scene, particles, 10, none}, spec);
+    MeetingWatch watch(PanelContext{scene, particles, 10, none}, spec);
     simulation.record_collisions(true);
     const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(particles.count());
     for (int frame = 0; frame <= 10; ++frame) {
@@ -316,7 +316,7 @@ std::optional<Point> changed(const PixelView& a, const std::vector<std::uint32_t
     return Point{x_sum / count, y_sum / count};
 }
 
-Page page_of(const Scene& scene, DiskPainter& disks) {
+DrawContext page_of(const Scene& scene, DiskPainter& disks) {
     const Grid grid(scene.film.layout, scene.film.size);
     return {grid.place(shared_slots(scene.film.layout.panels, 1).front()), grid.unit(),
             theme(ThemeKind::light), disks};
@@ -327,10 +327,10 @@ Page page_of(const Scene& scene, DiskPainter& disks) {
 TEST_CASE("the time of the contact is written above it, as near as there is room") {
     const Shot film(at_thirty_degrees("panels: [contact-time]"));
     DiskPainter disks;
-    const Page page = page_of(film.scene, disks);
+    const DrawContext dc = page_of(film.scene, disks);
     const TextLog log;
     FramePainter painter(film.scene, *film.observers);
-    const Rect plot = plot_area(page);
+    const Rect plot = plot_area(dc);
     const Meeting met = meeting_in(film.scene);
     const double last = met.time + 1.75 * (met.other_root() - met.time);
     const double at = plot.x + met.time / last * plot.width;
@@ -338,7 +338,7 @@ TEST_CASE("the time of the contact is written above it, as near as there is room
     for (const DrawnLine& line : log.lines) {
         if (!line.markup.starts_with("contact at ")) continue;
         ++seen;
-        CHECK(std::abs(line.ink.x + line.ink.width / 2 - at) < page.unit);
+        CHECK(std::abs(line.ink.x + line.ink.width / 2 - at) < dc.unit);
         CHECK(line.ink.bottom() > plot.y + 0.5 * plot.height);
         CHECK(line.ink.bottom() < plot.bottom());
     }
@@ -379,18 +379,18 @@ TEST_CASE("the present moves on the curve: across with the time, up with the squ
 TEST_CASE("the arrow before is drawn as long as it is") {
     const Shot film(at_thirty_degrees("theme: light, panels: [single-collision]"));
     DiskPainter disks;
-    const Page page = page_of(film.scene, disks);
+    const DrawContext dc = page_of(film.scene, disks);
     const Meeting met = meeting_in(film.scene);
     FramePainter painter(film.scene, *film.observers);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     // By the stages' own geometry, with the room that the panel leaves for words.
-    const double unit = page.unit;
-    const Rect room{page.area.x, page.area.y + 1.9 * unit, page.area.width,
-                    page.area.height - (1.9 + 2.8) * unit};
+    const double unit = dc.unit;
+    const Rect room{dc.area.x, dc.area.y + 1.9 * unit, dc.area.width,
+                    dc.area.height - (1.9 + 2.8) * unit};
     const Particles particles = Simulation(film.scene.gas, film.scene.run).particles();
     const CollisionStages all = collision_stages(met, particles, room, unit, 2);
     const CollisionStage& before = all.stage[0];
-    const std::uint32_t ink = to_pixel(page.theme.ink) & 0xFFFFFF;
+    const std::uint32_t ink = to_pixel(dc.theme.ink) & 0xFFFFFF;
     int left = view.width, right = 0;
     const int row = static_cast<int>(before.velocity[0].from.y);
     for (int x = static_cast<int>(before.area.x); x < static_cast<int>(before.area.right()); ++x)

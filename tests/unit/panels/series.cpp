@@ -38,9 +38,9 @@ struct Stage {
     }
 
     std::unique_ptr<SeriesPanel> panel(const PanelSpec& spec) const {
-        const Cast cast{scene, particles, 3, equilibrium};
+        const PanelContext context{scene, particles, 3, equilibrium};
         return std::unique_ptr<SeriesPanel>(
-            static_cast<SeriesPanel*>(make_panel(cast, spec).release()));
+            static_cast<SeriesPanel*>(make_panel(context, spec).release()));
     }
 
     void show(SeriesPanel& panel, double time, const Eigen::ArrayXXd& velocity) const {
@@ -144,20 +144,20 @@ TEST_CASE(
 
 TEST_CASE("points are positions against velocities, or against another particle's") {
     const Stage stage(2);
-    const Cast cast{stage.scene, stage.particles, 1, stage.equilibrium};
+    const PanelContext context{stage.scene, stage.particles, 1, stage.equilibrium};
     Eigen::ArrayXXd position(4, 2), velocity(4, 2);
     position << 1, 2, 3, 4, 5, 6, 7, 8;
     velocity << -1, -2, -3, -4, -5, -6, -7, -8;
     const Sample sample{0.0, position, velocity};
     const Eigen::ArrayXd speed = speeds(sample);
     const Tick tick;
-    const Observation observation{tick, sample, speed, speed, stage.advanced};
+    const FrameInput input{tick, sample, speed, speed, stage.advanced};
     const auto points = [&](const PanelSpec& spec, std::size_t set) {
-        const std::unique_ptr<Panel> panel = make_panel(cast, spec);
-        panel->survey(observation);
-        panel->settle();
+        const std::unique_ptr<Panel> panel = make_panel(context, spec);
+        panel->survey(input);
+        panel->fix_axes();
         std::vector<std::pair<double, double>> pairs;
-        const std::shared_ptr<const PanelState> state = panel->state(observation);
+        const std::shared_ptr<const PanelState> state = panel->state(input);
         for (const Point& point : PointsPanel::points(*state, set))
             pairs.emplace_back(point.x, point.y);
         return pairs;
@@ -184,21 +184,21 @@ TEST_CASE("points stand before the paths of all, and out from them") {
         "panels: [{kind: phase, of: [0, 1]}]}\n"));
     const Grid grid(film.scene.film.layout, film.scene.film.size);
     DiskPainter disks;
-    const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()), grid.unit(),
-                    theme(ThemeKind::light), disks};
-    const Rect plot = plot_area(page);
+    const DrawContext dc{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
+                         grid.unit(), theme(ThemeKind::light), disks};
+    const Rect plot = plot_area(dc);
     FramePainter painter(film.scene, *film.observers);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     const auto pixel = [&](double x, double y) {
         return view.data[static_cast<int>(y) * view.stride + static_cast<int>(x)] & 0xFFFFFF;
     };
     const double x = plot.x + 0.1 * plot.width, y = plot.y + plot.height / 2;
-    const Color own = edge_of(kind_color(1, page.theme), page.theme);
+    const Color own = edge_of(kind_color(1, dc.theme), dc.theme);
     for (const double down : {-0.25, 0.0, 0.25})
-        CHECK(pixel(x, y + down * page.unit) == (to_pixel(own) & 0xFFFFFF));
-    CHECK(pixel(x, y - 0.42 * page.unit) == (to_pixel(page.theme.page) & 0xFFFFFF));
-    const Color other = edge_of(kind_color(2, page.theme), page.theme);
-    CHECK(pixel(x, y - 1.2 * page.unit) == (to_pixel(other) & 0xFFFFFF));
+        CHECK(pixel(x, y + down * dc.unit) == (to_pixel(own) & 0xFFFFFF));
+    CHECK(pixel(x, y - 0.42 * dc.unit) == (to_pixel(dc.theme.page) & 0xFFFFFF));
+    const Color other = edge_of(kind_color(2, dc.theme), dc.theme);
+    CHECK(pixel(x, y - 1.2 * dc.unit) == (to_pixel(other) & 0xFFFFFF));
 }
 
 TEST_CASE("two beads have a line that they never cross, unless they go around") {
@@ -209,17 +209,16 @@ TEST_CASE("two beads have a line that they never cross, unless they go around") 
             "film: {seconds: 4, fps: 5, theme: light, panels: [{kind: positions, of: [0, 1]}]}\n"));
         const Grid grid(film.scene.film.layout, film.scene.film.size);
         DiskPainter disks;
-        const Page page{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
-                        grid.unit(), theme(ThemeKind::light), disks};
-        const Rect plot = plot_area(page);
+        const DrawContext dc{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
+                             grid.unit(), theme(ThemeKind::light), disks};
+        const Rect plot = plot_area(dc);
         FramePainter painter(film.scene, *film.observers);
         const PixelView view = painter.paint(film.frames.back()).pixels();
         int drawn = 0;
         for (int i = 1; i < 100; ++i) {
             const auto x = static_cast<int>(plot.x + 0.01 * i * plot.width);
             const auto y = static_cast<int>(plot.bottom() - 0.01 * i * plot.height);
-            if ((view.data[y * view.stride + x] & 0xFFFFFF) !=
-                (to_pixel(page.theme.page) & 0xFFFFFF))
+            if ((view.data[y * view.stride + x] & 0xFFFFFF) != (to_pixel(dc.theme.page) & 0xFFFFFF))
                 ++drawn;
         }
         return 0.01 * drawn;

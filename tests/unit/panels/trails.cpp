@@ -32,10 +32,10 @@ std::string trails_of(const std::string& trails) {
     const Scene scene = scene_of(trails);
     const Simulation simulation(scene.gas, scene.run);
     const std::optional<EquilibriumGas> none;
-    const Cast cast{scene, simulation.particles(), 30, none};
+    const PanelContext context{scene, simulation.particles(), 30, none};
     std::string seconds;
     for (Eigen::Index i = 0; i < 12; ++i) {
-        const auto asked = asked_trail(cast, i);
+        const auto asked = asked_trail(context, i);
         seconds += asked ? std::to_string(static_cast<int>(*asked)) : "-";
     }
     return seconds;
@@ -63,8 +63,8 @@ TEST_CASE("on a wire a bead with a trail stands out") {
     const Scene scene = scene_of("trails: {of: 3}", "length: 64");
     const Simulation simulation(scene.gas, scene.run);
     const std::optional<EquilibriumGas> none;
-    const Cast cast{scene, simulation.particles(), 30, none};
-    for (Eigen::Index i = 0; i < 12; ++i) CHECK(stands_out(cast, i) == (i == 3 || i >= 9));
+    const PanelContext context{scene, simulation.particles(), 30, none};
+    for (Eigen::Index i = 0; i < 12; ++i) CHECK(stands_out(context, i) == (i == 3 || i >= 9));
 }
 
 namespace {

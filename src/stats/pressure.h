@@ -14,19 +14,19 @@ namespace carom {
 /// 1-D by their number). Nothing where no wall is solid, and after a hit by an infinite mass.
 std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulses, double time);
 
-/// Pressure by the virial theorem: P V = N T + (1 / (d t)) sum r . dp in d dimensions, the sum as
-/// in ImpulseTotals::virial, N T = 2/d of the kinetic energy `thermal_energy` (relative to the gas
-/// as a whole where it drifts around a periodic box). V is the box's size where it is periodic.
-/// Between walls centres reach only over L' = L - 2 R, and the theorem reads F_x L'_x + F_y L'_y =
-/// 2K + sum r . dp / t (exact for equal disks, but for the change of sum p . r; see
-/// tests/physics/virial.cpp): V is (L_x L'_y + L_y L'_x) / 2, in 1-D L', so that it agrees with
-/// wall_pressure(). R is the mean radius of those with a finite mass. Nothing without such. Has no
-/// meaning where a moving infinite mass does work on the gas.
+/// Pressure by the virial theorem: d P V = 2 K + (1 / t) sum r . dp in d dimensions, the sum as in
+/// ImpulseTotals::virial, K the kinetic energy `thermal_energy` (ThermalMotion::energy).
+/// V is the box's size where it is periodic. Between walls centres reach only over
+/// L' = L - 2 R, and the theorem reads F_x L'_x + F_y L'_y = 2K + sum r . dp / t (exact for equal
+/// disks, but for the change of sum p . r; see tests/physics/virial.cpp): V is
+/// (L_x L'_y + L_y L'_x) / 2, in 1-D L', so that it agrees with wall_pressure(). R is the mean
+/// radius of those with a finite mass.
+/// Nothing without such. Has no meaning where a moving infinite mass does work on the gas.
 std::optional<double> virial_pressure(const Box& box, const Particles& particles,
                                       double thermal_energy, const ImpulseTotals& impulses,
                                       double time);
 
-/// Pressure of a gas of points with this energy in the same box: P V = N T, as above.
+/// Pressure of a gas of points with this energy in the same box: d P V = 2 K, as above.
 double pressure_of_points(const Box& box, double thermal_energy);
 
 }  // namespace carom

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 #include "stats/overlap.h"
 #include "stats/pressure.h"
 
@@ -63,7 +63,9 @@ void RunStatistics::see_totals(const Sample& sample, const Eigen::ArrayXd& energ
     if (first_.energy > 0.0)
         largest_energy_error_ =
             std::max(largest_energy_error_, std::abs(last_.energy - first_.energy) / first_.energy);
-    thermal_energy_ += thermal_energy(box_, particles_, sample);
+    const ThermalMotion motion = thermal_motion(box_, particles_, sample);
+    thermal_energy_ += motion.energy;
+    degrees_of_freedom_ = motion.degrees_of_freedom;
 }
 
 // Each sample is added up by itself: a sum of millions of terms would lose digits.
@@ -108,7 +110,7 @@ RunSummary RunStatistics::summary(const AdvanceResult& advanced) const {
     if (!worked_on_)
         summary.virial_pressure =
             virial_pressure(box_, particles_, thermal, advanced.impulses, time_);
-    summary.temperature = if_finite(temperature(box_, particles_, thermal));
+    summary.temperature = if_finite(ThermalMotion{thermal, degrees_of_freedom_}.temperature());
     summary.species = species_means();
     summary.speeds = speeds_.counts();
     summary.energies = energies_.counts();

@@ -32,7 +32,7 @@ struct RunSummary {
                                             ///< all of them), in units of the contact distance
     std::optional<double> wall_pressure;    ///< from time 0 to the end; a force in 1-D
     std::optional<double> virial_pressure;  ///< the same
-    std::optional<double> temperature;      ///< mean over the samples
+    std::optional<double> temperature;      ///< mean over the samples (ThermalMotion)
     std::vector<SpeciesMeans> species;
     BinnedCounts speeds, energies;  ///< of all particles in all samples
 };
@@ -71,8 +71,9 @@ class RunStatistics {
     Totals first_, last_;
     double largest_energy_error_ = 0.0;
     double largest_overlap_ = 0.0;
-    double thermal_energy_ = 0.0;  ///< summed over the samples
-    std::vector<Sums> sums_;       ///< by species, over its particles and the samples
+    double thermal_energy_ = 0.0;      ///< summed over the samples
+    double degrees_of_freedom_ = 0.0;  ///< that share it, of one sample
+    std::vector<Sums> sums_;           ///< by species, over its particles and the samples
     std::vector<std::int64_t> counts_;
     GrowingHistogram speeds_, energies_;
 };

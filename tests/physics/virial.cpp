@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "physics/simulation.h"
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 #include "stats/pressure.h"
 #include "support/bodies.h"
 #include "support/relative.h"
@@ -72,7 +72,7 @@ TEST_CASE("momentum on the walls, virial and boundary term add up at every time"
                 CAPTURE(time);
                 const ImpulseTotals impulses = simulation.advance_to(time).impulses;
                 const Sample& sample = simulation.sample();
-                const double energy = thermal_energy(box, simulation.particles(), sample);
+                const double energy = thermal_motion(box, simulation.particles(), sample).energy;
                 double walls = 0.0;
                 for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
                     walls += (box.size[static_cast<Eigen::Index>(a)] - 2.0 * radius) * 0.5 *
@@ -104,7 +104,8 @@ TEST_CASE("both pressures of a long run agree, whatever the radii and the sides 
     Simulation simulation(gas, run);
     constexpr double time = 3000.0;
     const ImpulseTotals impulses = simulation.advance_to(time).impulses;
-    const double energy = thermal_energy(gas.box, simulation.particles(), simulation.sample());
+    const double energy =
+        thermal_motion(gas.box, simulation.particles(), simulation.sample()).energy;
     const double by_walls = *wall_pressure(gas.box, impulses, time);
     const double by_virial =
         *virial_pressure(gas.box, simulation.particles(), energy, impulses, time);
@@ -125,7 +126,8 @@ TEST_CASE("the virial gives Henderson's equation of state") {
     Simulation simulation(gas, run);
     constexpr double time = 600.0;
     const ImpulseTotals impulses = simulation.advance_to(time).impulses;
-    const double energy = thermal_energy(gas.box, simulation.particles(), simulation.sample());
+    const double energy =
+        thermal_motion(gas.box, simulation.particles(), simulation.sample()).energy;
     const double pressure =
         *virial_pressure(gas.box, simulation.particles(), energy, impulses, time);
     // Henderson 1975: within 0.1 % at this packing
@@ -139,7 +141,7 @@ TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
     constexpr double time = 20000.0;
     const ImpulseTotals impulses = simulation.advance_to(time).impulses;
     const double energy =
-        thermal_energy(simulation.box(), simulation.particles(), simulation.sample());
+        thermal_motion(simulation.box(), simulation.particles(), simulation.sample()).energy;
     const double exact = 2.0 * energy / (20.0 - 16 * 0.6);
     // 4e4 hits of each wall
     CHECK(*wall_pressure(simulation.box(), impulses, time) == relative(exact, 0.02));

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 #include "util/csv.h"
 
 namespace carom {

@@ -61,6 +61,12 @@ void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double r
     }
 }
 
+// Every disk of every frame asks whether there are infinite masses: they are looked for once.
+GasColors::GasColors(const PanelContext& context)
+    : context_(context),
+      tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
+                      (context.particles.inverse_mass == 0.0).any()) {}
+
 double GasColors::value(Eigen::Index i, double speed) const {
     switch (context_.scene.film.color_by) {
         case ColorBy::energy:
@@ -128,11 +134,6 @@ std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     for (int i = 0; i <= last; ++i) colors.push_back(map.at(double(i) / last));
     if (tells_infinite()) colors.push_back(theme.ink);
     return colors;
-}
-
-bool GasColors::tells_infinite() const {
-    return context_.scene.film.color_by == ColorBy::mass &&
-           (context_.particles.inverse_mass == 0.0).any();
 }
 
 bool GasColors::is_told_infinite(Eigen::Index particle) const {

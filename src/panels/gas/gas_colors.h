@@ -19,7 +19,7 @@ void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double r
 
 class GasColors {
   public:
-    explicit GasColors(const PanelContext& context) : context_(context) {}
+    explicit GasColors(const PanelContext& context);
 
     /// First pass, every frame in order; then fix_scale() fixes the scale.
     void survey(const FrameInput& input);
@@ -32,7 +32,7 @@ class GasColors {
 
     /// Whether the scale tells infinite masses from all others, by their shade, the last, and
     /// hatching.
-    bool tells_infinite() const;
+    bool tells_infinite() const { return tells_infinite_; }
     bool is_told_infinite(Eigen::Index particle) const;
 
     /// Draws the colour bar, or the legend of species, into `page.area`.
@@ -45,6 +45,7 @@ class GasColors {
     void draw_legend(Canvas& canvas, const DrawContext& dc) const;
 
     PanelContext context_;
+    bool tells_infinite_;
     std::vector<double> pool_;
     int surveyed_ = 0;
     double scale_top_ = 1.0;     ///< the value at the bright end of the scale

@@ -11,7 +11,7 @@
 
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 
 namespace carom {
 namespace {
@@ -46,7 +46,7 @@ class Gauge {
         if (!(to.time > from.time)) return {nan_, nan_};
         const ImpulseTotals change = between(from.impulses, to.impulses);
         const double time = to.time - from.time;
-        const double thermal = thermal_energy(box, context_.particles, o.sample);
+        const double thermal = thermal_motion(box, context_.particles, o.sample).energy;
         const bool pushed = infinite_mass_moves(context_.particles, o.sample);
         *of_points_ = pushed ? nan_ : pressure_of_points(box, thermal);
         const auto virial = virial_pressure(box, context_.particles, thermal, change, time);

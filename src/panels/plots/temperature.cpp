@@ -1,30 +1,10 @@
-// The temperature against time, of all particles or of those chosen: 2/d of the mean kinetic
-// energy of a particle.
+// The temperature against time, of all particles or of those chosen.
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 
 namespace carom {
-namespace {
-
-// Of all particles without the drift that nothing stops; NaN where masses are infinite.
-double temperature_of(const PanelContext& context, const Chosen& chosen,
-                      const std::vector<Eigen::Index>& members, const FrameInput& o) {
-    const Box& box = context.scene.gas.box;
-    if (!chosen.species && !chosen.particle)
-        return temperature(box, context.particles,
-                           thermal_energy(box, context.particles, o.sample));
-    double sum = 0.0, count = 0.0;
-    for (const Eigen::Index i : members) {
-        if (!(context.particles.inverse_mass[i] > 0.0)) continue;
-        sum += o.energy[i];
-        count += 1.0;
-    }
-    return 2.0 * sum / (box.dimension * count);
-}
-
-}  // namespace
 
 std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
     const std::vector<Chosen> chosen = choices(spec);
@@ -32,10 +12,12 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
     for (const Chosen& one : chosen) lists.push_back(members(context, one));
     SeriesSubject subject{
         .measure =
-            [context, chosen, lists](const FrameInput& o) {
+            [context, lists](const FrameInput& o) {
                 std::vector<double> now;
-                for (std::size_t k = 0; k < chosen.size(); ++k)
-                    now.push_back(temperature_of(context, chosen[k], lists[k], o));
+                for (const std::vector<Eigen::Index>& list : lists)
+                    now.push_back(
+                        thermal_motion(context.scene.gas.box, context.particles, o.sample, list)
+                            .temperature());
                 return now;
             },
         .color =

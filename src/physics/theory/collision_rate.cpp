@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "physics/theory/mechanics.h"
+
 namespace carom {
 namespace {
 
@@ -48,39 +50,6 @@ std::vector<Alike> groups_of(const Particles& particles) {
     return groups;
 }
 
-bool moves(const Sample& sample, Index i) { return (sample.velocity.row(i) != 0.0).any(); }
-
-bool infinite_mass_moves(const Particles& particles, const Sample& sample) {
-    for (Index i = 0; i < particles.count(); ++i)
-        if (particles.inverse_mass[i] == 0.0 && moves(sample, i)) return true;
-    return false;
-}
-
-// Twice the kinetic energy for each degree of freedom. Along periodic axes momentum is conserved:
-// what drifts as a whole is no heat, and one degree of freedom less shares it.
-double temperature(const Box& box, const Particles& particles, const Sample& sample) {
-    const bool fixed = (particles.inverse_mass == 0.0).any();
-    const auto mobile = static_cast<double>((particles.inverse_mass > 0.0).count());
-    double twice_energy = 0.0;
-    double freedom = 0.0;
-    for (int axis = 0; axis < box.dimension; ++axis) {
-        double mass = 0.0, momentum = 0.0, square = 0.0;
-        for (Index i = 0; i < particles.count(); ++i) {
-            if (particles.inverse_mass[i] == 0.0) continue;
-            const double m = 1.0 / particles.inverse_mass[i];
-            const double v = sample.velocity(i, axis);
-            mass += m;
-            momentum += m * v;
-            square += m * v * v;
-        }
-        const bool conserved =
-            box.walls[static_cast<std::size_t>(axis)] == Wall::periodic && !fixed && mobile > 0.0;
-        twice_energy += conserved ? square - momentum * momentum / mass : square;
-        freedom += conserved ? mobile - 1.0 : mobile;
-    }
-    return freedom > 0.0 ? std::max(0.0, twice_energy / freedom) : 0.0;
-}
-
 double pairs(const std::vector<Alike>& groups, std::size_t a, std::size_t b) {
     return a == b ? 0.5 * groups[a].count * (groups[a].count - 1.0)
                   : groups[a].count * groups[b].count;
@@ -113,7 +82,7 @@ double contact_density(const Box& box, double s) {
 
 double rate_in_plane(const Box& box, const Particles& particles, const Sample& sample) {
     const std::vector<Alike> groups = groups_of(particles);
-    const double t = temperature(box, particles, sample);
+    const double t = thermal_motion(box, particles, sample).temperature();
     const double packing = packing_fraction(box, particles);
     const double free = 1.0 - packing;
     const double xi = packing * particles.radius.sum() / (2.0 * particles.radius.square().sum());
@@ -145,7 +114,7 @@ double rate_on_wire(const Box& box, const Particles& particles, const Sample& sa
     const double room = box.size[0] * (1.0 - packing_fraction(box, particles));
     const bool equal = (particles.inverse_mass == particles.inverse_mass[0]).all();
     if (equal) return rate_of_exchange(box, sample) / room;
-    const double t = temperature(box, particles, sample);
+    const double t = thermal_motion(box, particles, sample).temperature();
     return sum_of_pairs(groups_of(particles), [&](const Alike& a, const Alike& b) {
         return std::sqrt(2.0 * t * (a.inverse_mass + b.inverse_mass) / pi) / room;
     });
@@ -161,7 +130,7 @@ double packing_fraction(const Box& box, const Particles& particles) {
 std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
                                               const Sample& sample) {
     if (infinite_mass_moves(particles, sample)) return std::nullopt;
-    if (particles.count() < 2) return 0.0;
+    if (particles.count() < 2 || !(particles.inverse_mass > 0.0).any()) return 0.0;
     constexpr double rounding = 1e-12;
     if (packing_fraction(box, particles) >= 1.0 - rounding) return std::nullopt;
     return box.dimension == 1 ? rate_on_wire(box, particles, sample)

@@ -297,3 +297,18 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     });
     CHECK(has_samples);
 }
+
+TEST_CASE("whether there are infinite masses is found once, not for every disk") {
+    const Scene scene = scene_of("{name: a, count: 3}, {name: b, count: 1, mass: infinite}",
+                                 "panels: [], color_by: mass");
+    Particles particles{Eigen::ArrayXd::Constant(4, 0.5), Eigen::ArrayXd{{1.0, 1.0, 1.0, 0.0}},
+                        Eigen::ArrayXi{{0, 0, 0, 1}}};
+    const std::optional<EquilibriumGas> none;
+    GasColors colors({scene, particles, 1, none});
+    particles.inverse_mass[3] = 1.0;  // a look at all masses now would find none
+    CHECK(colors.tells_infinite());
+    colors.fix_scale();
+    particles.inverse_mass[3] = 0.0;
+    CHECK(colors.shade(3, 0.0, 1.0) == 255);
+    CHECK(colors.shade(0, 0.0, 1.0) < 255);
+}

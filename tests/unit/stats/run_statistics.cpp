@@ -3,11 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "physics/exact_positions.h"
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 #include "stats/overlap.h"
 #include "stats/pressure.h"
 #include "support/relative.h"
@@ -100,17 +101,77 @@ TEST_CASE("a drift is no heat where nothing can stop it") {
     const Sample sample = sample_of(bodies);
     const double drift_x = 0.5 * 4.0 * 4.0, drift_y = 0.5 * 4.0 * 1.0;
     const auto energy = [&](Wall across, Wall up) {
-        return thermal_energy(box_of(9, 9, across, up), particles, sample);
+        return thermal_motion(box_of(9, 9, across, up), particles, sample).energy;
     };
     CHECK(energy(Wall::periodic, Wall::periodic) == relative(6.0, 1e-14));
     CHECK(energy(Wall::solid, Wall::periodic) == relative(6.0 + drift_x, 1e-14));
     CHECK(energy(Wall::periodic, Wall::solid) == relative(6.0 + drift_y, 1e-14));
     CHECK(energy(Wall::solid, Wall::solid) == relative(6.0 + drift_x + drift_y, 1e-14));
     bodies.push_back({8, 8, 0, 0, 0.5, infinite});  // it can
-    CHECK(thermal_energy(box_of(9, 9, Wall::periodic, Wall::periodic), particles_of(bodies),
-                         sample_of(bodies)) == relative(6.0 + drift_x + drift_y, 1e-14));
-    CHECK(temperature(box_of(9, 9), particles_of(bodies), 6.0) == 3.0);
-    CHECK(temperature(wire_of(9), particles_of(bodies), 6.0) == 6.0);
+    CHECK(thermal_motion(box_of(9, 9, Wall::periodic, Wall::periodic), particles_of(bodies),
+                         sample_of(bodies))
+              .energy == relative(6.0 + drift_x + drift_y, 1e-14));
+    CHECK(ThermalMotion{6.0, 4.0}.temperature() == 3.0);
+    CHECK(ThermalMotion{6.0, 2.0}.temperature() == 6.0);
+}
+
+TEST_CASE("a conserved momentum takes up one degree of freedom along its axis") {
+    std::vector<Body> bodies{
+        {1, 1, 3, 1, 0.5, 3.0}, {5, 5, -1, 1, 0.5, 1.0}, {3, 3, 0, 0, 0.5, 4.0, 1}};
+    const auto freedom = [&](const Box& box, const std::vector<Eigen::Index>& members) {
+        return thermal_motion(box, particles_of(bodies), sample_of(bodies, box.dimension), members)
+            .degrees_of_freedom;
+    };
+    const Box solid = box_of(9, 9), tube = box_of(9, 9, Wall::periodic),
+              around = box_of(9, 9, Wall::periodic, Wall::periodic);
+    CHECK(freedom(solid, {0, 1, 2}) == 6.0);
+    CHECK(freedom(tube, {0, 1, 2}) == 5.0);
+    CHECK(freedom(around, {0, 1, 2}) == 4.0);
+    CHECK(freedom(wire_of(9), {0, 1, 2}) == 3.0);
+    CHECK(freedom(wire_of(9, Wall::periodic), {0, 1, 2}) == 2.0);
+    // A part of the gas has its share of the drift: 1 - m / M for each particle.
+    CHECK(freedom(around, {0, 1}) == 2.0 * (2.0 - 4.0 / 8.0));
+    CHECK(freedom(around, {2}) == 2.0 * (1.0 - 4.0 / 8.0));
+    bodies.push_back({8, 8, 0, 0, 0.5, infinite, 2});  // it stops a drift
+    CHECK(freedom(around, {0, 1, 2}) == 6.0);
+    CHECK(freedom(around, {2, 3}) == 2.0);
+    CHECK(std::isnan(
+        thermal_motion(around, particles_of(bodies), sample_of(bodies), {3}).temperature()));
+}
+
+TEST_CASE("the temperature of a run is that of theory's collision rate and of each species") {
+    // Momentum is conserved, so that N disks share their energy as N - 1 do.
+    const std::vector<Body> bodies{{1, 1, 2, 1, 0.5, 1.0}, {5, 5, -2, -1, 0.5, 1.0}};
+    const Box around = box_of(9, 9, Wall::periodic, Wall::periodic);
+    RunStatistics statistics(around, particles_of(bodies), 1, 1);
+    statistics.see(sample_of(bodies));
+    CHECK(statistics.summary({}).temperature == 2.0 * 5.0 / 2.0);
+    // In equilibrium a heavy species and a light one have the gas's temperature, each in its mean.
+    const std::vector<double> mass{1.0, 1.0, 4.0, 10.0};
+    std::vector<Body> mixture;
+    for (const double m : mass) mixture.push_back({1, 1, 0, 0, 0.5, m, m > 2.0});
+    Random random(5, "velocities");
+    std::array<double, 3> sums{};
+    constexpr int draws = 40'000;
+    for (int k = 0; k < draws; ++k) {
+        double px = 0.0, py = 0.0;
+        for (Body& body : mixture) {
+            body.vx = random.normal() / std::sqrt(body.mass);
+            body.vy = random.normal() / std::sqrt(body.mass);
+            px += body.mass * body.vx / 16.0;
+            py += body.mass * body.vy / 16.0;
+        }
+        for (Body& body : mixture) {
+            body.vx -= px;
+            body.vy -= py;
+        }
+        const std::vector<std::vector<Eigen::Index>> parts{{0, 1, 2, 3}, {0, 1}, {2, 3}};
+        for (std::size_t p = 0; p < parts.size(); ++p)
+            sums[p] += thermal_motion(around, particles_of(mixture), sample_of(mixture), parts[p])
+                           .temperature();
+    }
+    // T = 1; the mean of 40,000 draws of two degrees of freedom or more is known to 0.5 %.
+    for (const double sum : sums) CHECK(sum / draws == relative(1.0, 0.02));
 }
 
 TEST_CASE("pressure on the walls is momentum for each time and length of those that are solid") {

@@ -1,4 +1,4 @@
-#include "stats/mechanics.h"
+#include "physics/theory/mechanics.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +29,23 @@ Eigen::ArrayXd finite_masses(const Particles& particles) {
     return (particles.inverse_mass > 0.0).select(1.0 / particles.inverse_mass, 0.0);
 }
 
+// `counted`: 1 for the particles of finite mass that are looked at, 0 for others.
+ThermalMotion motion_of(const Box& box, const Particles& particles, const Sample& sample,
+                        const Eigen::ArrayXd& counted) {
+    const Eigen::ArrayXd mass = finite_masses(particles);
+    const bool free = (particles.inverse_mass > 0.0).all();
+    ThermalMotion motion;
+    for (Eigen::Index a = 0; a < sample.velocity.cols(); ++a) {
+        const auto v = sample.velocity.col(a);
+        const bool conserved = free && box.walls[static_cast<std::size_t>(a)] == Wall::periodic;
+        const double drift = conserved ? (mass * v).sum() / mass.sum() : 0.0;
+        motion.energy += 0.5 * (counted * mass * (v - drift).square()).sum();
+        motion.degrees_of_freedom += counted.sum();
+        if (conserved) motion.degrees_of_freedom -= (counted * mass).sum() / mass.sum();
+    }
+    return motion;
+}
+
 }  // namespace
 
 Eigen::ArrayXd masses(const Particles& particles) {
@@ -54,23 +71,15 @@ Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample) {
     return sum;
 }
 
-double thermal_energy(const Box& box, const Particles& particles, const Sample& sample) {
-    const Eigen::ArrayXd mass = finite_masses(particles);
-    const bool nothing_holds = (particles.inverse_mass > 0.0).all();
-    double energy = 0.0;
-    for (Eigen::Index a = 0; a < sample.velocity.cols(); ++a) {
-        const auto v = sample.velocity.col(a);
-        const bool drifts =
-            nothing_holds && box.walls[static_cast<std::size_t>(a)] == Wall::periodic;
-        const double drift = drifts ? (mass * v).sum() / mass.sum() : 0.0;
-        energy += 0.5 * (mass * (v - drift).square()).sum();
-    }
-    return energy;
+ThermalMotion thermal_motion(const Box& box, const Particles& particles, const Sample& sample) {
+    return motion_of(box, particles, sample, (particles.inverse_mass > 0.0).cast<double>());
 }
 
-double temperature(const Box& box, const Particles& particles, double thermal_energy) {
-    const auto count = static_cast<double>((particles.inverse_mass > 0.0).count());
-    return 2.0 * thermal_energy / (box.dimension * count);
+ThermalMotion thermal_motion(const Box& box, const Particles& particles, const Sample& sample,
+                             const std::vector<Eigen::Index>& members) {
+    Eigen::ArrayXd counted = Eigen::ArrayXd::Zero(particles.count());
+    for (const Eigen::Index i : members) counted[i] = particles.inverse_mass[i] > 0.0;
+    return motion_of(box, particles, sample, counted);
 }
 
 }  // namespace carom

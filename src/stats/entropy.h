@@ -1,0 +1,40 @@
+// The entropy of the velocities of a gas: Boltzmann's -H for each particle, counted over cells of
+// velocity.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "physics/particles.h"
+#include "physics/theory/kinds.h"
+#include "physics/theory/mechanics.h"
+
+namespace carom {
+
+/// -sum p ln p, averaged over the particles of finite mass, where p is the share of a kind's
+/// particles in a cell of velocity; dimensionless. It is 0 when all of a kind move alike, and
+/// rises to what the same count gives in equilibrium. Kinds are those of kinds_of(): species have
+/// no part in it.
+class VelocityEntropy {
+  public:
+    /// Cells are of equal size in velocities measured in thermal ones, sqrt(T / m), at the
+    /// temperature of `start`, which is above 0; what lies beyond four of them belongs to the
+    /// outermost cells.
+    VelocityEntropy(const Particles& particles, const ThermalMotion& start);
+
+    /// Of velocities, N x dimension.
+    double of(const Eigen::ArrayXXd& velocity) const;
+
+    /// The mean of the same for velocities that are spread evenly over the energy sphere, in so
+    /// many dimensions: what counting leaves of equilibrium's.
+    double in_equilibrium(int dimension) const;
+
+  private:
+    int cell_of(double u) const;
+
+    Kinds kinds_;
+    double degrees_of_freedom_;
+    Eigen::ArrayXd scale_;  ///< 1 / thermal velocity; 0 for infinite masses
+    int cells_per_axis_;
+};
+
+}  // namespace carom

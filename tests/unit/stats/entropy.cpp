@@ -1,0 +1,84 @@
+#include "stats/entropy.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/relative.h"
+#include "util/random.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+Particles alike(Eigen::Index count) {
+    return {Eigen::ArrayXd::Constant(count, 0.5), Eigen::ArrayXd::Ones(count),
+            Eigen::ArrayXi::Zero(count)};
+}
+
+// Half of them to the right, half to the left.
+Eigen::ArrayXXd two_beams(Eigen::Index count) {
+    Eigen::ArrayXXd velocity = Eigen::ArrayXXd::Zero(count, 2);
+    velocity.col(0).head(count / 2) = 1.0;
+    velocity.col(0).tail(count / 2) = -1.0;
+    return velocity;
+}
+
+ThermalMotion motion_of(const Particles& particles, const Eigen::ArrayXXd& velocity) {
+    Box box;
+    box.size = {10.0, 10.0};
+    return thermal_motion(box, particles, {0.0, velocity, velocity});
+}
+
+double entropy_of(const Particles& particles, const Eigen::ArrayXXd& velocity) {
+    return VelocityEntropy(particles, motion_of(particles, velocity)).of(velocity);
+}
+
+}  // namespace
+
+TEST_CASE("kinds are told apart by mass and radius, and by nothing else") {
+    Particles particles = alike(7);
+    particles.radius[1] = particles.radius[3] = 0.25;
+    particles.inverse_mass[2] = 0.5;
+    particles.inverse_mass[5] = 0.0;
+    particles.species[4] = 3;
+    const Kinds kinds = kinds_of(particles);
+    CHECK((kinds.of == Eigen::ArrayXi{{0, 1, 2, 1, 0, 3, 0}}).all());
+    CHECK(kinds.members == std::vector<int>{3, 2, 1, 1});
+}
+
+TEST_CASE("particles of which each is different are one kind, walls apart") {
+    Particles particles = alike(4);
+    particles.radius = Eigen::ArrayXd{{0.1, 0.2, 0.3, 0.4}};
+    particles.inverse_mass[2] = 0.0;
+    CHECK((kinds_of(particles).of == Eigen::ArrayXi{{0, 0, 1, 0}}).all());
+}
+
+TEST_CASE("the entropy of two beams is ln 2, whatever they are called") {
+    Particles particles = alike(100);
+    const Eigen::ArrayXXd beams = two_beams(100);
+    const double one_name = entropy_of(particles, beams);
+    CHECK(one_name == relative(std::log(2.0), 1e-14));
+    particles.species.tail(50) = 1;
+    CHECK(entropy_of(particles, beams) == one_name);
+    particles.inverse_mass.tail(50) = 0.5;  // two gases, each of which moves alike
+    CHECK(entropy_of(particles, beams) == 0.0);
+}
+
+TEST_CASE("thermal velocities have the entropy of equilibrium, names apart") {
+    Particles particles = alike(2000);
+    particles.inverse_mass.tail(1000) = 0.25;
+    Eigen::ArrayXXd velocity(2000, 2);
+    Random random(7, "velocities");
+    for (double& v : velocity.reshaped()) v = random.normal();
+    velocity.colwise() *= particles.inverse_mass.sqrt();
+    const VelocityEntropy entropy(particles, motion_of(particles, velocity));
+    const double expected = entropy.in_equilibrium(2);
+    // Of 1000 in 400 cells or so the entropy varies by some 1 %.
+    CHECK(entropy.of(velocity) == relative(expected, 0.02));
+    particles.species.tail(500) = 1;
+    const VelocityEntropy renamed(particles, motion_of(particles, velocity));
+    CHECK(renamed.of(velocity) == entropy.of(velocity));
+    CHECK(renamed.in_equilibrium(2) == expected);
+}

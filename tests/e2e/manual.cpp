@@ -1,0 +1,94 @@
+// The manual says what the program does: its options, its outputs, and where its links lead.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "e2e/program.h"
+#include "support/files.h"
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string manual = contents(root / "docs/commands.md");
+
+std::set<std::string> flags_in(const std::string& text) {
+    static const std::regex flag("--[a-z]+");
+    return {std::sregex_token_iterator(text.begin(), text.end(), flag),
+            std::sregex_token_iterator()};
+}
+
+// What stands in the manual after `$ COMMAND`, up to the end of its block.
+std::string shown_output(const std::string& command) {
+    const std::string line = "$ " + command + "\n";
+    const std::size_t begin = manual.find(line);
+    if (begin == std::string::npos) return "";
+    const std::size_t output = begin + line.size();
+    return manual.substr(output, manual.find("```", output) - output);
+}
+
+// Without the estimate of time, which depends on the machine.
+std::string without_cost(const std::string& text) {
+    return std::regex_replace(text, std::regex(" *rough cost .*\n"), "");
+}
+
+std::vector<fs::path> documents() {
+    std::vector<fs::path> files{root / "README.md", root / "CHANGELOG.md"};
+    for (const auto& entry : fs::directory_iterator(root / "docs"))
+        if (entry.path().extension() == ".md") files.push_back(entry.path());
+    return files;
+}
+
+}  // namespace
+
+TEST_CASE("the manual knows every option of every command, and no other") {
+    std::set<std::string> known;
+    for (const std::string command :
+         {"render", "still", "figures", "run", "check", "new", "schema"}) {
+        const Outcome help = run({program, command, "--help"});
+        REQUIRE(help.exit_code == 0);
+        for (const std::string& flag : flags_in(help.out)) known.insert(flag);
+    }
+    known.erase("--output");  // written -o
+    const std::set<std::string> documented = flags_in(manual);
+    for (const std::string& flag : known) {
+        CAPTURE(flag);
+        CHECK(documented.contains(flag));
+    }
+    for (const std::string& flag : documented) {
+        CAPTURE(flag);
+        CHECK((known.contains(flag) || flag == "--help"));
+    }
+}
+
+TEST_CASE("the manual shows what carom check and carom run print") {
+    for (const std::string command :
+         {"check scenes/mixed-masses.yaml", "run scenes/time-reversal.yaml"}) {
+        const std::string shown = shown_output("carom " + command);
+        REQUIRE_FALSE(shown.empty());
+        const std::size_t space = command.find(' ');
+        const Outcome outcome =
+            run({program, command.substr(0, space), command.substr(space + 1)}, root);
+        CHECK(without_cost(outcome.out) == without_cost(shown));
+    }
+}
+
+TEST_CASE("links from document to document lead somewhere") {
+    const std::regex link(R"re(\]\(([^)#\s]+)(#[^)]*)?\))re");
+    for (const fs::path& document : documents()) {
+        const std::string text = contents(document);
+        for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+            const std::string target = (*it)[1];
+            if (target.starts_with("http")) continue;
+            CAPTURE(document.string());
+            CAPTURE(target);
+            CHECK(fs::exists(document.parent_path() / target));
+        }
+    }
+}

@@ -151,10 +151,24 @@ std::pair<std::vector<TickMark>, std::optional<double>> ticks_with_title(const S
     return {std::move(usual), {}};
 }
 
-std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
+int most_y_ticks(const Scale& scale, const AxisStyle& style) {
     const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
-    const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
-    return ticks(scale.low, scale.high, most, style.whole);
+    return std::clamp(static_cast<int>(room) + 1, 2, 5);
+}
+
+std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
+    return ticks(scale.low, scale.high, most_y_ticks(scale, style), style.whole);
+}
+
+std::vector<TickMark> fitting_decades(const Scale& scale, const AxisStyle& style) {
+    return decade_ticks(scale.low, scale.high, most_y_ticks(scale, style));
+}
+
+double space_of(const std::vector<TickMark>& marks, const AxisStyle& style) {
+    double widest = 0;
+    for (const TickMark& mark : marks)
+        widest = std::max(widest, measure_text(mark.label, style.label).width);
+    return style.tick_length + gap_to_label(style) + widest;
 }
 
 void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
@@ -240,10 +254,11 @@ double x_axis_space(const AxisStyle& style) {
 }
 
 double y_axis_space(const Scale& scale, const AxisStyle& style) {
-    double widest = 0;
-    for (const TickMark& mark : fitting_y_ticks(scale, style))
-        widest = std::max(widest, measure_text(mark.label, style.label).width);
-    return style.tick_length + gap_to_label(style) + widest;
+    return space_of(fitting_y_ticks(scale, style), style);
+}
+
+double log_y_axis_space(const Scale& scale, const AxisStyle& style) {
+    return space_of(fitting_decades(scale, style), style);
 }
 
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
@@ -283,9 +298,7 @@ void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
 
 void draw_log_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                      const AxisStyle& style) {
-    const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
-    const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
-    draw_y_marks(canvas, area, scale, decade_ticks(scale.low, scale.high, most), title, style);
+    draw_y_marks(canvas, area, scale, fitting_decades(scale, style), title, style);
 }
 
 }  // namespace carom

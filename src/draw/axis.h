@@ -48,6 +48,7 @@ struct AxisStyle {
 /// The height that an x axis takes below its area, and the width that a y axis takes left of it.
 double x_axis_space(const AxisStyle& style);
 double y_axis_space(const Scale& scale, const AxisStyle& style);
+double log_y_axis_space(const Scale& scale, const AxisStyle& style);
 
 /// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
 /// on the line of the labels: at the right end, or between two of them, with fewer ticks if that

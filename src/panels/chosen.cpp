@@ -43,6 +43,34 @@ Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_
     return kind_color(context.scene.gas.species.size() + place, theme);
 }
 
+plot::Role species_role(const PanelContext& context, std::size_t species) {
+    const std::optional<std::string>& own = context.scene.looks[species].color;
+    if (own)
+        if (const std::optional<Color> parsed = parse_color(*own))
+            return {.of = plot::Role::Of::own, .own = {*parsed, *parsed, *parsed}};
+    return {.of = plot::Role::Of::kind, .index = species};
+}
+
+plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place) {
+    if (chosen.species) return species_role(context, *chosen.species);
+    return {.of = plot::Role::Of::kind, .index = context.scene.gas.species.size() + place};
+}
+
+plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
+                    plot::Sample sample, const std::string& last) {
+    if (chosen.size() == 1) return escape_markup(name_of(context, chosen.front()));
+    const bool numbers =
+        std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
+    plot::Text words(numbers ? "particles " : "");
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
+        const std::string name =
+            numbers ? std::to_string(*chosen[k].particle) : name_of(context, chosen[k]);
+        words += plot::named(name, choice_role(context, chosen[k], k), sample, k);
+    }
+    return words;
+}
+
 std::string colored_names(const PanelContext& context, const std::vector<Chosen>& chosen,
                           const Theme& theme, const std::string& last, NameMark mark) {
     if (chosen.size() == 1) return escape_markup(name_of(context, chosen.front()));

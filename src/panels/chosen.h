@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "panels/panel.h"
+#include "panels/plot/plot.h"
 
 namespace carom {
 
@@ -33,6 +34,15 @@ double name_alpha(const PanelContext& context, const Tick& tick);
 /// and all have colours that no species has by default. `place`: among the choices.
 Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_t place,
                    const Theme& theme);
+
+/// The same as roles of a plot.
+plot::Role species_role(const PanelContext& context, std::size_t species);
+plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place);
+
+/// Names in their colours: "light and heavy", the last joined by `last`; uncoloured where there is
+/// one.
+plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
+                    plot::Sample sample, const std::string& last = " and ");
 
 /// What stands before names in print.
 enum class NameMark { line, disk };

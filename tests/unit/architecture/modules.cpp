@@ -47,7 +47,7 @@ const std::map<std::string, Parts> parts_of_module{
      {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
       {"limits.h", "mixing.h", "scene.h"}}},
     {"panels",
-     {{"gas", "line", "plots", "echo", "collision", "words", "panels"},
+     {{"plot", "gas", "line", "plots", "echo", "collision", "words", "panels"},
       {"chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
     {"app",
      {{"film", "figures", "report", "commands", "app"},

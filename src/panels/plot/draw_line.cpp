@@ -1,0 +1,89 @@
+// Lines that grow, their ways back, and bands of errors around them; points.
+#include <algorithm>
+#include <cmath>
+
+#include "panels/plot/layers.h"
+
+namespace carom::plot {
+namespace {
+
+constexpr double detail = 0.08;  // units: points nearer than half a line's width show nothing new
+
+// A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
+Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
+
+template <class Curve>
+std::size_t end_of(const Curve& curve) {
+    return std::min(curve.shown.end, curve.x.size());
+}
+
+template <class Curve>
+bool piece_ends(const Curve& curve, std::size_t i) {
+    return i + 1 == end_of(curve) || (curve.piece && (*curve.piece)[i + 1] != (*curve.piece)[i]);
+}
+
+void draw_piece(Canvas& canvas, const Frame& frame, const Line& line, std::size_t last,
+                const std::vector<Point>& path) {
+    Stroke stroke = line.stroke;
+    const bool is_way_back = line.turns_back && line.piece && (*line.piece)[last] % 2 == 1;
+    if (is_way_back) stroke.width += 0.1;
+    draw_stroke(canvas, frame.dc, path, stroke);
+    if (is_way_back)
+        canvas.stroke_path(path, frame.pixels(0.12), lighter(color_of(stroke, frame.dc.theme)),
+                           dashes_of(stroke, frame.dc));
+}
+
+}  // namespace
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
+    if (line.beyond == Beyond::cut)
+        canvas.clip_to(
+            {frame.area.x, frame.area.y, frame.area.width, frame.area.height + frame.dc.unit});
+    std::vector<Point> path;
+    std::optional<Point> last;
+    for (std::size_t i = line.shown.first; i < end_of(line); ++i) {
+        if (!std::isfinite(line.y[i])) continue;
+        const bool ends = piece_ends(line, i);
+        last = {frame.x(line.x[i]), frame.y(line.y[i], line.beyond)};
+        if (ends || path.empty() || !line.is_thinned ||
+            is_apart(path.back(), *last, frame.pixels(detail)))
+            path.push_back(*last);
+        if (!ends) continue;
+        draw_piece(canvas, frame, line, i, path);
+        path.clear();
+        if (line.joins_pieces) path.push_back(*last);
+    }
+    if (line.beyond == Beyond::cut) canvas.release_clip();
+    if (last && line.head) draw_mark(canvas, frame.dc, *last, *line.head);
+}
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
+    const Color color = with_alpha(color_of(band.role, frame.dc.theme), band.alpha);
+    std::vector<Point> upper, lower;
+    const auto end_band = [&] {
+        upper.insert(upper.end(), lower.rbegin(), lower.rend());
+        if (upper.size() > 3) canvas.fill_polygon(upper, color);
+        upper.clear();
+        lower.clear();
+    };
+    for (std::size_t i = band.shown.first; i < end_of(band); ++i) {
+        const bool ends = piece_ends(band, i);
+        if (std::isfinite(band.error[i])) {
+            const double x = frame.x(band.x[i]);
+            const Point high{x, frame.y(band.y[i] + band.error[i], Beyond::clamped)};
+            const Point low{x, frame.y(band.y[i] - band.error[i], Beyond::clamped)};
+            if (ends || upper.empty() || is_apart(upper.back(), high, frame.pixels(detail))) {
+                upper.push_back(high);
+                lower.push_back(low);
+            }
+        }
+        if (ends || !std::isfinite(band.error[i])) end_band();
+    }
+}
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Points& points) {
+    for (std::size_t i = points.shown.first; i < end_of(points); ++i)
+        draw_mark(canvas, frame.dc, {frame.x(points.x[i]), frame.y(points.y[i])}, points.mark);
+}
+
+}  // namespace carom::plot

@@ -1,0 +1,114 @@
+// Levels, markers, ellipses and arrows, and the words beside them.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "panels/plot/layers.h"
+
+namespace carom::plot {
+namespace {
+
+constexpr double ascent = 1.1, descent = 0.4;           // of words, units, with air
+constexpr double sample_from = -1.8, sample_to = -0.5;  // of a sample before words, units
+
+// Where an anchor is on the canvas.
+Point place_of(const Frame& frame, const Anchor& anchor) {
+    const Point at{
+        anchor.x_is_share ? frame.area.x + anchor.at.x * frame.area.width : frame.x(anchor.at.x),
+        anchor.y_is_share ? frame.area.y + anchor.at.y * frame.area.height
+                          : frame.y(anchor.at.y, Beyond::clamped)};
+    return {at.x + frame.pixels(anchor.offset.x), at.y + frame.pixels(anchor.offset.y)};
+}
+
+Rect rect_of(const Frame& frame, Point baseline, Align align, double width) {
+    const double share = align == Align::left ? 0.0 : align == Align::center ? 0.5 : 1.0;
+    return {baseline.x - share * width, baseline.y - frame.pixels(ascent), width,
+            frame.pixels(ascent + descent)};
+}
+
+struct Place {
+    Point baseline;
+    Align align;
+    Rect rect;
+};
+
+// The first that is free, of all anchors and their steps.
+std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
+                                double width) {
+    for (const Anchor& anchor : anchors) {
+        const bool steps = anchor.step.x != 0.0 || anchor.step.y != 0.0;
+        Place place{place_of(frame, anchor), anchor.align, {}};
+        for (;;) {
+            place.rect = rect_of(frame, place.baseline, anchor.align, width);
+            if (steps && !frame.placer.is_inside(place.rect)) break;
+            if (frame.placer.is_free(place.rect)) return place;
+            if (!steps) break;
+            place.baseline.x += frame.pixels(anchor.step.x);
+            place.baseline.y += frame.pixels(anchor.step.y);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
+    const DrawContext& dc = frame.dc;
+    TextStyle style = label_style(dc);
+    style.color = legible(color_of(label.role, dc.theme), dc.theme);
+    std::optional<Place> place;
+    std::string words;
+    double width = 0.0;
+    for (const Text& text : label.words) {
+        words = markup_of(text, dc.theme);
+        width = measure_text(words, style).width;
+        place = free_place(frame, label.anchors, width);
+        if (place) break;
+    }
+    if (!place && (label.may_be_left_out || label.anchors.empty())) return;
+    const bool has_plate = label.has_plate || !place;
+    if (!place) {
+        const Point at = place_of(frame, label.anchors.front());
+        place = {at, label.anchors.front().align,
+                 rect_of(frame, at, label.anchors.front().align, width)};
+    }
+    const Rect& rect = place->rect;
+    if (has_plate) {
+        const double air = frame.pixels(0.3);
+        canvas.fill({rect.x - air, rect.y, rect.width + 2.0 * air, rect.height},
+                    with_alpha(dc.theme.page, plate_alpha));
+    }
+    style.align = place->align;
+    draw_text(canvas, place->baseline, words, style);
+    frame.placer.keep_clear(rect);
+    if (!label.sample) return;
+    const double y = place->baseline.y - frame.pixels(0.35);
+    draw_straight(canvas, dc, {rect.x + frame.pixels(sample_from), y},
+                  {rect.x + frame.pixels(sample_to), y}, *label.sample);
+}
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Level& level) {
+    const double y = frame.y(level.value, Beyond::clamped);
+    draw_straight(canvas, frame.dc, {frame.area.x, y}, {frame.area.right(), y}, level.stroke);
+    if (level.label) draw_layer(canvas, frame, *level.label);
+}
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker) {
+    const double x = frame.x(marker.value);
+    const double top = marker.up_to ? frame.y(*marker.up_to, Beyond::clamped) : frame.area.y;
+    draw_straight(canvas, frame.dc, {x, top}, {x, frame.area.bottom()}, marker.stroke);
+    if (marker.label) draw_layer(canvas, frame, *marker.label);
+}
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Ellipse& ellipse) {
+    constexpr int points = 240;
+    std::vector<Point> path;
+    for (int i = 0; i <= points; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / points;
+        path.push_back({frame.x(ellipse.center.x + ellipse.half.x * std::cos(turn)),
+                        frame.y(ellipse.center.y + ellipse.half.y * std::sin(turn))});
+    }
+    draw_stroke(canvas, frame.dc, path, ellipse.stroke);
+}
+
+}  // namespace carom::plot

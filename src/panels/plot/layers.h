@@ -1,0 +1,58 @@
+// How each kind of layer is drawn: one file for each, behind draw_plot(). Knows where data lie on
+// the canvas; axes, titles and notes are draw_plot.cpp's.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "panels/panel.h"
+#include "panels/plot/label_placer.h"
+#include "panels/plot/plot.h"
+
+namespace carom::plot {
+
+/// Where a plot's data lie on a canvas.
+struct Frame {
+    const DrawContext& dc;
+    Rect area;               ///< that the data fill
+    Scale x_scale, y_scale;  ///< unless an axis is linear, of decimal logarithms
+    Axis::Kind y_kind;
+    LabelPlacer& placer;
+
+    double x(double value) const { return x_scale(value); }
+
+    /// Of a datum; on an axis of powers of ten 0 has its place at the area's bottom.
+    double y(double value, Beyond beyond = Beyond::drawn) const;
+    double pixels(double units) const { return units * dc.unit; }
+};
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars);
+void draw_layer(Canvas& canvas, const Frame& frame, const Steps& steps);
+void draw_layer(Canvas& canvas, const Frame& frame, const Line& line);
+void draw_layer(Canvas& canvas, const Frame& frame, const Band& band);
+void draw_layer(Canvas& canvas, const Frame& frame, const Points& points);
+void draw_layer(Canvas& canvas, const Frame& frame, const Level& level);
+void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
+void draw_layer(Canvas& canvas, const Frame& frame, const Ellipse& ellipse);
+void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
+
+/// A role's colour on the theme, and that of a stroke, with its shade and its fading.
+Color color_of(const Role& role, const Theme& theme);
+Color color_of(const Stroke& stroke, const Theme& theme);
+
+/// A stroke's dashes in pixels; empty: solid.
+std::vector<double> dashes_of(const Stroke& stroke, const DrawContext& dc);
+
+/// Strokes a path, or a straight line with flat ends, with all that a stroke says.
+void draw_stroke(Canvas& canvas, const DrawContext& dc, std::span<const Point> path,
+                 const Stroke& stroke);
+void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
+                   const Stroke& stroke);
+
+void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark);
+
+/// A text as markup in a theme's colours.
+std::string markup_of(const Text& text, const Theme& theme);
+
+}  // namespace carom::plot

@@ -1,0 +1,257 @@
+// A plot as a value: axes, layers of data and what they mean, notes. It knows no pixel, no font and
+// no neighbour. draw_plot() draws it, table_of() lists its numbers; its words for captions go with
+// it.
+//
+// Lengths are in units of the layout (the smallest size of text); data are in those of the axes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "draw/color.h"
+#include "draw/geometry.h"
+#include "draw/style.h"
+#include "draw/text.h"
+
+namespace carom::plot {
+
+// ---------------------------------------------------------------------------------- colour, dash
+
+/// A colour by what it stands for; a theme gives it.
+struct Role {
+    enum class Of { ink, muted, accent, bar, highlight, page, kind, run, own };
+    Of of = Of::muted;
+    std::size_t index = 0;       ///< of a kind of particles, or of a run beside others
+    std::array<Color, 3> own{};  ///< on the light, the dark and the print theme
+};
+
+/// How a colour is changed so that it is seen on the page.
+enum class Shade {
+    as_it_is,
+    legible,  ///< the nearest shade that stands out
+    rimmed    ///< as it is, inside a rim of that shade
+};
+
+/// How a line is drawn.
+struct Stroke {
+    Role role = {};
+    double width = 0.16;
+    std::vector<double> dashes = {};        ///< line, gap, ... on every theme; none: solid
+    std::vector<double> print_dashes = {};  ///< instead in print, where greys tell lines apart
+    Shade shade = Shade::as_it_is;
+    double fade = 0.0;  ///< toward the page, 0 to 1
+};
+
+/// How a line is dashed that is one of several: in print only.
+std::vector<double> dashes_in_print(std::size_t line, std::size_t lines);
+
+/// The line of a run beside others: its own colour, and its own dashes on every theme.
+Stroke stroke_of_run(std::size_t run, double width = 0.16);
+
+// ------------------------------------------------------------------------------------------ words
+
+/// What stands before a name in print, where its colour is no key.
+enum class Sample { none, line, disk };
+
+/// Markup in pieces, each of a colour.
+struct Text {
+    struct Piece {
+        std::string markup;
+        std::optional<Role> role = {};  ///< none: the text's own
+        Sample sample = Sample::none;
+        std::size_t line = 0;  ///< that the sample shows, of several
+    };
+    std::vector<Piece> pieces;
+
+    Text() = default;
+    Text(std::string markup)
+        : pieces{{std::move(markup)}} {}                     // NOLINT(google-explicit-constructor)
+    Text(const char* markup) : Text(std::string(markup)) {}  // NOLINT(google-explicit-constructor)
+    Text& operator+=(const Text& more);
+    bool empty() const { return pieces.empty(); }
+};
+Text operator+(Text first, const Text& second);
+
+/// A plain name in its colour.
+Text named(const std::string& name, const Role& role, Sample sample = Sample::none,
+           std::size_t line = 0);
+
+/// A sample, then words: a part of a key.
+struct KeyEntry {
+    std::optional<Stroke> sample = {};
+    std::vector<Text> words;  ///< from the longest on
+};
+
+/// Words under the title: entries in a row, all in their longest words that fit.
+struct Note {
+    std::vector<KeyEntry> entries;
+    bool wraps = false;  ///< into as many rows as they need
+};
+
+/// A place for words: a point, and from there on in steps, as far as the plot's area goes.
+struct Anchor {
+    Point at;  ///< data, or shares of the area from its top left corner
+    bool x_is_share = false, y_is_share = false;
+    Point offset = {};  ///< of the baseline from there, units
+    Align align = Align::left;
+    Point step = {};  ///< units; none: this place only
+};
+
+// ----------------------------------------------------------------------------------------- layers
+
+/// Numbers of a column of the table, shared by the plots of all frames.
+struct Column {
+    std::string name;  ///< with its unit: "time (time)"
+    std::shared_ptr<const std::vector<double>> values = {};
+    double operator[](std::size_t i) const { return (*values)[i]; }
+    std::size_t size() const { return values ? values->size() : 0; }
+};
+Column column(std::string name, std::vector<double> values);
+
+/// The part of the data that a frame shows: the rest comes later in the film, or is too long ago.
+struct Shown {
+    std::size_t first = 0;
+    std::size_t end = std::numeric_limits<std::size_t>::max();
+};
+
+/// What all layers have.
+struct Layer {
+    std::string part = {};  ///< in the table: "line"; empty: not listed
+    std::string of = {};
+    std::optional<std::size_t> run = {};  ///< none: all runs of the plot
+    int depth = 0;       ///< deeper ones are drawn first; of equal ones in the plot's order
+    bool still = false;  ///< the same in every frame: drawn once
+    std::vector<Column> more = {};  ///< for the table, beside what is drawn
+};
+
+/// What becomes of data beyond the axes.
+enum class Beyond { clamped, cut, drawn };
+
+/// A disk at a point.
+struct Mark {
+    Role role = {};
+    double radius = 0.3;
+    Shade shade = Shade::legible;
+    bool is_hollow = false;
+    bool is_hollow_if_pale = false;  ///< in print, of a grey that hardly differs from the paper
+    double halo = 0.0;               ///< of the page around it
+    double ring = 0.0;               ///< > 0: a ring of this width instead
+};
+
+/// A path through points; where the number of the piece changes it is broken.
+struct Line : Layer {
+    Column x, y;
+    Shown shown = {};
+    std::shared_ptr<const std::vector<int>> piece = {};  ///< none: one piece
+    std::string piece_column = {};                       ///< of the table; empty: not listed
+    bool turns_back = false;    ///< its odd pieces are ways back, drawn inside the line
+    bool joins_pieces = false;  ///< a piece begins where the one before ends
+    bool is_thinned = true;     ///< points that lie on one another are drawn once
+    Stroke stroke = {};
+    Beyond beyond = Beyond::clamped;
+    std::optional<Mark> head = {};  ///< where it has come to
+};
+
+/// An error to either side of a line.
+struct Band : Layer {
+    Column x, y, error;
+    Shown shown = {};
+    std::shared_ptr<const std::vector<int>> piece = {};
+    Role role = {};
+    double alpha = 0.3;
+};
+
+struct Points : Layer {
+    Column x, y;
+    Shown shown = {};
+    Mark mark = {};
+};
+
+/// Words at the first of some places that is free, on a plate where they must lie on something.
+struct Label : Layer {
+    std::vector<Text> words;  ///< the first that fits its place; from the longest on
+    std::vector<Anchor> anchors = {};
+    Role role = {};
+    std::optional<Stroke> sample = {};  ///< before them
+    bool has_plate = false;             ///< always
+    bool may_be_left_out = false;       ///< where no place is free
+};
+
+/// A line at one value of y across the plot.
+struct Level : Layer {
+    std::string column = {};  ///< of the table
+    double value = 0.0;
+    Stroke stroke = {.width = 0.08, .dashes = {0.3}};
+    std::optional<Label> label = {};
+    std::string x_column = {};  ///< of the table, for its two ends
+};
+
+/// A line at one value of x from the bottom to the top of the plot, or to a point.
+struct Marker : Layer {
+    std::string column = {};  ///< of the table
+    double value = 0.0;
+    std::optional<double> up_to = {};  ///< none: the top
+    Stroke stroke = {.width = 0.08};
+    std::optional<Label> label = {};
+};
+
+/// The heights of bins side by side, filled from 0 on.
+struct Bars : Layer {
+    Column from, to, value, error;  ///< errors may be none
+    Role role = {.of = Role::Of::bar};
+    double alpha = 1.0;
+    Stroke error_stroke = {.width = 0.08};
+};
+
+/// The upper edge of such bars.
+struct Steps : Layer {
+    Column from, to, value;
+    Stroke stroke = {};
+};
+
+struct Ellipse : Layer {
+    Point center, half;  ///< half axes
+    Stroke stroke = {};
+};
+
+using AnyLayer = std::variant<Bars, Steps, Line, Band, Points, Level, Marker, Ellipse, Label>;
+
+/// What all kinds of layers have in common.
+const Layer& common(const AnyLayer& layer);
+
+// ------------------------------------------------------------------------------------ axes, plot
+
+struct Axis {
+    enum class Kind {
+        linear,
+        logarithmic,  ///< of positive data
+        powers        ///< of data that are decimal logarithms themselves
+    };
+    Text title = {};
+    double low = 0.0, high = 1.0;  ///< unless linear, decimal logarithms
+    Kind kind = Kind::linear;
+    bool is_whole = false;        ///< ticks at whole numbers only
+    bool has_zero_place = false;  ///< under powers of ten, a place of its own for 0
+};
+
+/// A plot, complete and immutable. Copies share its data.
+struct Plot {
+    std::vector<Text> titles;  ///< from the longest on
+    Axis x, y;
+    std::vector<AnyLayer> layers = {};
+    std::vector<Note> notes = {};
+    std::vector<std::string> columns = {};           ///< of the table, in order
+    std::vector<std::string> runs = {};              ///< names of runs side by side
+    std::string account = {};                        ///< what it shows, in whole sentences
+    std::string finding = {};                        ///< what a caption says beyond that
+    std::vector<std::string> accounts_of_runs = {};  ///< of each run: "mean 1.25"
+};
+
+}  // namespace carom::plot

@@ -1,0 +1,31 @@
+#include "panels/plot/plot_panel.h"
+
+#include "panels/plot/draw_plot.h"
+
+namespace carom {
+
+void PlotPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    draw_plot(canvas, dc, plot(nullptr), plot::Part::still);
+}
+
+void PlotPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    draw_plot(canvas, dc, plot(&state), plot::Part::changing);
+}
+
+Table PlotPanel::table(const PanelState& state, const Theme&) const {
+    return table_of(plot(&state));
+}
+
+std::vector<std::string> PlotPanel::told_of_runs(const PanelState& state) const {
+    return plot(&state).accounts_of_runs;
+}
+
+std::shared_ptr<const PanelState> PlotPanel::beside(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    auto all = std::make_shared<ShownState>();
+    for (const auto& state : states)
+        all->shown.push_back(dynamic_cast<const ShownState&>(*state).shown.front());
+    return all;
+}
+
+}  // namespace carom

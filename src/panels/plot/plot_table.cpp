@@ -1,0 +1,120 @@
+// A plot's numbers as a table, and its words.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "panels/plot/draw_plot.h"
+
+namespace carom::plot {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// Rows of one plot, or of one of the runs in it.
+class Rows {
+  public:
+    Rows(const Plot& plot, std::optional<std::size_t> run, Table& table)
+        : plot_(plot), run_(run), table_(table) {}
+
+    void add(const AnyLayer& layer) {
+        const Layer& all = common(layer);
+        if (all.part.empty() || (run_ && all.run && *all.run != *run_)) return;
+        part_ = all.part;
+        of_ = all.of;
+        last_.clear();
+        std::visit([&](const auto& one) { rows_of(one); }, layer);
+    }
+
+  private:
+    // A number, or none, in each of the named columns.
+    using Numbers = std::map<std::string, double>;
+
+    void row(const Numbers& numbers) {
+        std::vector<Cell> cells;
+        if (run_) cells.emplace_back(plot_.runs[*run_]);
+        cells.emplace_back(part_);
+        cells.emplace_back(of_);
+        std::vector<double> values;
+        for (const std::string& name : plot_.columns) {
+            const auto found = numbers.find(name);
+            values.push_back(found == numbers.end() ? none : found->second);
+            cells.emplace_back(values.back());
+        }
+        if (is_repeated(values)) return;
+        last_ = std::move(values);
+        table_.rows.push_back(std::move(cells));
+    }
+
+    bool is_repeated(const std::vector<double>& values) const {
+        return std::ranges::equal(values, last_, [](double a, double b) {
+            return a == b || (std::isnan(a) && std::isnan(b));
+        });
+    }
+
+    template <class Curve>
+    void rows_of_curve(const Curve& curve, const Column* third = nullptr) {
+        const std::size_t end = std::min(curve.shown.end, curve.x.size());
+        for (std::size_t i = curve.shown.first; i < end; ++i) {
+            if (std::isnan(curve.y[i])) continue;
+            Numbers numbers{{curve.x.name, curve.x[i]}, {curve.y.name, curve.y[i]}};
+            if (third != nullptr) numbers[third->name] = (*third)[i];
+            if constexpr (requires { curve.piece_column; })
+                if (!curve.piece_column.empty()) numbers[curve.piece_column] = (*curve.piece)[i];
+            for (const Column& more : curve.more) numbers[more.name] = more[i];
+            row(numbers);
+        }
+    }
+
+    template <class Bins>
+    void rows_of_bins(const Bins& bins) {
+        for (std::size_t i = 0; i < bins.value.size(); ++i) {
+            Numbers numbers{{bins.from.name, bins.from[i]},
+                            {bins.to.name, bins.to[i]},
+                            {bins.value.name, bins.value[i]}};
+            for (const Column& more : bins.more) numbers[more.name] = more[i];
+            if constexpr (requires { bins.error; })
+                if (bins.error.size() > 0) numbers[bins.error.name] = bins.error[i];
+            row(numbers);
+        }
+    }
+
+    void rows_of(const Line& line) { rows_of_curve(line); }
+    void rows_of(const Points& points) { rows_of_curve(points); }
+    void rows_of(const Band& band) { rows_of_curve(band, &band.error); }
+    void rows_of(const Bars& bars) { rows_of_bins(bars); }
+    void rows_of(const Steps& steps) { rows_of_bins(steps); }
+    void rows_of(const Level& level) {
+        for (const double x : {plot_.x.low, plot_.x.high})
+            row({{level.x_column, x}, {level.column, level.value}});
+    }
+    void rows_of(const Marker& marker) { row({{marker.column, marker.value}}); }
+    void rows_of(const Layer& other) {
+        for (std::size_t i = 0; !other.more.empty() && i < other.more.front().size(); ++i) {
+            Numbers numbers;
+            for (const Column& more : other.more) numbers[more.name] = more[i];
+            row(numbers);
+        }
+    }
+
+    const Plot& plot_;
+    std::optional<std::size_t> run_;
+    Table& table_;
+    std::string part_, of_;
+    std::vector<double> last_;
+};
+
+}  // namespace
+
+Table table_of(const Plot& plot) {
+    Table table;
+    if (!plot.runs.empty()) table.columns.push_back("run");
+    table.columns.insert(table.columns.end(), {"part", "of"});
+    table.columns.insert(table.columns.end(), plot.columns.begin(), plot.columns.end());
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, plot.runs.size()); ++k) {
+        Rows rows(plot, plot.runs.empty() ? std::nullopt : std::optional(k), table);
+        for (const AnyLayer& layer : plot.layers) rows.add(layer);
+    }
+    return table;
+}
+
+}  // namespace carom::plot

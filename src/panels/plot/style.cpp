@@ -1,0 +1,112 @@
+// Roles, strokes and marks as colours, dashes and disks of a theme.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draw/palette.h"
+#include "panels/plot/layers.h"
+
+namespace carom::plot {
+
+Color color_of(const Role& role, const Theme& theme) {
+    switch (role.of) {
+        case Role::Of::ink:
+            return theme.ink;
+        case Role::Of::muted:
+            return theme.muted;
+        case Role::Of::accent:
+            return theme.accent;
+        case Role::Of::bar:
+            return theme.bar;
+        case Role::Of::highlight:
+            return theme.highlight;
+        case Role::Of::page:
+            return theme.page;
+        case Role::Of::kind:
+            return kind_color(role.index, theme);
+        case Role::Of::run:
+            return toward_ink(kind_color(role.index, theme), theme, std::array{theme.page},
+                              least_contrast_of_marks);
+        case Role::Of::own:
+            break;
+    }
+    return role.own.at(static_cast<std::size_t>(theme.kind));
+}
+
+Color color_of(const Stroke& stroke, const Theme& theme) {
+    const Color color = color_of(stroke.role, theme);
+    return mix(stroke.shade == Shade::legible ? edge_of(color, theme) : color, theme.page,
+               stroke.fade);
+}
+
+std::vector<double> dashes_of(const Stroke& stroke, const DrawContext& dc) {
+    const bool in_print = dc.theme.kind == ThemeKind::print && !stroke.print_dashes.empty();
+    std::vector<double> dashes = in_print ? stroke.print_dashes : stroke.dashes;
+    for (double& length : dashes) length *= dc.unit;
+    return dashes;
+}
+
+void draw_stroke(Canvas& canvas, const DrawContext& dc, std::span<const Point> path,
+                 const Stroke& stroke) {
+    const double width = stroke.width * dc.unit;
+    const std::vector<double> dashes = dashes_of(stroke, dc);
+    Color color = color_of(stroke, dc.theme);
+    if (stroke.shade == Shade::rimmed) {
+        const Color rim = edge_of(color, dc.theme);
+        if (!dashes.empty())
+            color = rim;
+        else if (to_pixel(rim) != to_pixel(color))
+            canvas.stroke_path(path, width + 0.1 * dc.unit, rim);
+    }
+    canvas.stroke_path(path, width, color, dashes);
+}
+
+void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
+                   const Stroke& stroke) {
+    if (dashes_of(stroke, dc).empty())
+        canvas.stroke_line(from, to, stroke.width * dc.unit, color_of(stroke, dc.theme));
+    else
+        draw_stroke(canvas, dc, std::array{from, to}, stroke);
+}
+
+void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark) {
+    const double u = dc.unit, radius = mark.radius * u;
+    const Color color = color_of(mark.role, dc.theme);
+    const Color edge = mark.shade == Shade::as_it_is ? color : edge_of(color, dc.theme);
+    if (mark.ring > 0.0) return canvas.stroke_circle(at, radius, mark.ring * u, edge);
+    if (mark.halo > 0.0) canvas.fill_circle(at, radius + mark.halo * u, dc.theme.page);
+    canvas.fill_circle(at, radius, edge);
+    if (mark.shade == Shade::rimmed)
+        canvas.fill_circle(at, radius - (to_pixel(edge) != to_pixel(color) ? 0.1 * u : 0.0), color);
+    const bool is_pale = mark.is_hollow_if_pale && dc.theme.kind == ThemeKind::print &&
+                         looks_hollow(color, dc.theme);
+    if (mark.is_hollow || is_pale) canvas.fill_circle(at, 0.6 * radius, dc.theme.page);
+}
+
+namespace {
+
+std::string sample_of(const Text::Piece& piece, const Theme& theme) {
+    const Color color = color_of(*piece.role, theme);
+    return piece.sample == Sample::line ? line_sample(piece.line, color, theme)
+                                        : disk_sample(color, theme);
+}
+
+}  // namespace
+
+std::string markup_of(const Text& text, const Theme& theme) {
+    std::string markup;
+    for (const Text::Piece& piece : text.pieces) {
+        if (!piece.role) {
+            markup += piece.markup;
+            continue;
+        }
+        if (piece.sample != Sample::none) markup += sample_of(piece, theme);
+        markup += fmt::format("<span foreground=\"{}\">{}</span>",
+                              hex_of(legible(color_of(*piece.role, theme), theme)), piece.markup);
+    }
+    return markup;
+}
+
+}  // namespace carom::plot

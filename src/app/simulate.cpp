@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
-
-#include "panels/precision.h"
-#include "physics/placement/placement.h"
-#include "util/diagnostics.h"
 
 namespace carom {
 
@@ -24,14 +21,17 @@ Scene with_precision(const Scene& asked, Progress& progress) {
     return with_precision(asked, shown_trials(asked, progress));
 }
 
+StartedScene start_scene(const Scene& asked, Progress& progress) {
+    if (!asked.run.bits) return start_scene(asked, shown_trials(asked, progress));
+    const double all = asked.run.equilibrate;
+    if (all > 0.0) progress.begin("equilibrating", all, "time units");
+    return start_scene(asked, [&](int, double time) { progress.reach(all + time); });
+}
+
 Simulation simulate(const Scene& scene, const TimeCallback& on_progress) {
-    try {
-        return Simulation(scene.gas, scene.run, on_progress);
-    } catch (const PlacementError& error) {
-        Diagnostic diagnostic = scene.species_spans[error.species()];
-        diagnostic.message = error.what();
-        throw SceneError({diagnostic});
-    }
+    std::optional<Simulation> simulation;
+    with_places_of_errors(scene, [&] { simulation.emplace(scene.gas, scene.run, on_progress); });
+    return std::move(*simulation);
 }
 
 Simulation simulate(const Scene& scene, Progress& progress) {

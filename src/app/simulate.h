@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/progress.h"
-#include "physics/reversal/echo.h"
+#include "panels/precision.h"
 #include "physics/simulation.h"
 #include "scene/scene.h"
 
@@ -13,6 +13,9 @@ TrialCallback shown_trials(const Scene& scene, Progress& progress);
 
 /// with_precision(), whose trials are shown.
 Scene with_precision(const Scene& asked, Progress& progress);
+
+/// start_scene(), whose trials and equilibration are shown.
+StartedScene start_scene(const Scene& asked, Progress& progress);
 
 /// Places the gas and runs `run.equilibrate`, of which `told` hears; of a scene with_precision().
 /// Throws SceneError, with the place in the file, when the gas cannot be placed; Interrupted.

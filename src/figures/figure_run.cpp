@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "panels/echo/echo_record.h"
 #include "panels/precision.h"
 #include "panels/registry.h"
 #include "util/interrupt.h"
@@ -151,14 +152,19 @@ void FigureRun::OfSeed::survey(const RunsCallbacks& on_progress) {
     Simulation simulation = fresh(on_progress);
     simulation.record_collisions(std::ranges::any_of(
         figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
+    if (std::ranges::any_of(
+            figures, [](const Figure& figure) { return figure.panel->wants_return_distances(); }))
+        simulation.measure_return(return_times(scene_, particles_.count(), ticks_));
     double now = 0.0;
-    for (const Tick& tick : ticks_) {
-        throw_if_interrupted();
-        const AdvanceResult advanced = simulation.advance_to(tick.time);
-        const FrameInput input = observe(tick, simulation.sample(), advanced);
-        for (const Figure& figure : figures) figure.panel->survey(input);
-        if (on_progress.advance) on_progress.advance(tick.time - std::exchange(now, tick.time));
-    }
+    with_places_of_errors(scene_, [&] {
+        for (const Tick& tick : ticks_) {
+            throw_if_interrupted();
+            const AdvanceResult advanced = simulation.advance_to(tick.time);
+            const FrameInput input = observe(tick, simulation.sample(), advanced);
+            for (const Figure& figure : figures) figure.panel->survey(input);
+            if (on_progress.advance) on_progress.advance(tick.time - std::exchange(now, tick.time));
+        }
+    });
 }
 
 // Of frames that show one time the last: at a reversal the one after it.

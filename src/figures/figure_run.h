@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "panels/panel.h"
-#include "physics/reversal/echo.h"
+#include "physics/reversal/precision.h"
 #include "physics/simulation.h"
 #include "scene/scene.h"
 

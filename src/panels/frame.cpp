@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "panels/echo/echo_record.h"
 #include "panels/layout.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
@@ -12,7 +13,9 @@ namespace carom {
 Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
 Observers::Observers(const Scene& scene, const Particles& particles, const Sample& start)
-    : particles_(particles), equilibrium_(equilibrium(scene.gas.box, particles, start)) {
+    : scene_(scene),
+      particles_(particles),
+      equilibrium_(equilibrium(scene.gas.box, particles, start)) {
     const PanelContext context{scene, particles_, frame_count(scene.film), equilibrium_};
     const LayoutSpec& layout = scene.film.layout;
     refuse_long_words(scene);
@@ -40,6 +43,13 @@ bool Observers::wants_collisions() const {
 bool Observers::surveys_collisions() const {
     return std::ranges::any_of(
         panels_, [](const Placed& placed) { return placed.panel->surveys_collisions(); });
+}
+
+std::vector<double> Observers::return_times(const std::vector<Tick>& ticks) const {
+    const bool wanted = std::ranges::any_of(
+        panels_, [](const Placed& placed) { return placed.panel->wants_return_distances(); });
+    if (!wanted) return {};
+    return carom::return_times(scene_, particles_.count(), ticks);
 }
 
 void Observers::survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {

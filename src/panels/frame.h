@@ -37,6 +37,9 @@ class Observers {
     bool wants_collisions() const;
     bool surveys_collisions() const;
 
+    /// Times at which the first pass measures return distances; none if no panel needs them.
+    std::vector<double> return_times(const std::vector<Tick>& ticks) const;
+
     /// A panel and its place in the template's grid.
     struct Placed {
         Slot slot;
@@ -46,6 +49,7 @@ class Observers {
     const Panel& gas() const { return *panels_.front().panel; }
 
   private:
+    const Scene& scene_;
     Particles particles_;
     std::optional<EquilibriumGas> equilibrium_;
     std::vector<Placed> panels_;

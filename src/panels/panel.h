@@ -118,6 +118,9 @@ class Panel {
     /// Whether its survey needs them.
     virtual bool surveys_collisions() const { return false; }
 
+    /// Whether its survey needs the distances from the mirror states after a reversal.
+    virtual bool wants_return_distances() const { return false; }
+
     /// Whether it shows the time, and beside it how slow the film is.
     virtual bool shows_time() const { return false; }
 

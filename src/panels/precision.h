@@ -1,15 +1,30 @@
-// The precision that a scene asks for, found before its film or figures begin: all passes over one
-// scene calculate with the same bits.
+// A scene's run as physics starts it: with the precision that the scene asks for, found once before
+// its film or figures begin, and its errors at their places in the scene file.
 #pragma once
 
-#include "physics/reversal/echo.h"
+#include <functional>
+
+#include "physics/reversal/precision.h"
 #include "scene/scene.h"
 
 namespace carom {
 
-/// The scene with `run.bits` found where it leaves them to be found, which takes several runs; and
-/// its nudges tried out; `told` hears how far the trials have come. Throws SceneError, with the
-/// place in the file.
+/// Calls `run`; a gas that cannot be placed, a precision that cannot be reached and a perturbation
+/// that has no room become a SceneError with the place in the file.
+void with_places_of_errors(const Scene& scene, const std::function<void()>& run);
+
+/// A scene with `run.bits` set, and its simulation at time 0, equilibrated, to be copied for each
+/// pass.
+struct StartedScene {
+    Scene scene;
+    Simulation simulation;
+};
+
+/// Finds the bits where the scene leaves them to be found, which takes several runs, of which
+/// `on_progress` is told. Throws SceneError, with the place in the file; Interrupted.
+StartedScene start_scene(const Scene& scene, const TrialCallback& on_progress = {});
+
+/// The same for a simulation that is made later. Runs nothing where the scene says the bits.
 Scene with_precision(const Scene& scene, const TrialCallback& on_progress = {});
 
 }  // namespace carom

@@ -6,7 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+
+#include "physics/exact_positions.h"
 
 namespace carom {
 
@@ -48,6 +51,9 @@ struct AdvanceResult {
     int reversals = 0;       ///< reversals since t = 0, those at its end included
     std::span<const Collision>
         collisions;  ///< of this advance only, when recording; valid until the next advance
+    std::optional<ReturnDistance>
+        return_distance;  ///< of the present positions from those at the mirror time, if
+                          ///< Simulation::measure_return() asks for it at the present time
 };
 
 /// Told what time it is in a run, every some thousand events.

@@ -1,9 +1,9 @@
 #include "physics/exact_positions.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 
 #include "physics/multiprecision/multiprecision.h"
@@ -11,27 +11,32 @@
 namespace carom {
 namespace {
 
+ReturnDistance distance_of(const Box& box, const Eigen::ArrayXXd& from, const Eigen::ArrayXXd& to) {
+    Eigen::ArrayXXd apart = to - from;
+    if (apart.rows() == 0) return {};
+    for (Eigen::Index axis = 0; axis < apart.cols(); ++axis)
+        if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+            apart.col(axis) -= box.size[axis] * (apart.col(axis) / box.size[axis]).round();
+    const Eigen::ArrayXd square = apart.square().rowwise().sum();
+    const double largest = std::sqrt(square.maxCoeff()), mean = std::sqrt(square.mean());
+    return {largest, mean, std::log10(largest), std::log10(mean)};
+}
+
 double log10_or_less(const Real& length) {
     return length.is_zero() ? -std::numeric_limits<double>::infinity() : log10(length);
 }
 
-}  // namespace
-
-ExactPositions::ExactPositions(const Box& box, std::vector<Real> coordinates)
-    : box_(box), coordinates_(std::make_shared<const std::vector<Real>>(std::move(coordinates))) {}
-
-ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b) {
-    const std::vector<Real>&from = *a.coordinates_, &to = *b.coordinates_;
-    assert(from.size() == to.size());
+ReturnDistance distance_of(const Box& box, const std::vector<Real>& from,
+                           const std::vector<Real>& to) {
     if (from.empty()) return {};
-    const auto dimension = static_cast<std::size_t>(a.box_.dimension);
+    const auto dimension = static_cast<std::size_t>(box.dimension);
     Real largest = 0.0, sum = 0.0;
     for (std::size_t k = 0; k < from.size(); k += dimension) {
         Real square = 0.0;
         for (std::size_t axis = 0; axis < dimension; ++axis) {
             Real apart = to[k + axis] - from[k + axis];
-            if (a.box_.walls[axis] == Wall::periodic) {
-                const double size = a.box_.size[static_cast<Eigen::Index>(axis)];
+            if (box.walls[axis] == Wall::periodic) {
+                const double size = box.size[static_cast<Eigen::Index>(axis)];
                 const double turns = std::round(static_cast<double>(apart) / size);
                 apart -= as_precise_as(apart, size) * turns;
             }
@@ -46,15 +51,30 @@ ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b)
             log10_or_less(mean)};
 }
 
+}  // namespace
+
+ExactPositions::ExactPositions(const Box& box, Eigen::ArrayXXd doubles)
+    : box_(box), doubles_(std::move(doubles)) {}
+
+ExactPositions::ExactPositions(const Box& box, std::vector<Real> coordinates)
+    : box_(box), coordinates_(std::make_shared<const std::vector<Real>>(std::move(coordinates))) {}
+
+ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b) {
+    const bool in_full = a.coordinates_ != nullptr;
+    const bool alike = in_full == (b.coordinates_ != nullptr) &&
+                       a.doubles_.rows() == b.doubles_.rows() &&
+                       (!in_full || a.coordinates_->size() == b.coordinates_->size());
+    if (!alike)
+        throw std::invalid_argument(
+            "positions of different gases, or in different kinds of number");
+    return in_full ? distance_of(a.box_, *a.coordinates_, *b.coordinates_)
+                   : distance_of(a.box_, a.doubles_, b.doubles_);
+}
+
 ReturnDistance return_distance(const Box& box, const Sample& a, const Sample& b) {
-    Eigen::ArrayXXd apart = b.position - a.position;
-    if (apart.rows() == 0) return {};
-    for (Eigen::Index axis = 0; axis < apart.cols(); ++axis)
-        if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
-            apart.col(axis) -= box.size[axis] * (apart.col(axis) / box.size[axis]).round();
-    const Eigen::ArrayXd square = apart.square().rowwise().sum();
-    const double largest = std::sqrt(square.maxCoeff()), mean = std::sqrt(square.mean());
-    return {largest, mean, std::log10(largest), std::log10(mean)};
+    if (a.position.rows() != b.position.rows())
+        throw std::invalid_argument("positions of different gases");
+    return distance_of(box, a.position, b.position);
 }
 
 }  // namespace carom

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "physics/echo_measurement.h"
 #include "physics/events/event_loop.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/placement/jam.h"
@@ -113,11 +114,42 @@ struct Simulation::Implementation {
         sampled = false;
     }
 
-    // Rule for a faithful way back: exactly at its time, with all predictions made anew.
+    // Through all events of the run, and past the mirror times of measure_return().
+    void advance_with_events(double time) {
+        for (; next_event < events.size() && events[next_event].at <= time; ++next_event) {
+            const double at = events[next_event].at;
+            while (echo.next_time() < at) keep_mirror_positions();
+            advance(at);
+            apply(next_event);
+        }
+        while (echo.next_time() <= time) keep_mirror_positions();
+        advance(time);
+    }
+
+    void keep_mirror_positions() {
+        advance(echo.next_time());
+        echo.keep([this] { return exact_positions(); });
+    }
+
+    ExactPositions exact_positions() const {
+        if (bits > bits_of_double)
+            return std::visit(
+                [&](const auto& its) {
+                    const auto all = its.positions(present.time);
+                    return ExactPositions(box, std::vector<Real>(all.begin(), all.end()));
+                },
+                loop);
+        Sample now;
+        std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
+        return {box, std::move(now.position)};
+    }
+
+    // Rule for a faithful return: exactly at its time, with all predictions made anew.
     void reverse() {
+        echo.keep_at_reversal(present.time, [this] { return exact_positions(); });
+        reversed_at.push_back(present.time);
         with_loop([&](auto& its) { its.reverse(present.time); });
         sampled = false;
-        ++reversals;
     }
 
     void perturb(std::size_t event, const Perturbation& perturbation) {
@@ -132,7 +164,7 @@ struct Simulation::Implementation {
                                *obstacle < 0 ? "a wall" : fmt::format("particle {}", *obstacle)));
     }
 
-    void happen(std::size_t event) {
+    void apply(std::size_t event) {
         if (const auto* its = std::get_if<Perturbation>(&events[event].action))
             perturb(event, *its);
         else
@@ -149,7 +181,8 @@ struct Simulation::Implementation {
     bool sampled = true;
     bool recording = false;
     std::vector<Collision> collisions;
-    int reversals = 0;
+    std::vector<double> reversed_at;
+    EchoMeasurement echo;
 };
 
 Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress) {
@@ -177,15 +210,22 @@ AdvanceResult Simulation::advance_to(double time) {
     Implementation& its = *implementation_;
     assert(time >= its.present.time);
     its.collisions.clear();
-    while (its.next_event < its.events.size() && its.events[its.next_event].at <= time) {
-        its.advance(its.events[its.next_event].at);
-        its.happen(its.next_event);
-        ++its.next_event;
-    }
-    its.advance(time);
+    its.advance_with_events(time);
+    auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
+    const auto reversals = static_cast<int>(its.reversed_at.size());
     return its.with_loop([&](const auto& loop) {
-        return AdvanceResult{loop.counts(), loop.impulses(), its.reversals, its.collisions};
+        return AdvanceResult{loop.counts(), loop.impulses(), reversals, its.collisions,
+                             std::move(distance)};
     });
+}
+
+void Simulation::measure_return(std::vector<double> times) {
+    Implementation& its = *implementation_;
+    std::vector<double> reversals = its.reversed_at;
+    for (std::size_t k = its.next_event; k < its.events.size(); ++k)
+        if (std::holds_alternative<ReverseVelocities>(its.events[k].action))
+            reversals.push_back(its.events[k].at);
+    its.echo = EchoMeasurement(reversals, std::move(times), its.present.time);
 }
 
 void Simulation::replace_events(std::vector<RunEvent> events) {
@@ -210,15 +250,7 @@ const Sample& Simulation::sample() {
     return its.present;
 }
 
-ExactPositions Simulation::exact_positions() const {
-    const Implementation& its = *implementation_;
-    return std::visit(
-        [&](const auto& loop) {
-            const auto all = loop.places(its.present.time);
-            return ExactPositions(its.box, {all.begin(), all.end()});
-        },
-        its.loop);
-}
+ExactPositions Simulation::exact_positions() const { return implementation_->exact_positions(); }
 
 int Simulation::bits() const { return implementation_->bits; }
 

@@ -55,10 +55,17 @@ class Simulation {
     /// the one listed before it.
     void replace_events(std::vector<RunEvent> events);
 
+    /// From now on advance_to() measures how far a reversed run is from where it was: when it ends
+    /// at one of `times`, AdvanceResult::return_distance compares all positions with those at the
+    /// mirror time, as long before the last reversal as the present is after it. Without it where
+    /// the run was not at that time, or was before the present. Keeps the positions of each of
+    /// these times from its mirror time on. Replaces what was asked for before.
+    void measure_return(std::vector<double> times);
+
     /// State of all particles at the present time.
     const Sample& sample();
 
-    /// Where all particles are at the present time, in full.
+    /// Positions of all particles at the present time, with all bits of the run's numbers.
     ExactPositions exact_positions() const;
 
     /// Whether advance_to hands out the collisions themselves; off at first.

@@ -42,7 +42,7 @@ Echo echo(const Box& box, const Particles& particles, const Sample& start, doubl
           const Arithmetic& arithmetic = {}) {
     EventLoop<Dimension, Scalar> loop(box, particles, arithmetic);
     loop.start(start);
-    const std::vector<Scalar> home = loop.places(0.0);
+    const std::vector<Scalar> home = loop.positions(0.0);
     std::vector<Collision> there, back;
     loop.advance(out, &there);
     Echo result;
@@ -51,7 +51,7 @@ Echo echo(const Box& box, const Particles& particles, const Sample& start, doubl
     loop.forget();
     loop.advance(2.0 * out, &back);
     result.back = loop.counts();
-    const std::vector<Scalar> end = loop.places(2.0 * out);
+    const std::vector<Scalar> end = loop.positions(2.0 * out);
     for (std::size_t k = 0; k < home.size(); ++k) {
         const auto axis = static_cast<Eigen::Index>(k % Dimension);
         Scalar off = end[k] - home[k];

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "physics/placement/placement.h"
-#include "physics/reversal/echo.h"
+#include "physics/reversal/precision.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
 #include "support/equal_disks.h"

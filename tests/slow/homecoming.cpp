@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "physics/reversal/echo.h"
+#include "physics/reversal/precision.h"
 #include "physics/simulation.h"
 #include "support/equal_disks.h"
 #include "support/nudged_echo.h"

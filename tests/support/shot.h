@@ -26,6 +26,7 @@ struct Shot {
         observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
         std::vector<Tick> ticks = timeline(scene);
         survey.record_collisions(observers->surveys_collisions());
+        survey.measure_return(observers->return_times(ticks));
         for (const Tick& tick : ticks) {
             const AdvanceResult advanced = survey.advance_to(tick.time);
             observers->survey(tick, survey.sample(), advanced);

@@ -50,18 +50,21 @@ VideoSettings video_settings(const Scene& scene, const RenderOptions& options) {
 }
 
 // The physics alone, so that axes and scales hold for the whole film.
-void survey(const std::vector<Tick>& ticks, Simulation simulation,
+void survey(const Scene& scene, const std::vector<Tick>& ticks, Simulation simulation,
             std::initializer_list<Observers*> all, Progress& progress) {
     progress.begin("simulating", static_cast<double>(ticks.size()));
     simulation.record_collisions(std::ranges::any_of(
         all, [](const Observers* observers) { return observers->surveys_collisions(); }));
-    for (const Tick& tick : ticks) {
-        throw_if_interrupted();
-        const AdvanceResult advanced = simulation.advance_to(tick.time);
-        const Sample sample = simulation.sample();
-        for (Observers* observers : all) observers->survey(tick, sample, advanced);
-        progress.advance();
-    }
+    simulation.measure_return((*all.begin())->return_times(ticks));
+    with_places_of_errors(scene, [&] {
+        for (const Tick& tick : ticks) {
+            throw_if_interrupted();
+            const AdvanceResult advanced = simulation.advance_to(tick.time);
+            const Sample sample = simulation.sample();
+            for (Observers* observers : all) observers->survey(tick, sample, advanced);
+            progress.advance();
+        }
+    });
     for (Observers* observers : all) observers->fix_axes();
 }
 
@@ -112,10 +115,10 @@ RenderReport render(const Scene& asked, const RenderOptions& options, Progress& 
     Observers observers(scene, simulation.particles(), simulation.sample());
     if (writer->wanted_previews() > 0) {
         Observers beforehand(scene, simulation.particles(), simulation.sample());
-        survey(ticks, simulate(scene, progress), {&observers, &beforehand}, progress);
+        survey(scene, ticks, simulate(scene, progress), {&observers, &beforehand}, progress);
         show_previews(scene, ticks, span, beforehand, *writer, progress);
     } else {
-        survey(ticks, simulate(scene, progress), {&observers}, progress);
+        survey(scene, ticks, simulate(scene, progress), {&observers}, progress);
     }
 
     FilmWords words;
@@ -157,7 +160,7 @@ Canvas draw_still(const Scene& asked, double at, std::string_view format, Progre
 
     Simulation simulation = simulate(scene, progress);
     Observers observers(scene, simulation.particles(), simulation.sample());
-    survey(ticks, simulate(scene, progress), {&observers}, progress);
+    survey(scene, ticks, simulate(scene, progress), {&observers}, progress);
     progress.begin("going to the frame", static_cast<double>(nearest + 1));
     simulation.record_collisions(observers.wants_collisions());
     FrameData frame;

@@ -8,7 +8,6 @@
 
 #include "app/simulate.h"
 #include "panels/precision.h"
-#include "physics/exact_positions.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -35,18 +34,18 @@ class Stopwatch {
 
 std::int64_t events(const CollisionCounts& counts) { return counts.particle + counts.wall; }
 
-// Looks at the gas when it turns round and when it should be home.
+// Counts events up to each reversal and the return, and takes the return distance.
 class ReversalWatch {
   public:
     ReversalWatch(const Run& run, Simulation& simulation) {
-        for (const double time : reversal_times(run)) add(time, run.until);
+        std::vector<double> returns;
+        for (const double time : reversal_times(run)) {
+            add(time, run.until);
+            returns.push_back(2.0 * time);
+        }
         std::stable_sort(marks_.begin(), marks_.end(),
                          [](const Mark& a, const Mark& b) { return a.time < b.time; });
-        if (reports_.empty()) return;
-        if (simulation.bits() > bits_of_double)
-            start_in_full_ = simulation.exact_positions();
-        else
-            start_ = simulation.sample();
+        simulation.measure_return(returns);
     }
 
     /// When to look next; infinite after the last time.
@@ -55,16 +54,16 @@ class ReversalWatch {
     }
 
     /// To be called at next_time().
-    void look(Simulation& simulation, const CollisionCounts& counts) {
+    void look(const AdvanceResult& advanced) {
         for (const double now = next_time(); next_time() == now; ++next_) {
             const Mark& mark = marks_[next_];
             ReversalReport& report = reports_[mark.reversal];
             if (!mark.is_return) {
-                report.events_out = events(counts);
+                report.events_out = events(advanced.counts);
                 continue;
             }
-            report.events_back = events(counts) - report.events_out;
-            if (alone_before(mark.time)) report.distance = distance_from_start(simulation);
+            report.events_back = events(advanced.counts) - report.events_out;
+            if (alone_before(mark.time)) report.distance = advanced.return_distance;
         }
     }
 
@@ -89,13 +88,6 @@ class ReversalWatch {
                              [=](const ReversalReport& other) { return other.at < time; }) == 1;
     }
 
-    ReturnDistance distance_from_start(Simulation& simulation) const {
-        if (start_in_full_) return return_distance(*start_in_full_, simulation.exact_positions());
-        return return_distance(simulation.box(), start_, simulation.sample());
-    }
-
-    Sample start_;  ///< as doubles have it, or
-    std::optional<ExactPositions> start_in_full_;
     std::vector<Mark> marks_;
     std::vector<ReversalReport> reports_;
     std::size_t next_ = 0;
@@ -106,14 +98,15 @@ constexpr std::int64_t events_in_a_stretch = 20'000;
 
 class Course {
   public:
-    Course(const Scene& scene, Progress& progress)
-        : run_(scene.run),
-          simulation_(prepare(scene, progress)),
+    Course(const StartedScene& started, double prepare_seconds, Progress& progress)
+        : run_(started.scene.run),
+          simulation_(started.simulation),
           statistics_(simulation_.box(), simulation_.particles(),
-                      static_cast<int>(scene.gas.species.size()), sample_count(scene.run)),
-          reversals_(scene.run, simulation_),
+                      static_cast<int>(started.scene.gas.species.size()), sample_count(run_)),
+          reversals_(run_, simulation_),
           progress_(progress),
-          stretch_(1e-6 * scene.run.until) {
+          stretch_(1e-6 * run_.until) {
+        seconds_.prepare = prepare_seconds;
         progress_.begin("simulating", run_.until, "time units");
     }
 
@@ -124,7 +117,7 @@ class Course {
             see_sample(take);
         }
         progress_.finish();
-        seconds_.total = seconds_since(begun_);
+        seconds_.total = seconds_.prepare + seconds_since(begun_);
         return {simulation_.particles().count(),
                 simulation_.bits(),
                 samples,
@@ -135,11 +128,6 @@ class Course {
     }
 
   private:
-    Simulation prepare(const Scene& scene, Progress& progress) {
-        const Stopwatch watch(seconds_.prepare);
-        return simulate(scene, progress);
-    }
-
     void see_sample(const SampleTaker& take) {
         const Stopwatch watch(seconds_.samples);
         const Sample& sample = simulation_.sample();
@@ -151,7 +139,7 @@ class Course {
     void go_on_to(double time) {
         while (now_ < time) {
             advance_to(std::min({time, reversals_.next_time(), now_ + stretch_}));
-            if (now_ == reversals_.next_time()) reversals_.look(simulation_, advanced_.counts);
+            if (now_ == reversals_.next_time()) reversals_.look(advanced_);
         }
     }
 
@@ -199,7 +187,13 @@ double sample_time(const Run& run, std::int64_t index) {
 }
 
 RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress) {
-    return Course(with_precision(scene, progress), progress).run(take);
+    const Clock::time_point begun = Clock::now();
+    const StartedScene started = start_scene(scene, progress);
+    const double prepare_seconds = seconds_since(begun);
+    RunReport report;
+    with_places_of_errors(started.scene,
+                          [&] { report = Course(started, prepare_seconds, progress).run(take); });
+    return report;
 }
 
 }  // namespace carom

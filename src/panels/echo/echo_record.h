@@ -1,6 +1,5 @@
-// How far a reversed gas is from where it was on the way out: the distance between its state and
-// the mirror state, which is as long before the last reversal as the present is after it; and how
-// far it should be by the growth law. Owns the comparison; draws nothing.
+// How far a reversed gas is from where it was: the return distances that the first pass measures,
+// and how far it should be by the growth law. Draws nothing.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +13,11 @@
 
 namespace carom {
 
+/// The times at which a pass over a film measures return distances (Simulation::measure_return()):
+/// those of as many frames as memory allows.
+std::vector<double> return_times(const Scene& scene, Eigen::Index particles,
+                                 const std::vector<Tick>& ticks);
+
 class EchoRecord {
   public:
     /// One comparison; it holds until the next.
@@ -26,17 +30,17 @@ class EchoRecord {
         bool is_known = false;  ///< false: the gas goes on to where it has never been
         double log10_law = std::numeric_limits<double>::quiet_NaN();  ///< of the largest distance,
                                                                       ///< where there is a law
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(frame, reversal, since, collisions, apart, is_known, log10_law);
+        }
     };
 
     explicit EchoRecord(const PanelContext& context);
 
-    /// First pass, every frame in order: keeps where the particles are after a reversal, of as many
-    /// frames as memory allows.
+    /// First pass, every frame in order; it measures at return_times().
     void survey(const FrameInput& input);
-
-    /// Runs the gas once more, to see the way out at the very times that mirror those kept; a gas
-    /// of many bits on both ways, to compare them in full.
-    void settle();
 
     /// In order of time, from the first reversal on.
     const std::vector<Step>& steps() const { return steps_; }
@@ -55,20 +59,14 @@ class EchoRecord {
     const std::optional<double>& bits_per_collision() const { return bits_per_collision_; }
 
   private:
-    void compare();
-    void compare_in_full();
-    void begin_at_perturbations();
-    void apply_law();
-    std::vector<Perturbation> perturbations_at(double time) const;
+    double log10_law(const Step& step) const;
 
     PanelContext context_;
-    bool in_full_ = false;  ///< numbers have more bits than samples
     std::vector<double> reversals_;
     std::vector<std::int64_t> collisions_until_;  ///< each reversal, of all particles with others
     std::optional<double> bits_per_collision_;
     int stride_ = 1;  ///< one of so many frames is kept
     std::vector<Step> steps_;
-    std::vector<Sample> kept_;  ///< one for each step, its time the mirror's; no velocities
 };
 
 }  // namespace carom

@@ -80,19 +80,13 @@ bool ReturnDistancePanel::has_law() const {
         runs_, [&](const ReturnDistancePanel* run) { return !law(*run, 0).empty(); });
 }
 
-void ReturnDistancePanel::fix_axes() {
-    echo_.settle();
-    choose_axes();
-}
+void ReturnDistancePanel::fix_axes() { choose_axes(); }
 
 void ReturnDistancePanel::settle_beside(const std::vector<Panel*>& others,
                                         const std::vector<std::string>& names) {
     names_ = names;
     runs_.clear();
-    for (ReturnDistancePanel* run : runs_of(*this, others)) {
-        run->echo_.settle();
-        runs_.push_back(run);
-    }
+    for (ReturnDistancePanel* run : runs_of(*this, others)) runs_.push_back(run);
     choose_axes();
 }
 

@@ -20,6 +20,7 @@ class ReturnDistancePanel : public Panel {
     ReturnDistancePanel(const PanelContext& context, const PanelSpec& spec);
 
     void survey(const FrameInput& input) override { echo_.survey(input); }
+    bool wants_return_distances() const override { return true; }
     void fix_axes() override;
     void settle_beside(const std::vector<Panel*>& others,
                        const std::vector<std::string>& names) override;

@@ -217,10 +217,6 @@ void MonitorsPanel::survey(const FrameInput& input) {
     smallest_energy_ = std::min(smallest_energy_, input.energy.mean());
 }
 
-void MonitorsPanel::fix_axes() {
-    if (echo_) echo_->settle();
-}
-
 std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<MonitorsState>();
     state->time = folded_time(context_.scene.run, input.tick.time);

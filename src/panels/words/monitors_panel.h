@@ -19,7 +19,7 @@ class MonitorsPanel : public Panel {
                   std::optional<std::string> title = {});
 
     void survey(const FrameInput& input) override;
-    void fix_axes() override;
+    bool wants_return_distances() const override { return echo_.has_value(); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;

@@ -16,7 +16,7 @@ namespace carom {
 /// How a run calculates: with doubles, or with numbers of more bits (multiprecision.h).
 struct Arithmetic {
     int bits = 53;
-    bool screened = true;  ///< of many bits: doubles sort out what certainly does not happen; the
+    bool screened = true;  ///< multiprecision: doubles exclude what certainly does not happen; the
                            ///< events are the same without
 };
 

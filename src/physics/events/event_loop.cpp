@@ -261,7 +261,7 @@ void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
         const Body& b = bodies_[k];
         for (std::size_t a = 0; a < Dimension; ++a) {
             const auto axis = static_cast<Eigen::Index>(a);
-            const auto x = static_cast<double>(place(b, a, local));
+            const auto x = static_cast<double>(position(b, a, local));
             state.position(number_[k], axis) =
                 box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x;
             state.velocity(number_[k], axis) = static_cast<double>(b.v[a]);
@@ -270,18 +270,19 @@ void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
 }
 
 template <int Dimension, typename Scalar>
-std::vector<Scalar> EventLoop<Dimension, Scalar>::places(double time) const {
+std::vector<Scalar> EventLoop<Dimension, Scalar>::positions(double time) const {
     std::vector<Scalar> all(bodies_.size() * Dimension);
     const Scalar local = clock_.local(time);
     for (std::size_t k = 0; k < bodies_.size(); ++k)
         for (std::size_t a = 0; a < Dimension; ++a)
-            all[static_cast<std::size_t>(number_[k]) * Dimension + a] = place(bodies_[k], a, local);
+            all[static_cast<std::size_t>(number_[k]) * Dimension + a] =
+                position(bodies_[k], a, local);
     return all;
 }
 
 template <int Dimension, typename Scalar>
-Scalar EventLoop<Dimension, Scalar>::place(const Body& b, std::size_t axis,
-                                           const Scalar& local_time) const {
+Scalar EventLoop<Dimension, Scalar>::position(const Body& b, std::size_t axis,
+                                              const Scalar& local_time) const {
     return b.x[axis] + b.v[axis] * (local_time - b.time);
 }
 
@@ -313,7 +314,7 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
     }
 }
 
-// True if it was a collision, which is then told unless `collision` is null.
+// True if it was a collision, which is then written to `collision` unless that is null.
 template <int Dimension, typename Scalar>
 bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
     const auto& event = event_of(i);

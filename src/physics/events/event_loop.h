@@ -2,11 +2,12 @@
 // event to the next and nothing else. Each particle has its own time, up to which it has been
 // moved; only those that collide are touched. One source for doubles and for numbers of many bits
 // (multiprecision.h). Does not know runs, reversals at given times or placement (simulation.h), nor
-// who is near whom (plane.h, mp_plane.h, line.h).
+// which particles are near each other (plane.h, mp_plane.h, line.h).
 //
 // A particle's next event is the first of: its contact with another, with a wall, or its leaving a
 // cell. It predicts a contact with a particle whose own next event comes earlier; if that changes
-// the other's path (its collision count tells), the event is stale and the particle looks again.
+// the other's path (its collision count shows this), the event is stale and the particle looks
+// again.
 #pragma once
 
 #include <Eigen/Core>
@@ -73,8 +74,8 @@ class EventLoop {
     void start(const Sample& state);
 
     /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
-    /// `told` hears the time of the latest event now and then. Throws Interrupted, and
-    /// std::runtime_error when particles collide without end at one instant, or two of infinite
+    /// `on_progress` is called now and then with the time of the latest event. Throws Interrupted,
+    /// and std::runtime_error when particles collide without end at one instant, or two of infinite
     /// mass meet on a wire.
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
 
@@ -97,7 +98,7 @@ class EventLoop {
 
     /// Positions at `time`, as sample() has them but in full, and periodic ones not brought into
     /// the box: those of each particle one after the other, in the order listed by the user.
-    std::vector<Scalar> places(double time) const;
+    std::vector<Scalar> positions(double time) const;
 
     /// Collisions, and what they transferred, since the construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
@@ -133,7 +134,7 @@ class EventLoop {
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
-    Scalar place(const Body& b, std::size_t axis, const Scalar& local_time) const;
+    Scalar position(const Body& b, std::size_t axis, const Scalar& local_time) const;
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
 

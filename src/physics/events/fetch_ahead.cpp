@@ -19,16 +19,16 @@ constexpr std::uint32_t most_waiting = 32;
 }  // namespace
 
 void FetchAhead::ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
-    listen(queue);
+    look_ahead(queue);
     // when a year begins none of its buckets has been looked at
-    if (queue.buckets_looked_at() < buckets_ahead / 2) listen(queue);
+    if (queue.buckets_looked_at() < buckets_ahead / 2) look_ahead(queue);
     if (begin_ == end_) return;
     if (end_ - begin_ > most_waiting) begin_ = end_ - most_waiting;
     fetch(bodies, plane, queue);
     if (end_ - begin_ > many_waiting) fetch(bodies, plane, queue);
 }
 
-void FetchAhead::listen(EventQueue& queue) {
+void FetchAhead::look_ahead(EventQueue& queue) {
     std::array<std::int32_t, 3> who;
     const std::uint32_t more = queue.look_ahead(buckets_ahead, who);
     for (std::uint32_t k = 0; k < who.size(); ++k) coming(end_ + k) = who[k];

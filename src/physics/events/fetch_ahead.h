@@ -1,6 +1,6 @@
-// Fetching ahead: of many disks most lie far from the processor. The calendar tells whose events
-// are near, so what these will need is asked for in time, one thing after the other, each when the
-// one before has come. Changes nothing but when things are done.
+// Prefetching: of many disks most are in distant memory. The event queue knows which disks have the
+// next events, so what these will need is prefetched in time, one thing after the other, each when
+// the one before has arrived. Changes no result.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace carom {
 
 class FetchAhead {
   public:
-    /// To be called for each event. Does nothing for a few disks, which lie near anyhow.
+    /// To be called for each event. Does nothing for a few disks, which stay in the caches.
     void step(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
         if (bodies.size() >= least) ask(bodies, plane, queue);
     }
@@ -22,13 +22,13 @@ class FetchAhead {
   private:
     static constexpr std::size_t least = 32768;
 
-    void listen(EventQueue& queue);  ///< who comes next?
+    void look_ahead(EventQueue& queue);  ///< adds the disks of the next events to the ring
     void fetch(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue);
     void ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue);
     std::int32_t& coming(std::uint32_t k) { return coming_[k % coming_.size()]; }
 
-    std::array<std::int32_t, 64> coming_{};  ///< the last disks told of, and
-    std::uint32_t begin_ = 0, end_ = 0;      ///< those of them that nothing has been asked for yet
+    std::array<std::int32_t, 64> coming_{};  ///< ring buffer of the disks of the next events, and
+    std::uint32_t begin_ = 0, end_ = 0;      ///< the part of it that has not been prefetched yet
 };
 
 }  // namespace carom

@@ -1,7 +1,7 @@
-// The wire: beads in one dimension. Which bead is next to which never changes, so the order is kept
+// The line: beads in one dimension. Which bead is next to which never changes, so the order is kept
 // as state and not read from positions, which round-off and contacts of points (of length 0) leave
-// undecided. For doubles, and for numbers of more bits, of which there are so few here that all is
-// worked out in full. Knows no queue and no clock.
+// undecided. For doubles, and for multiprecision, where beads are so few that every time is
+// computed with all bits. Knows no queue and no clock.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A disk of many bits as the event loop has it, and as doubles see it.
+// A multiprecision disk as the event loop has it, with its values rounded to doubles.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
-// The next event of each particle, and which particle's comes first, for times of many bits. As
-// event_queue.h, which is made for doubles and for speed: here a comparison of two times may cost
-// as much as the rest, so the times are ordered by doubles, and in full only where these are equal.
-// A heap of all particles. Does not know what an event means.
+// The priority queue of events for multiprecision times: a heap of all particles. event_queue.h is
+// made for doubles and for speed; here a comparison of two times may cost as much as the rest, so
+// times are compared as doubles, and with all bits only where these are equal. Does not know what
+// an event means.
 #pragma once
 
 #include <cstddef>

@@ -246,7 +246,8 @@ MpEvent MpPlane::predict_after_crossing(const Bodies& bodies, std::int32_t i, in
     return predict(bodies, i, now, queue);
 }
 
-// A disk that leaves a periodic box is moved by it, and not flown: that loses nothing.
+// A disk that leaves a periodic box is shifted by the length of the box and not advanced: that
+// rounds nothing.
 void MpPlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
     MpDisk& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;

@@ -1,9 +1,9 @@
-// The plane of plane.h for disks of many bits: who may touch whom and when. A time in full costs as
-// much as a hundred in doubles, so doubles find a time before which a contact or a wall is surely
-// not reached (the bounds on their errors are rigorous), and only what might be first is solved in
-// full. Which events happen, and every bit of them, is the same as if all were. Borders of cells
-// are no events of physics: they are crossed at times that doubles find, near enough, for a cell is
-// a little wider than it need be.
+// The plane of plane.h for multiprecision disks: which pairs may touch and when. A multiprecision
+// time costs as much as a hundred in doubles, so doubles give a time before which a contact or a
+// wall is certainly not reached (the bounds on their errors are rigorous), and only what might come
+// first is solved in multiprecision. Which events happen, and every bit of them, is the same as if
+// all were. Borders of cells are no events of physics: they are crossed at times that doubles give,
+// which is near enough, as a cell is a little wider than it must be.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ class MpPlane {
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
   private:
-    /// The disk that looks, as doubles see it at the present.
+    /// The disk whose next event is searched, in doubles, at the present.
     struct Viewer {
         const MpDisk& disk;
         std::array<double, 2> x;

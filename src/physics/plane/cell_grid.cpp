@@ -189,7 +189,7 @@ void CellGrid::put_in(std::int32_t particle, Slots& slots) {
 void CellGrid::take_out(std::int32_t particle, Slots& slots) {
     if (!slots.has_chain()) [[likely]] {
         // those behind the last may hold anything, so the first to match counts; without branches,
-        // which the processor could not foretell
+        // which the processor could not predict
         const bool not_first = slots.particle_[0] != particle;
         const bool not_second = slots.particle_[1] != particle;
         const std::size_t gap = (not_first ? 1U : 0U) + (not_first & not_second ? 1U : 0U);

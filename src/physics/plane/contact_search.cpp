@@ -7,10 +7,12 @@
 #include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
 
+// One version for each kind of processor, unless the compiler is told to build for one that has the
+// better instructions anyway (-march=native): there GCC 12 fails on a version for a lesser one.
 // Only GCC takes the attribute at the definition; its resolver would run before the address
 // sanitizer is ready.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
+    !defined(__SANITIZE_ADDRESS__) && !(defined(__AVX2__) && defined(__FMA__))
 #define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define CAROM_FOR_EACH_PROCESSOR
@@ -26,7 +28,7 @@ struct Viewer {
     double latest;
 };
 
-// What a search is about: all disks, the numbers of those looked at, and how they are met.
+// The input of a search: all disks, the numbers of those to test, and the images of them.
 struct Scope {
     const DiskState* disks;
     const DiskProperties& properties;
@@ -116,7 +118,7 @@ template <bool several_images, bool alike>
 }
 
 // Takes a contact at `time`, or never, if it comes first. Without branches, which the processor
-// could not foretell.
+// could not predict.
 [[gnu::always_inline]] inline void consider(double time, std::int32_t other,
                                             std::uint32_t collisions, FirstContact& first) {
     const bool lower = other < first.partner();
@@ -156,7 +158,7 @@ template <bool alike>
     consider(time[1], scope.near[l], d.collisions, first_of_b);
 }
 
-// Takes the lowest bit away, and tells which it was.
+// Removes the lowest bit and returns which it was.
 [[gnu::always_inline]] inline std::size_t next_of(std::uint64_t& bits) {
     const auto k = static_cast<std::size_t>(std::countr_zero(bits));
     bits &= bits - 1;

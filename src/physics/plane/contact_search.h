@@ -1,8 +1,8 @@
 // Which of some disks a disk touches first, and when. Four are tested at a time for whether they
 // may be touched at all, and before a contact that either has already; the exact times
-// (pair_collision.h) of the few that may are solved two at a time. There are no branches but on how
-// many may be touched: the processor foretells none of the others, and a wrong guess costs more
-// than the arithmetic it saves. Knows no cells: who comes into question is its caller's matter
+// (pair_collision.h) of the few that may are solved two at a time. The only branches depend on how
+// many may be touched: the processor can predict none of the others, and a wrong prediction costs
+// more than the arithmetic it saves. Knows no cells: the caller chooses the disks to test
 // (plane.h).
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace carom {
 
-/// What all pairs of a search have in common. First which images of the other disks are meant:
+/// What all pairs of a search have in common. First, which images of the other disks are tested:
 /// those shifted by `shift`, and, if there are several and one is then farther than `half` along an
 /// axis, the one nearer by `size`.
 struct Pairing {
@@ -33,7 +33,7 @@ struct Pairing {
     static Pairing shifted(double x, double y);
 };
 
-/// A contact that is predicted, in the form in which a search exchanges it for another.
+/// A predicted contact, in the form in which a search replaces it by an earlier one.
 struct FirstContact {
     double time = never<double>;
     std::uint64_t who = 0;  ///< the partner and, in the upper half, its count of collisions

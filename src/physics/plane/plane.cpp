@@ -202,7 +202,7 @@ inline double Plane::next_event(Body& d, double radius, double now,
     }
     const TwoLanes ahead = (border - (x + v * (now - d.time))) / v;
     const TwoLanes time = now + select(v == 0.0, none, select(ahead > 0.0, ahead, zero));
-    // all in lanes: the processor cannot foretell which is first
+    // all in lanes: the processor cannot predict which is first
     const TwoMasks other_first = swapped(time) < time;
     const TwoMasks first_kind = other_first ? swapped(kind) : kind;
     const TwoLanes border_time = select(other_first, swapped(time), time);
@@ -214,7 +214,7 @@ inline double Plane::next_event(Body& d, double radius, double now,
     return select(contact_time < border_time, contact_time, border_time)[0];
 }
 
-// With the disk itself, which it never meets; never none.
+// With the disk itself, which it never collides with; afterwards there is at least one group.
 inline void Plane::fill_up_lanes(std::int32_t i) {
     for (std::size_t k = 0; k < lanes; ++k) near_[near_count_ + k] = i;
     near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
@@ -307,8 +307,8 @@ std::int32_t Plane::partner_ahead(const Bodies& bodies, std::int32_t i, double t
     return i ^ ((i ^ prediction.partner) & meets);
 }
 
-// How many are listed the processor cannot foretell, so a few more are asked for, which have been
-// listed before; more than `usual` are rare.
+// The processor cannot predict how many are listed, so at least `usual` entries are prefetched, the
+// last of them from an earlier list; more are rare.
 template <std::size_t usual>
 inline void Plane::fetch_listed(const Bodies& bodies) {
 #pragma GCC unroll 32
@@ -321,7 +321,7 @@ void Plane::fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
     __builtin_prefetch(&at(bodies, i));
 }
 
-// Without a branch: which event comes the processor cannot foretell.
+// Without a branch: the processor cannot predict which event comes.
 void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const {
     const Body& a = at(bodies, i);
     const Cell next = next_cell(a.cell, cell_side(a.prediction));

@@ -1,4 +1,4 @@
-// The plane: disks in two dimensions, who may touch whom and when. Finds neighbours in a grid of
+// The plane: disks in two dimensions, which pairs may touch and when. Finds neighbours in a grid of
 // cells (cell_grid.h), and the first of them to be touched by contact_search.h. Knows no queue and
 // no clock.
 #pragma once
@@ -59,9 +59,9 @@ class Plane {
     /// approach (a graze, by round-off).
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
-    /// Ask the processor for what the event of disk i at `time` will need, one after the other,
-    /// each when what the one before has asked for is there: first the disk itself; then, by the
-    /// same call, its partner; the cells about both; and the disks in these.
+    /// Prefetch what the event of disk i at `time` will need, in this order, each when the one
+    /// before has arrived: the disk itself; then, by the same call, its partner; the cells about
+    /// both; and the disks in these.
     void fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const;
     void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const;
     void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time);

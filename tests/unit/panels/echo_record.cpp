@@ -32,65 +32,67 @@ Scene lanes(const std::string& events, double until, const std::string& run = ""
 
 std::string reversal(double at) { return "{at: " + std::to_string(at) + ", reverse: velocities}"; }
 
-struct Walk {
-    Scene scene;
-    Particles particles;
-    std::optional<EquilibriumGas> equilibrium;
-    EchoRecord echo;
-    AdvanceResult advanced;
-    int frames = 0;
+std::string nudge(double at, int particle, double x, double y) {
+    return "{at: " + std::to_string(at) + ", nudge: {particle: " + std::to_string(particle) +
+           ", by: [" + std::to_string(x) + ", " + std::to_string(y) + "]}}";
+}
 
-    explicit Walk(Scene loaded)
-        : scene(std::move(loaded)),
-          particles(Simulation(scene.gas, scene.run).particles()),
-          echo(PanelContext{scene, particles, 100, equilibrium}) {}
-
-    // The disks of `lanes` at x, each beside its lane by so much.
-    void see(double time, double x, double first_aside, double second_aside, double ahead = 0.0) {
-        const auto into_box = [](double at) { return at - 20.0 * std::floor(at / 20.0); };
-        Sample sample{time, Eigen::ArrayXXd::Zero(2, 2), Eigen::ArrayXXd::Zero(2, 2)};
-        sample.position << into_box(x + ahead), 5.0 + first_aside, into_box(x), 15.0 + second_aside;
-        Tick tick;
-        tick.frame = frames++;
-        tick.time = time;
-        const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(2);
-        echo.survey({tick, sample, none, none, advanced});
+// The record of a pass over frames at these times.
+EchoRecord record_of(const Scene& scene, const std::vector<double>& times) {
+    Simulation simulation(scene.gas, scene.run);
+    const std::optional<EquilibriumGas> equilibrium;
+    std::vector<Tick> ticks(times.size());
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        ticks[k].frame = static_cast<int>(k);
+        ticks[k].time = times[k];
     }
-};
+    EchoRecord echo(PanelContext{scene, simulation.particles(), 100, equilibrium});
+    simulation.measure_return(return_times(scene, simulation.particles().count(), ticks));
+    for (const Tick& tick : ticks) {
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(2);
+        echo.survey({tick, simulation.sample(), none, none, advanced});
+    }
+    return echo;
+}
 
 }  // namespace
 
 TEST_CASE(
     "the distance is to where each particle was as long before the reversal, the nearest image") {
-    Walk walk(lanes(reversal(6.0), 12.0));
-    walk.see(0.0, 2.0, 0.0, 0.0);
-    walk.see(3.0, 11.0, 0.0, 0.0);
-    walk.see(6.0, 20.0, 0.0, 0.0);        // at the border: 0 and 20 are one place
-    walk.see(7.0, 17.0, -0.4, 0.0, 0.3);  // as at 5
-    walk.see(12.0, 2.0, 0.0, -0.02);      // home
-    walk.echo.settle();
-    CHECK(!walk.echo.at(0));
-    CHECK(!walk.echo.at(1));
-    REQUIRE(walk.echo.at(2));
-    CHECK(walk.echo.at(2)->largest == 0.0);
-    REQUIRE(walk.echo.at(3));
-    CHECK(walk.echo.at(3)->largest == relative(0.5, 1e-12));
-    CHECK(walk.echo.at(3)->root_mean_square == relative(0.5 / std::sqrt(2.0), 1e-12));
-    CHECK(walk.echo.at(4)->largest == relative(0.02, 1e-12));
-    CHECK(walk.echo.at(9)->largest == relative(0.02, 1e-12));
+    const Scene scene = lanes(reversal(6.0) + ", " + nudge(6.5, 0, 0.3, -0.4) + ", " +
+                                  nudge(8.0, 0, -0.3, 0.4) + ", " + nudge(8.5, 1, 0.0, -0.02),
+                              12.0);
+    // At 6 they are at the border, where 0 and 20 are one place; at 12 at their start again.
+    const EchoRecord echo = record_of(scene, {0.0, 3.0, 6.0, 7.0, 12.0});
+    CHECK(!echo.at(0));
+    CHECK(!echo.at(1));
+    REQUIRE(echo.at(2));
+    CHECK(echo.at(2)->largest == 0.0);
+    REQUIRE(echo.at(3));
+    CHECK(echo.at(3)->largest == relative(0.5, 1e-12));
+    CHECK(echo.at(3)->root_mean_square == relative(0.5 / std::sqrt(2.0), 1e-12));
+    CHECK(echo.at(4)->largest == relative(0.02, 1e-12));
+    CHECK(echo.at(9)->largest == relative(0.02, 1e-12));
 }
 
-TEST_CASE("after another reversal the way back is the way out, and beyond home nothing is known") {
-    Walk walk(lanes(reversal(4.0) + ", " + reversal(6.0), 16.0));
-    walk.see(5.0, 11.0, 0.1, 0.0);  // as at 3
-    walk.see(7.0, 11.0, 0.2, 0.0);  // as at 5, not as it should have been
-    walk.see(8.0, 14.0, 0.3, 0.0);  // as at 4: home, for the second reversal
-    walk.see(9.0, 17.0, 0.4, 0.0);  // where it has never been
-    walk.echo.settle();
-    CHECK(walk.echo.at(0)->largest == relative(0.1, 1e-12));
-    CHECK(walk.echo.at(1)->largest == relative(0.2, 1e-12));
-    CHECK(walk.echo.at(2)->largest == relative(0.3, 1e-12));
-    CHECK(!walk.echo.at(3));
+TEST_CASE("a perturbation at the instant of a reversal counts if it comes after it") {
+    const Scene scene = lanes(
+        nudge(6.0, 1, 0.0, 1.0) + ", " + reversal(6.0) + ", " + nudge(6.0, 0, 0.0, 0.25), 12.0);
+    const EchoRecord echo = record_of(scene, {0.0, 6.0, 9.0});
+    CHECK(echo.at(1)->largest == 0.25);
+    CHECK(echo.at(2)->largest == 1.0);
+}
+
+TEST_CASE("after another reversal the mirror is on the branch before, beyond it nothing is known") {
+    const Scene scene = lanes(reversal(4.0) + ", " + nudge(4.5, 0, 0.0, 0.1) + ", " +
+                                  reversal(6.0) + ", " + nudge(6.5, 0, 0.0, 0.2),
+                              16.0);
+    const EchoRecord echo = record_of(scene, {5.0, 7.0, 8.0, 9.0});
+    CHECK(echo.at(0)->largest == relative(0.1, 1e-12));  // as at 3
+    CHECK(echo.at(1)->largest == relative(0.2, 1e-12));  // as at 5, not as it should have been
+    CHECK(echo.at(2)->largest == relative(0.3, 1e-12));  // as at 4: back, for the second reversal
+    CHECK(!echo.at(3));                                  // where it has never been
 }
 
 TEST_CASE("a film's last distance is that of the run from its start") {
@@ -105,16 +107,10 @@ TEST_CASE("a film's last distance is that of the run from its start") {
     const ReturnDistance truth = return_distance(scene.gas.box, start, run.sample());
     CHECK(truth.largest > 0.0);
 
-    std::optional<EquilibriumGas> none;
-    EchoRecord echo(PanelContext{scene, run.particles(), 8, none});
-    Simulation film(scene.gas, scene.run);
-    const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(30);
     const std::vector<Tick> ticks = timeline(scene);
-    for (const Tick& tick : ticks) {
-        const AdvanceResult advanced = film.advance_to(tick.time);
-        echo.survey({tick, film.sample(), zeros, zeros, advanced});
-    }
-    echo.settle();
+    std::vector<double> times;
+    for (const Tick& tick : ticks) times.push_back(tick.time);
+    const EchoRecord echo = record_of(scene, times);
     CHECK(echo.at(ticks.back().frame)->largest == truth.largest);
     CHECK(echo.at(ticks.back().frame)->root_mean_square == truth.root_mean_square);
 }

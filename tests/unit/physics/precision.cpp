@@ -34,7 +34,7 @@ Course course(const Gas& gas, double end, const Arithmetic& arithmetic) {
     loop.advance(end / 2, &all.collisions);
     loop.reverse(end / 2);
     loop.advance(end, &all.collisions);
-    all.places = loop.places(end);
+    all.places = loop.positions(end);
     return all;
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("a late start costs the screen its sharpness, not its right") {
         loop.start(start);
         loop.advance(1e12 + 2.0, nullptr);
         CHECK(loop.counts().particle > 50);
-        places[screened ? 1 : 0] = loop.places(1e12 + 2.0);
+        places[screened ? 1 : 0] = loop.positions(1e12 + 2.0);
     }
     CHECK(places[0] == places[1]);
 }

@@ -185,3 +185,35 @@ TEST_CASE("a gas tells how far it has equilibrated, and is none the worse for it
         CHECK((told.sample().position == untold.sample().position).all());
     }
 }
+
+TEST_CASE("return distances are measured on the way, at the times asked for") {
+    for (const int bits : {53, 128}) {
+        CAPTURE(bits);
+        Run run{.until = 12.0, .events = {}};
+        run.bits = bits;
+        run.events = {{5.0, ReverseVelocities{}}, {8.0, ReverseVelocities{}}};
+        const Gas gas = test::equal_disks(0.3, 64);
+        const auto distance = [&](double first, double again) {
+            Simulation simulation(gas, run);
+            simulation.advance_to(first);
+            const ExactPositions before = simulation.exact_positions();
+            simulation.advance_to(again);
+            return return_distance(before, simulation.exact_positions());
+        };
+        Simulation simulation(gas, run);
+        simulation.measure_return({10.5, 2.0, 5.0, 6.25, 8.0, 12.0});
+        CHECK(!simulation.advance_to(2.0).return_distance);  // before the first reversal
+        CHECK(simulation.advance_to(5.0).return_distance->largest == 0.0);
+        Simulation copy = simulation;
+        const auto at_6 = simulation.advance_to(6.25).return_distance;
+        REQUIRE(at_6);
+        CHECK(at_6->log10_largest == distance(3.75, 6.25).log10_largest);
+        CHECK(at_6->root_mean_square == distance(3.75, 6.25).root_mean_square);
+        CHECK(simulation.advance_to(6.25).return_distance->largest == at_6->largest);
+        CHECK(copy.advance_to(6.25).return_distance->largest == at_6->largest);
+        CHECK(!simulation.advance_to(7.0).return_distance);  // not asked for
+        CHECK(simulation.advance_to(8.0).return_distance->largest == 0.0);
+        CHECK(simulation.advance_to(10.5).return_distance->largest == distance(5.5, 10.5).largest);
+        CHECK(!simulation.advance_to(12.0).return_distance);  // beyond the branch before
+    }
+}

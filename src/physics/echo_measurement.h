@@ -1,0 +1,57 @@
+// How far a reversed run is from where it was: keeps the positions at the mirror times of chosen
+// times, and compares when these come. Owns no simulation: simulation.h calls it on the way.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "physics/exact_positions.h"
+
+namespace carom {
+
+/// When a run with these reversals, in order, was last where it should be at `time`: as long before
+/// the last reversal as `time` is after it. At the reversal itself that is the same time. None
+/// before the first reversal, and where that lies before the branch that the reversal ended.
+std::optional<double> mirror_time(const std::vector<double>& reversals, double time);
+
+class EchoMeasurement {
+  public:
+    using Positions = std::function<ExactPositions()>;
+
+    EchoMeasurement() = default;
+
+    /// Of `times`, those that have a mirror time not before `present`.
+    EchoMeasurement(const std::vector<double>& reversals, std::vector<double> times,
+                    double present);
+
+    /// The next mirror time at which keep() is to be called, after all events of that time;
+    /// infinity after the last.
+    double next_time() const {
+        return next_ < mirrors_.size() ? mirrors_[next_].time
+                                       : std::numeric_limits<double>::infinity();
+    }
+    void keep(const Positions& positions);
+
+    /// To be called at each reversal: between its time and that time itself there are only the
+    /// perturbations that follow at the same instant.
+    void keep_at_reversal(double time, const Positions& positions);
+
+    /// The distance at `time`, if it is one of those chosen.
+    std::optional<ReturnDistance> compare(double time, const Positions& positions);
+
+  private:
+    struct Mirror {
+        double time;   ///< when positions are kept, and
+        double again;  ///< when they are compared
+        std::optional<ExactPositions> positions = {};
+    };
+    std::vector<Mirror> mirrors_;    ///< by time
+    std::vector<Mirror> reversals_;  ///< those that mirror themselves, by time
+    std::size_t next_ = 0;
+    double compared_ = std::numeric_limits<double>::quiet_NaN();  ///< the time of
+    std::optional<ReturnDistance> distance_;                      ///< the last comparison
+};
+
+}  // namespace carom

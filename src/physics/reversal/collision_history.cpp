@@ -1,0 +1,58 @@
+#include "physics/reversal/collision_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+bool CollisionHistory::record(const Branch& branch, const Collision& collision) {
+    const double path = branch.path_at(collision.time);
+    const bool first_agrees = record(branch.direction, path, collision.first, collision.second);
+    return first_agrees && (collision.second < 0 ||
+                            record(branch.direction, path, collision.second, collision.first));
+}
+
+std::vector<std::ptrdiff_t> CollisionHistory::checkpoint() const {
+    std::vector<std::ptrdiff_t> positions;
+    for (const OfParticle& its : of_particle_) positions.push_back(its.position - its.before_start);
+    return positions;
+}
+
+bool CollisionHistory::is_at(const std::vector<std::ptrdiff_t>& checkpoint, double path) const {
+    for (std::size_t i = 0; i < of_particle_.size(); ++i) {
+        const OfParticle& its = of_particle_[i];
+        const auto [from, to] = std::minmax({its.position, checkpoint[i] + its.before_start});
+        for (std::ptrdiff_t k = from; k < to; ++k)
+            if (std::abs(its.entries[static_cast<std::size_t>(k)].path - path) > slack_)
+                return false;
+    }
+    return true;
+}
+
+void CollisionHistory::extend_to(double path) {
+    low_ = std::min(low_, path);
+    high_ = std::max(high_, path);
+}
+
+bool CollisionHistory::record(int direction, double path, std::int32_t particle,
+                              std::int32_t partner) {
+    OfParticle& its = of_particle_[static_cast<std::size_t>(particle)];
+    const bool forward = direction > 0;
+    const std::ptrdiff_t next = forward ? its.position : its.position - 1;
+    const bool is_new = next < 0 || next == static_cast<std::ptrdiff_t>(its.entries.size());
+    if (!is_new) {
+        its.position += direction;
+        return its.entries[static_cast<std::size_t>(next)].partner == partner;
+    }
+    if (path > low_ + slack_ && path < high_ - slack_) return false;
+    if (forward) {
+        its.entries.push_back({partner, path});
+        ++its.position;
+    } else {
+        its.entries.push_front({partner, path});
+        ++its.before_start;  // and the position stays 0
+    }
+    return true;
+}
+
+}  // namespace carom

@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
+#include "e2e/interrupted.h"
 #include "e2e/program.h"
 #include "support/process.h"
 
@@ -136,32 +136,24 @@ TEST_CASE("a full disk is exit code 1; the earlier film stays and no part is lef
 TEST_CASE("Ctrl-C ends at once with exit code 130; the earlier film stays and no part is left") {
     const TemporaryFolder folder;
     folder.write("film.mp4", "earlier");
-    // After a second all frames have been handed out and only the workers are busy. A shell's
-    // background programs ignore SIGINT until they ask for it, as carom does.
-    const auto begun = std::chrono::steady_clock::now();
-    const Outcome outcome = shell("'" + program + "' render '" + scene +
-                                      "' -o film.mp4 --quality final & "
-                                      "sleep 1; kill -INT $!; wait $!",
-                                  folder.path());
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    const Interruption outcome =
+        interrupted("render '" + scene + "' -o film.mp4 --quality final", folder.path());
     CHECK(outcome.exit_code == 130);
     CHECK(outcome.err.find("interrupted") != std::string::npos);
-    CHECK(took.count() < 10.0);  // no measurement: the film takes some 45 s
+    CHECK(outcome.seconds < 10.0);  // no measurement: the film takes some 45 s
     CHECK(contents(folder.path() / "film.mp4") == "earlier");
     CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
 }
 
 TEST_CASE("a terminal that closes leaves no part of a film, and nohup outlives it") {
     const TemporaryFolder folder;
-    const std::string render =
-        "'" + program + "' render '" + scene + "' -o film.mp4 --size 320x180 ";
-    const std::string hang_up = "& sleep 0.5; kill -HUP $!; wait $!";
-    const Outcome closed = shell(render + "--seconds 2000 " + hang_up, folder.path());
+    const std::string render = "render '" + scene + "' -o film.mp4 --size 320x180 --seconds ";
+    const Outcome closed = interrupted(render + "2000", folder.path(), "HUP");
     CHECK(closed.exit_code == 130);
     CHECK(closed.err.find("interrupted; nothing was written") != std::string::npos);
     CHECK(folder.names().empty());
     const Outcome kept =
-        shell("trap '' HUP; " + render + "--seconds 60 --quiet " + hang_up, folder.path());
+        interrupted(render + "60", folder.path(), "HUP", "left\r", "env --ignore-signal=HUP");
     CHECK(kept.exit_code == 0);
     CHECK(folder.names() == std::vector<std::string>{"film.mp4"});
 }

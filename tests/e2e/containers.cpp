@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "e2e/interrupted.h"
 #include "e2e/program.h"
 #include "support/process.h"
 
@@ -159,7 +160,7 @@ TEST_CASE("frames that cannot all be written, or are interrupted, leave nothing"
     CHECK(limited.err == "carom: cannot write frames/frame-00001.png: File too large\n");
     CHECK(folder.names().empty());
 
-    const Outcome stopped = shell(command + "& sleep 1; kill -INT $!; wait $!", folder.path());
+    const Outcome stopped = interrupted("render '" + scene + "' -o frames/", folder.path());
     CHECK(stopped.exit_code == 130);
     CHECK(folder.names().empty());
 }
@@ -244,7 +245,7 @@ TEST_CASE("a WebM or GIF that cannot be written, or is interrupted, leaves the e
         CHECK(limited.exit_code == 1);
         CHECK(limited.err == "carom: cannot write " + film + ": File too large\n");
         const Outcome stopped =
-            shell(command + slowly + " & sleep 1; kill -INT $!; wait $!", folder.path());
+            interrupted("render '" + scene + "' -o " + film + " " + slowly, folder.path());
         CHECK(stopped.exit_code == 130);
         CHECK(contents(folder.path() / film) == "earlier");
         CHECK(folder.names() == std::vector<std::string>{film});

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "e2e/interrupted.h"
 #include "e2e/program.h"
 #include "support/process.h"
 
@@ -29,12 +30,7 @@ bool has_terminal() {
 std::string shown_until(const std::string& words, const std::string& arguments, int most = 60) {
     const TemporaryFolder folder;
     folder.write("scene.yaml", scene);
-    const std::string carom = "echo \\$\\$ >pid; exec '" + program + "' " + arguments;
-    return shell("script -qec \"" + carom + "\" /dev/null >shown & for i in $(seq " +
-                     std::to_string(20 * most) + "); do grep -qF '" + words +
-                     "' shown && break; sleep 0.05; done; kill -INT $(cat pid); wait $!; cat shown",
-                 folder.path())
-        .out;
+    return interrupted(arguments, folder.path(), "INT", words, "", most).err;
 }
 
 }  // namespace
@@ -45,8 +41,8 @@ TEST_CASE("on a terminal a bar tells how far a long run has come") {
     CAPTURE(shown);
     CHECK(has(shown, "░ scene: simulating "));
     CHECK(has(shown, "/1e+09 time units, "));
-    CHECK(has(shown, " left\r\x1b[K"));
-    CHECK(shown.ends_with("carom: interrupted; nothing was written\r\n"));
+    CHECK(has(shown, " left\x1b[K"));
+    CHECK(shown.ends_with("carom: interrupted; nothing was written\n"));
 }
 
 TEST_CASE("on a terminal a bar tells how far figures and stills have come, not with --quiet") {
@@ -58,7 +54,7 @@ TEST_CASE("on a terminal a bar tells how far figures and stills have come, not w
         const std::string shown = shown_until("left\r", all);
         CHECK(has(shown, "░ scene: simulating "));
         CHECK(has(shown, amount));
-        CHECK(has(shown, " left\r\x1b[K"));
+        CHECK(has(shown, " left\x1b[K"));
         CHECK_FALSE(has(shown_until("left\r", all + " --quiet", 1), "left"));
     }
 }

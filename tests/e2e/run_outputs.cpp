@@ -2,12 +2,12 @@
 // when it is interrupted.
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "e2e/interrupted.h"
 #include "e2e/run_scene.h"
 
 using namespace carom::test;
@@ -144,14 +144,13 @@ TEST_CASE("Ctrl-C ends a run with exit code 130; earlier files stay and no part 
          {"--set run.sample_every=100 --set gas.0.speed=1e-9 --set gas.1.speed=0",
           "--set run.sample_every=1e9 --csv a.csv", "--set run.sample_every=1000 --csv a.csv"}) {
         CAPTURE(more);
-        const auto begun = std::chrono::steady_clock::now();
-        const Outcome outcome = shell("'" + program + "' run scene.yaml --json a.json " + more +
-                                          " --set run.until=1e9 & sleep 0.5; kill -INT $!; wait $!",
-                                      folder.path());
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+        const Interruption outcome = interrupted(
+            std::string("run scene.yaml --json a.json ") + more + " --set run.until=1e9",
+            folder.path());
         CHECK(outcome.exit_code == 130);
         CHECK(outcome.err.find("interrupted") != std::string::npos);
-        CHECK(took.count() < 5.0);  // no measurement: the runs take from half a minute to an hour
+        CHECK(outcome.seconds <
+              5.0);  // no measurement: the runs take from half a minute to an hour
         CHECK(contents(folder.path() / "a.csv") == "earlier");
         CHECK(folder.names() == std::vector<std::string>{"a.csv", "scene.yaml"});
     }
@@ -160,23 +159,22 @@ TEST_CASE("Ctrl-C ends a run with exit code 130; earlier files stay and no part 
 TEST_CASE("an interrupted table on a stream is said to be a part") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", "title: T\n" + small_gas);
-    const std::string carom = "'" + program +
-                              "' run scene.yaml --quiet --set run.until=1e9 --set "
-                              "run.sample_every=1000 ";
     const auto stopped = [&](const std::string& options) {
-        return shell(carom + options + " & sleep 0.5; kill -INT $!; wait $!", folder.path());
+        return interrupted(
+            "run scene.yaml --set run.until=1e9 --set run.sample_every=1000 " + options,
+            folder.path());
     };
     const Outcome table = stopped("--csv -");
     CHECK(table.exit_code == 130);
     CHECK(table.out.starts_with("time,particle,"));
-    CHECK(table.err == "carom: interrupted; standard output holds only a part\n");
+    CHECK(table.err.ends_with("carom: interrupted; standard output holds only a part\n"));
     const Outcome device = stopped("--csv /dev/null");
     CHECK(device.exit_code == 130);
-    CHECK(device.err == "carom: interrupted; /dev/null holds only a part\n");
+    CHECK(device.err.ends_with("carom: interrupted; /dev/null holds only a part\n"));
     for (const std::string& options : std::vector<std::string>{"--json -", "--csv a.csv", ""}) {
         CAPTURE(options);
         const Outcome nothing = stopped(options);
         CHECK(nothing.out.empty());
-        CHECK(nothing.err == "carom: interrupted; nothing was written\n");
+        CHECK(nothing.err.ends_with("carom: interrupted; nothing was written\n"));
     }
 }

@@ -15,8 +15,11 @@ foreach(row IN LISTS rows)
     endif()
     if(finder MATCHES "^config (.+)$")
         string(STRIP "${CMAKE_MATCH_1}" name)
-        find_package(${name} ${minimum} REQUIRED CONFIG)
-        set(minimum_${name} ${minimum})  # for the package of our own (carom-config.cmake.in)
+        # Asked for 3.4, Eigen 5 says no: so the version is compared here.
+        find_package(${name} REQUIRED CONFIG)
+        if(${name}_VERSION VERSION_LESS minimum)
+            message(FATAL_ERROR "${name} ${${name}_VERSION} is older than ${minimum}")
+        endif()
     elseif(finder MATCHES "^pkg (.+)$")
         string(STRIP "${CMAKE_MATCH_1}" name)
         pkg_check_modules(${name} REQUIRED IMPORTED_TARGET "${name}>=${minimum}")
@@ -24,7 +27,12 @@ foreach(row IN LISTS rows)
     endif()
 endforeach()
 
-# yaml-cpp 0.7 exports an un-namespaced target without its include folder on some systems.
+# yaml-cpp 0.7 exports `yaml-cpp` without its include folder on some systems; from 0.8 on there is `yaml-cpp::yaml-cpp`, of which
+# some systems keep only this name.
 add_library(dep_yaml_cpp INTERFACE)
-target_link_libraries(dep_yaml_cpp INTERFACE yaml-cpp)
+if(TARGET yaml-cpp::yaml-cpp)
+    target_link_libraries(dep_yaml_cpp INTERFACE yaml-cpp::yaml-cpp)
+else()
+    target_link_libraries(dep_yaml_cpp INTERFACE yaml-cpp)
+endif()
 add_library(dep::yaml-cpp ALIAS dep_yaml_cpp)

@@ -93,6 +93,8 @@ Surface create_document(PixelSize size, VectorFormat format, const PictureWords&
         surface.reset(cairo_pdf_surface_create_for_stream(
             append, &bytes, points_of_a_pixel * size.width, points_of_a_pixel * size.height));
         check(cairo_surface_status(surface.get()), "create a PDF");
+        // Not the 1.7 that Cairo writes from 1.18 on: old readers, pdfTeX among them, take 1.4.
+        cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
         set_metadata(surface.get(), words);
     }
     return surface;

@@ -7,11 +7,19 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <string>
 
 namespace carom::libav {
+
+/// What a callback for writing is handed: constant from libavformat 61 on (FFmpeg 7).
+#if LIBAVFORMAT_VERSION_MAJOR >= 61
+using WrittenByte = const std::uint8_t;
+#else
+using WrittenByte = std::uint8_t;
+#endif
 
 struct Free {
     void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }

@@ -153,7 +153,7 @@ bool succeeds(FileAccess& access, Work work) {
     }
 }
 
-int write_bytes(void* opaque, std::uint8_t* data, int size) {
+int write_bytes(void* opaque, libav::WrittenByte* data, int size) {
     auto& access = *static_cast<FileAccess*>(opaque);
     const bool written = succeeds(access, [&] {
         access.file->seek(access.offset);

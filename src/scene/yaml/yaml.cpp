@@ -261,6 +261,13 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
     return "";
 }
 
+// From yaml-cpp 0.8 on the name of an anchor stands behind these words.
+std::string problem_of(const YAML::Exception& error) {
+    const std::string_view anchor = YAML::ErrorMsg::UNKNOWN_ANCHOR;
+    if (!error.msg.starts_with(anchor)) return error.msg;
+    return std::string{anchor.substr(0, anchor.find_last_not_of(": ") + 1)};
+}
+
 void report_syntax(const Source& source, const YAML::Exception& error, std::size_t begin,
                    Errors& errors) {
     const std::string_view text = source.text;
@@ -273,7 +280,7 @@ void report_syntax(const Source& source, const YAML::Exception& error, std::size
                           error.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
     const std::size_t mark = open_end ? open_mark(before) : std::string_view::npos;
     if (mark == std::string_view::npos)
-        return errors.add(source, offset, "not valid YAML: " + error.msg, hint);
+        return errors.add(source, offset, "not valid YAML: " + problem_of(error), hint);
     const bool quote = text[mark] == '"' || text[mark] == '\'';
     if (quote) return errors.add(source, mark, "not valid YAML: this quotation mark is not closed");
     errors.add(source, mark,

@@ -16,4 +16,7 @@ endif()
 find_program(CCACHE ccache)
 if(CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+elseif(NOT DEFINED CAROM_UNITY)
+    # Several files as one, in a third of the time; with ccache each by itself, so that little is compiled again after a change.
+    set(CAROM_UNITY ON)
 endif()

@@ -1,7 +1,8 @@
-# carom_module(NAME USES targets... PRIVATE targets...): the static library of src/NAME.
+# carom_module(NAME USES targets... PRIVATE targets... SEPARATE files...): the static library of src/NAME.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
+# SEPARATE: files whose unnamed namespaces share names with others of the module, so that they are always compiled alone.
 function(carom_module name)
-    cmake_parse_arguments(arg "" "" "USES;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "" "" "USES;PRIVATE;SEPARATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     add_library(carom_${name} STATIC ${sources})
@@ -9,4 +10,10 @@ function(carom_module name)
     target_include_directories(carom_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
     target_link_libraries(carom_${name} PUBLIC ${arg_USES} Threads::Threads
         PRIVATE $<BUILD_INTERFACE:carom_rules> ${arg_PRIVATE})
+    if(CAROM_UNITY)
+        set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+        target_compile_options(carom_${name} PRIVATE -w)  # warnings are for the build file by file
+        list(TRANSFORM arg_SEPARATE PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
+        set_source_files_properties(${arg_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
 endfunction()

@@ -1,6 +1,7 @@
 # carom_module(NAME USES targets... PRIVATE targets... SEPARATE files...): the static library of src/NAME.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
-# SEPARATE: files whose unnamed namespaces share names with others of the module, so that they are always compiled alone.
+# Without ccache the files of a folder are compiled as one (CAROM_UNITY), but for those that are SEPARATE: their unnamed
+# namespaces share names with others of the folder.
 function(carom_module name)
     cmake_parse_arguments(arg "" "" "USES;PRIVATE;SEPARATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -11,9 +12,14 @@ function(carom_module name)
     target_link_libraries(carom_${name} PUBLIC ${arg_USES} Threads::Threads
         PRIVATE $<BUILD_INTERFACE:carom_rules> ${arg_PRIVATE})
     if(CAROM_UNITY)
-        set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+        set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
         target_compile_options(carom_${name} PRIVATE -w)  # warnings are for the build file by file
         list(TRANSFORM arg_SEPARATE PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
-        set_source_files_properties(${arg_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        list(REMOVE_ITEM sources ${arg_SEPARATE})
+        foreach(source IN LISTS sources)
+            get_filename_component(folder ${source} DIRECTORY)
+            get_filename_component(folder ${folder} NAME)
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+        endforeach()
     endif()
 endfunction()

@@ -3,24 +3,20 @@
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 
-target_sources(carom_physics PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES
-    ${PROJECT_SOURCE_DIR}/src/physics/advance_result.h
-    ${PROJECT_SOURCE_DIR}/src/physics/gas.h
-    ${PROJECT_SOURCE_DIR}/src/physics/particles.h
-    ${PROJECT_SOURCE_DIR}/src/physics/placement/placement.h
-    ${PROJECT_SOURCE_DIR}/src/physics/exact_positions.h
-    ${PROJECT_SOURCE_DIR}/src/physics/run.h
-    ${PROJECT_SOURCE_DIR}/src/physics/simulation.h
-    ${PROJECT_SOURCE_DIR}/src/physics/theory/theory.h)
+set(public_headers_of_util interrupt.h)
+set(public_headers_of_physics
+    advance_result.h exact_positions.h gas.h particles.h placement/placement.h reversal/precision.h run.h simulation.h theory/theory.h)
+foreach(module util physics)
+    list(TRANSFORM public_headers_of_${module} PREPEND ${PROJECT_SOURCE_DIR}/src/${module}/)
+    target_sources(carom_${module} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${public_headers_of_${module}})
+    set_target_properties(carom_${module} PROPERTIES EXPORT_NAME ${module})
+    target_compile_features(carom_${module} PUBLIC cxx_std_20)
+endforeach()
 # <carom/physics/simulation.h> for users; "physics/gas.h" inside the headers is the file set's doing.
 target_include_directories(carom_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # Arrays are allocated on one side and freed on the other, so both must ask Eigen for the same allocator: by default it depends on -march and on sanitizers.
 target_compile_definitions(carom_physics PUBLIC EIGEN_MAX_ALIGN_BYTES=64)
 
-foreach(module util physics)
-    set_target_properties(carom_${module} PROPERTIES EXPORT_NAME ${module})
-    target_compile_features(carom_${module} PUBLIC cxx_std_20)
-endforeach()
 install(TARGETS carom_util carom_physics EXPORT carom
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom)

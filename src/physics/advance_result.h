@@ -1,5 +1,5 @@
 // What an advance of the simulation reports: collisions, their counts, and the momentum that they
-// transferred.
+// transferred. Plain values.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,17 +8,54 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include "physics/exact_positions.h"
 
 namespace carom {
 
+/// The sides of the box; a line has the first two.
+enum class Side : std::int8_t { left, right, bottom, top };
+
+/// What a particle has collided with: another particle or a side of the box.
+class Partner {
+  public:
+    constexpr Partner(std::int32_t particle = 0) : code_(particle) {}  // as Eigen's indices convert
+    constexpr Partner(Side side) : code_(-1 - static_cast<std::int32_t>(side)) {}
+
+    constexpr bool is_side() const { return code_ < 0; }
+    constexpr bool is_particle() const { return code_ >= 0; }
+
+    /// Its number. Throws std::logic_error if it is a side.
+    constexpr std::int32_t particle() const {
+        if (is_side()) throw std::logic_error("the partner of this collision is a side of the box");
+        return code_;
+    }
+    /// Throws std::logic_error if it is a particle.
+    constexpr Side side() const {
+        if (is_particle()) throw std::logic_error("the partner of this collision is a particle");
+        return static_cast<Side>(-1 - code_);
+    }
+
+    friend constexpr bool operator==(Partner, Partner) = default;
+    friend constexpr bool operator==(Partner a, std::int64_t particle) {
+        return a.is_particle() && a.code_ == particle;
+    }
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(code_);
+    }
+
+  private:
+    std::int32_t code_;
+};
+
 /// One collision, as it happened.
 struct Collision {
     double time;
     std::int32_t first;  ///< particle
-    std::int32_t
-        second;  ///< particle, or -1 - side for a wall (sides: left 0, right 1, bottom 2, top 3)
+    Partner second;
     Eigen::Array2d first_position;   ///< centre of `first` at contact; y is 0 in 1-D
     Eigen::Array2d second_position;  ///< centre of `second` (in a periodic box of its image that
                                      ///< touches `first`), or the point of contact on the wall

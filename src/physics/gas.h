@@ -1,7 +1,7 @@
 // What is in the box, as plain values: the box, its walls, and the species with their rules for
 // radius, mass, velocity and position. Not the particles themselves (particles.h): those are drawn
 // from these rules by place(). Reduced units throughout: a length, a mass and a time unit of the
-// user's choice, Boltzmann's constant = 1.
+// user's choice, Boltzmann's constant = 1. Plain values.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What happens to the gas in time, as plain values.
+// What happens to the gas in time, as plain values; reversal_times() may be called from any thread.
 #pragma once
 
 #include <array>
@@ -34,9 +34,9 @@ struct Run {
     double sample_every = 0.0;     ///< simulated time between two samples of the statistics, which
                                    ///< are no event: the simulation itself does not look at it
     std::vector<RunEvent> events;  ///< in order of time; equal times in the order listed
-    std::optional<int> bits = bits_of_double;  ///< none: as many as it takes to bring the gas home
+    std::optional<int> bits = bits_of_double;  ///< none: as many as it takes for the gas to return
                                                ///< after each reversal (bits_for_return())
-    double tolerance = 1e-9;  ///< how near home that is, in units of the smallest radius, or on a
+    double tolerance = 1e-9;  ///< largest return distance, in units of the smallest radius, or on a
                               ///< wire of points of the mean spacing
 };
 

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 #include <variant>
@@ -39,8 +40,7 @@ bool beads_are_apart(const Box& box, const Particles& particles, const Sample& s
     return true;
 }
 
-[[maybe_unused]] bool nothing_overlaps(const Box& box, const Particles& particles,
-                                       const Sample& state) {
+bool nothing_overlaps(const Box& box, const Particles& particles, const Sample& state) {
     if (particles.count() == 0) return true;
     if (box.dimension == 1) return beads_are_apart(box, particles, state);
     PlacedDisks placed(box, particles.count(), 0.5 * particles.radius.mean());
@@ -50,6 +50,66 @@ bool beads_are_apart(const Box& box, const Particles& particles, const Sample& s
         placed.add(static_cast<std::int32_t>(i), centre, particles.radius[i]);
     }
     return true;
+}
+
+void require(bool condition, const char* otherwise) {
+    if (!condition) throw std::invalid_argument(otherwise);
+}
+
+void check_box(const Box& box) {
+    require(box.dimension == 1 || box.dimension == 2, "the dimension of a box is 1 or 2");
+    for (Eigen::Index axis = 0; axis < box.dimension; ++axis)
+        require(box.size[axis] > 0.0 && std::isfinite(box.size[axis]),
+                "the size of a box is positive and finite");
+}
+
+bool is_number(const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return !text.empty() && *end == '\0' && std::isfinite(value);
+}
+
+void check_events(const std::vector<RunEvent>& events, double present, Eigen::Index particles) {
+    double before = present;
+    for (const RunEvent& event : events) {
+        require(event.at >= before && std::isfinite(event.at),
+                "events lie ahead, in order of their times");
+        before = event.at;
+        const auto* perturbation = std::get_if<Perturbation>(&event.action);
+        if (perturbation == nullptr) continue;
+        require(perturbation->particle >= 0 && perturbation->particle < particles,
+                "a perturbation is of a particle of the gas");
+        require(is_number(perturbation->by[0]) && is_number(perturbation->by[1]),
+                "a perturbation is by decimal numbers");
+    }
+}
+
+// Returns the bits.
+int check_run(const Run& run, Eigen::Index particles) {
+    require(run.bits.has_value(),
+            "the bits of the run are unset: start_run() and bits_for_return() find them");
+    require(*run.bits == bits_of_double || (*run.bits >= least_bits && *run.bits <= most_bits),
+            "the bits of a run are 53, those of a double, or from 64 to 16384");
+    require(run.equilibrate >= 0.0 && std::isfinite(run.equilibrate),
+            "the time to equilibrate is finite and not negative");
+    check_events(run.events, 0.0, particles);
+    return *run.bits;
+}
+
+void check_start(const Box& box, const Particles& particles, const Sample& start) {
+    check_box(box);
+    const Eigen::Index count = particles.count();
+    require(particles.inverse_mass.size() == count && particles.species.size() == count,
+            "radii, inverse masses and species are of as many particles");
+    require(start.position.rows() == count && start.velocity.rows() == count &&
+                start.position.cols() == box.dimension && start.velocity.cols() == box.dimension,
+            "positions and velocities are N x dimension");
+    require((particles.radius >= 0.0).all() && particles.radius.isFinite().all() &&
+                (particles.inverse_mass >= 0.0).all() && particles.inverse_mass.isFinite().all(),
+            "radii and inverse masses are finite and not negative");
+    require(start.position.isFinite().all() && start.velocity.isFinite().all(),
+            "positions and velocities are finite");
+    require(nothing_overlaps(box, particles, start), "particles overlap");
 }
 
 // Beads between which the room ends would collide ever faster, without an end.
@@ -83,10 +143,9 @@ struct Simulation::Implementation {
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
-          bits(run.bits.value()),
+          bits(check_run(run, particles.count())),
           loop(loop_for(its_box, particles, bits)),
           present(start) {
-        assert(nothing_overlaps(box, particles, start));
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
             its.start(present);
@@ -159,9 +218,11 @@ struct Simulation::Implementation {
         sampled = false;
         if (!obstacle) return;
         throw PerturbationError(
-            event, fmt::format("the nudge at time {:g} would push particle {} into {}",
-                               present.time, perturbation.particle,
-                               *obstacle < 0 ? "a wall" : fmt::format("particle {}", *obstacle)));
+            event,
+            fmt::format(
+                "the nudge at time {:g} would push particle {} into {}", present.time,
+                perturbation.particle,
+                obstacle->is_side() ? "a wall" : fmt::format("particle {}", obstacle->particle())));
     }
 
     void apply(std::size_t event) {
@@ -186,6 +247,7 @@ struct Simulation::Implementation {
 };
 
 Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress) {
+    check_box(gas.box);
     auto [particles, start] = place(gas);
     if (gas.box.dimension == 1) refuse_squeeze(gas.box, particles, start, run);
     refuse_jam(gas.box, particles, start);
@@ -193,9 +255,11 @@ Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_pr
         std::make_unique<Implementation>(gas.box, std::move(particles), start, run, on_progress);
 }
 
-Simulation::Simulation(const Box& box, Particles particles, const Sample& start, const Run& run)
-    : implementation_(std::make_unique<Implementation>(box, std::move(particles), start, run,
-                                                       TimeCallback{})) {}
+Simulation::Simulation(const Box& box, Particles particles, const Sample& start, const Run& run) {
+    check_start(box, particles, start);
+    implementation_ =
+        std::make_unique<Implementation>(box, std::move(particles), start, run, TimeCallback{});
+}
 
 Simulation::Simulation(const Simulation& other)
     : implementation_(std::make_unique<Implementation>(*other.implementation_)) {}
@@ -208,7 +272,9 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 AdvanceResult Simulation::advance_to(double time) {
     Implementation& its = *implementation_;
-    assert(time >= its.present.time);
+    if (!(time >= its.present.time) || std::isinf(time))
+        throw std::invalid_argument(
+            fmt::format("cannot advance to {:g}: the present is {:g}", time, its.present.time));
     its.collisions.clear();
     its.advance_with_events(time);
     auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
@@ -230,14 +296,7 @@ void Simulation::measure_return(std::vector<double> times) {
 
 void Simulation::replace_events(std::vector<RunEvent> events) {
     Implementation& its = *implementation_;
-    double before = its.present.time;
-    for (const RunEvent& event : events) {
-        if (!(event.at >= before))
-            throw std::invalid_argument(
-                fmt::format("an event at time {:g} comes after one at, or a present of, {:g}",
-                            event.at, before));
-        before = event.at;
-    }
+    check_events(events, its.present.time, its.particles.count());
     its.events = std::move(events);
     its.next_event = 0;
 }

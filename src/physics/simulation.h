@@ -1,7 +1,10 @@
-// The event-driven simulation of hard particles: owns the state and the time.
-// Between events particles fly freely; every contact is computed exactly, none is missed, nothing
-// overlaps. Does not know films, files or statistics: it hands out samples and the collisions on
-// the way.
+// The event-driven simulation of hard particles: owns the state and the time. Between events
+// particles are in free flight; every contact is computed exactly, none is missed, nothing
+// overlaps. Does not know films, files or statistics: it gives samples and the collisions on the
+// way.
+//
+// Threads: any number of simulations may run at once, each on one thread at a time. A function that
+// is const may be called from several threads while none calls another function of that simulation.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +21,7 @@
 
 namespace carom {
 
-/// A nudge that would push a particle into another or into a wall.
+/// A perturbation that would push a particle into another or into a wall.
 class PerturbationError : public std::runtime_error {
   public:
     PerturbationError(std::size_t event, const std::string& what)
@@ -31,12 +34,13 @@ class PerturbationError : public std::runtime_error {
 
 class Simulation {
   public:
-    /// Places the particles and runs `run.equilibrate`, of which `told` hears, in times before 0;
-    /// `run.bits` must be there. Throws PlacementError, Interrupted.
+    /// Places the particles and runs `run.equilibrate` in times before 0, with which `on_progress`
+    /// is called now and then. Throws std::invalid_argument for what no gas or run can be, also if
+    /// `run.bits` is unset (start_run() finds them); PlacementError; Interrupted.
     Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress = {});
 
-    /// Starts from given particles at `start.time` = 0, or `run.equilibrate` before it. Overlapping
-    /// particles are a programmer's error (assertion).
+    /// Starts from given particles, with the state `start` at time 0 or `run.equilibrate` before
+    /// it. Throws std::invalid_argument for what no run can be, also if particles overlap.
     Simulation(const Box& box, Particles particles, const Sample& start, const Run& run);
 
     /// A copy is an independent simulation that goes on alike, bit for bit.
@@ -46,8 +50,10 @@ class Simulation {
     Simulation& operator=(Simulation&&) noexcept;
     ~Simulation();
 
-    /// Processes all events with time <= `time` (inclusive; `run.events` too) and moves on to it.
-    /// `time` must not lie in the past; not limited by `run.until`. Throws PerturbationError.
+    /// Processes all events with time <= `time` (inclusive; `run.events` too) and advances to it;
+    /// not limited by `run.until`. Throws std::invalid_argument if `time` lies in the past or is
+    /// not finite; PerturbationError; Interrupted (util/interrupt.h); std::runtime_error when
+    /// particles collide without end at one instant, or two beads of infinite mass meet.
     AdvanceResult advance_to(double time);
 
     /// Replaces the events of the run that are still to come, for instance in a copy; an error's
@@ -68,10 +74,10 @@ class Simulation {
     /// Positions of all particles at the present time, with all bits of the run's numbers.
     ExactPositions exact_positions() const;
 
-    /// Whether advance_to hands out the collisions themselves; off at first.
+    /// Whether advance_to() gives the collisions themselves; off at first.
     void record_collisions(bool on);
 
-    /// Bits of the numbers that it calculates with.
+    /// Bits of the significands of its numbers.
     int bits() const;
 
     const Box& box() const;

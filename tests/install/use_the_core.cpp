@@ -64,7 +64,11 @@ TEST_CASE("the manual's program builds from an installed core and is right") {
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
     fs::create_directory(source);
     std::ofstream(source / "CMakeLists.txt")
-        << cmake << "target_sources(collision_rate PRIVATE headers.cpp)\n";
+        << cmake
+        << "target_sources(collision_rate PRIVATE headers.cpp)\n"
+           "add_executable(every_call every_call.cpp)\n"
+           "target_link_libraries(every_call PRIVATE carom::physics)\n";
+    fs::copy_file(checkout() / "tests/install/program/every_call.cpp", source / "every_call.cpp");
     std::ofstream(source / "collision_rate.cpp") << program;
     std::ofstream(source / "headers.cpp") << all_headers(installed / "include") << frees_arrays;
 
@@ -77,6 +81,8 @@ TEST_CASE("the manual's program builds from an installed core and is right") {
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
     outcome = run({"cmake", "--build", "build"}, folder.path());
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.out);
+    outcome = run({"build/every_call"}, folder.path());
+    CHECK_MESSAGE(outcome.exit_code == 0, outcome.out);
     outcome = run({"build/collision_rate"}, folder.path());
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
 

@@ -177,7 +177,8 @@ TEST_CASE("neighbours on a wire collide as often as their energy and masses say"
     Eigen::ArrayXXd rate = Eigen::ArrayXXd::Zero(count - 1, blocks);
     for (int block = 0; block < blocks; ++block)
         for (const Collision& c : simulation.advance_to((block + 1) * duration).collisions)
-            if (c.second >= 0) rate(std::min(c.first, c.second), block) += 1.0 / duration;
+            if (c.second.is_particle())
+                rate(std::min(c.first, c.second.particle()), block) += 1.0 / duration;
     for (int k = 0; k < count - 1; ++k) {
         CAPTURE(k);
         const double mass = 1.0 / simulation.particles().inverse_mass.segment(k, 2).sum();

@@ -26,13 +26,14 @@ struct Echo {
     bool in_reverse_order = true;  // the partners of each particle
 };
 
-// The partners of each particle, in order of time; sides of the box are negative.
-std::vector<std::vector<std::int32_t>> partners(const std::vector<Collision>& collisions,
-                                                std::size_t count) {
-    std::vector<std::vector<std::int32_t>> of_each(count);
+// The partners of each particle, in order of time.
+std::vector<std::vector<Partner>> partners(const std::vector<Collision>& collisions,
+                                           std::size_t count) {
+    std::vector<std::vector<Partner>> of_each(count);
     for (const Collision& c : collisions) {
         of_each[static_cast<std::size_t>(c.first)].push_back(c.second);
-        if (c.second >= 0) of_each[static_cast<std::size_t>(c.second)].push_back(c.first);
+        if (c.second.is_particle())
+            of_each[static_cast<std::size_t>(c.second.particle())].emplace_back(c.first);
     }
     return of_each;
 }

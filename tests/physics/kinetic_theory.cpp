@@ -79,7 +79,7 @@ TEST_CASE("disks collide as often, and fly as far, as Enskog's theory says") {
         const AdvanceResult advanced = simulation.advance_to(duration);
         for (const Collision& c : advanced.collisions) {
             ways.add(c.first, c.first_position);
-            ways.add(c.second, c.second_position);
+            ways.add(c.second.particle(), c.second_position);
         }
         const Eigen::ArrayXXd& end = simulation.sample().position;
         for (std::int32_t i = 0; i < count; ++i) ways.add(i, end.row(i).transpose());

@@ -78,9 +78,9 @@ void require_hard_disks(const Gas& gas, int collisions, int each) {
     double apart = 0.0;  // at contact, more or less than the radii
     for (int k = 0; k < collisions; ++k) {
         REQUIRE(disks.advance_one(1e6, collision));
-        if (collision.second >= 0) {
+        if (collision.second.is_particle()) {
             const double sigma =
-                particles.radius[collision.first] + particles.radius[collision.second];
+                particles.radius[collision.first] + particles.radius[collision.second.particle()];
             const double distance =
                 std::sqrt((collision.second_position - collision.first_position).square().sum());
             apart = std::max(apart, std::abs(distance - sigma));
@@ -160,8 +160,9 @@ TEST_CASE("disks crowded in one cell are all found") {
         const auto expected = slow.next(1e3L);
         Collision found{};
         REQUIRE(fast.advance_one(1e3, found));
-        REQUIRE(std::min(found.first, found.second < 0 ? found.first : found.second) ==
-                expected->first);
+        REQUIRE(
+            std::min(found.first, found.second.is_side() ? found.first : found.second.particle()) ==
+            expected->first);
         REQUIRE(std::abs(found.time - static_cast<double>(expected->time)) < 1e-6);
     }
 }
@@ -203,7 +204,7 @@ TEST_CASE("two that hang over outwards and turn back at once meet") {
     std::vector<Collision> collisions;
     disks.advance(4.5, &collisions);
     REQUIRE(collisions.size() == 3);
-    CHECK(collisions[2].first + collisions[2].second == 1);
+    CHECK(collisions[2].first + collisions[2].second.particle() == 1);
     CHECK(collisions[2].time == relative(4.0, 1e-14));  // 1.3 to the turn, then 2.7 inwards
 }
 
@@ -281,8 +282,8 @@ TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself"
         disks.advance(20.0, &collisions);
         CHECK(disks.counts().particle > 1000);
         for (const Collision& c : collisions) {
-            if (c.second < 0) continue;
-            const double sigma = particles.radius[c.first] + particles.radius[c.second];
+            if (c.second.is_side()) continue;
+            const double sigma = particles.radius[c.first] + particles.radius[c.second.particle()];
             const double distance =
                 std::sqrt((c.second_position - c.first_position).square().sum());
             // Places in a box of 60, and times up to 20 at which dust that is crushed against a
@@ -344,11 +345,11 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
         const AdvanceResult advanced = simulation.advance_to(time);
         pairs = advanced.counts.particle;
         for (const Collision& c : advanced.collisions) {
-            if (c.second < 0) continue;
+            if (c.second.is_side()) continue;
             const double distance =
                 std::sqrt((c.second_position - c.first_position).square().sum());
-            REQUIRE(std::abs(distance - particles.radius[c.first] - particles.radius[c.second]) <
-                    1e-12);
+            REQUIRE(std::abs(distance - particles.radius[c.first] -
+                             particles.radius[c.second.particle()]) < 1e-12);
         }
     }
     CHECK(deepest_overlap(gas.box, particles, simulation.sample()) <=

@@ -41,15 +41,15 @@ TEST_CASE("beads keep their order, their energy and on a ring their momentum") {
         const double scale = gas.box.size[0] + speeds(start).sum();
         for (int k = 0; k < 500 && beads.advance_one(1e5, collision); ++k) {
             CAPTURE(k);
-            if (collision.second < 0) continue;
+            if (collision.second.is_side()) continue;
             beads.sample(collision.time, sample);
             const double sigma =
-                particles.radius[collision.first] + particles.radius[collision.second];
+                particles.radius[collision.first] + particles.radius[collision.second.particle()];
             // Positions and the time are rounded.
             const double apart = (collision.second_position - collision.first_position).abs()[0];
             REQUIRE(std::abs(apart - sigma) <= 1e-15 * scale);
             double distance = std::abs(sample.position(collision.first, 0) -
-                                       sample.position(collision.second, 0));
+                                       sample.position(collision.second.particle(), 0));
             if (gas.box.walls[0] == Wall::periodic)
                 distance = std::min(distance, gas.box.size[0] - distance);
             REQUIRE(std::abs(distance - sigma) <= 1e-14 * scale * (1.0 + collision.time));

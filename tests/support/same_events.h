@@ -32,7 +32,9 @@ int require_same_events(const Box& box, const Particles& particles, const Sample
         Collision found{};
         REQUIRE(fast.advance_one(end, found) == expected.has_value());
         if (!expected) break;
-        std::int32_t first = found.first, second = found.second;
+        std::int32_t first = found.first;
+        std::int32_t second = found.second.is_side() ? -1 - static_cast<int>(found.second.side())
+                                                     : found.second.particle();
         if (second >= 0 && second < first) std::swap(first, second);
         REQUIRE(first == expected->first);
         REQUIRE(second == expected->second);

@@ -37,7 +37,7 @@ MeetingWatch::MeetingWatch(const PanelContext& context, const PanelSpec& spec)
       last_(static_cast<std::size_t>(context.particles.count()), 0.0) {}
 
 bool MeetingWatch::is_wanted(const Collision& collision) const {
-    if (collision.second < 0) return false;
+    if (collision.second.is_side()) return false;
     if (spec_.of.empty()) return true;
     const std::int64_t a = spec_.of[0].particle.value(), b = spec_.of[1].particle.value();
     return (collision.first == a && collision.second == b) ||
@@ -62,14 +62,14 @@ void MeetingWatch::meet(const Collision& collision) {
     const bool swapped = !spec_.of.empty() && spec_.of[0].particle.value() != collision.first;
     Meeting met;
     met.time = collision.time;
-    met.particle = {collision.first, collision.second};
+    met.particle = {collision.first, collision.second.particle()};
     met.place = {collision.first_position, collision.second_position};
     met.before = {collision.first_before, collision.second_before};
     met.after = {collision.first_after, collision.second_after};
-    met.since =
-        std::max(flying_since(collision.first, met.time), flying_since(collision.second, met.time));
+    met.since = std::max(flying_since(collision.first, met.time),
+                         flying_since(collision.second.particle(), met.time));
     met.until = flying_until(met.time, context_.scene.run.until);
-    if (swapped || (spec_.of.empty() && collision.second < collision.first)) {
+    if (swapped || (spec_.of.empty() && collision.second.particle() < collision.first)) {
         std::swap(met.particle[0], met.particle[1]);
         std::swap(met.place[0], met.place[1]);
         std::swap(met.before[0], met.before[1]);
@@ -93,8 +93,8 @@ void MeetingWatch::survey(const FrameInput& input) {
         if (meeting_) continue;
         if (is_wanted(collision)) meet(collision);
         last_[static_cast<std::size_t>(collision.first)] = collision.time;
-        if (collision.second >= 0)
-            last_[static_cast<std::size_t>(collision.second)] = collision.time;
+        if (collision.second.is_particle())
+            last_[static_cast<std::size_t>(collision.second.particle())] = collision.time;
     }
 }
 

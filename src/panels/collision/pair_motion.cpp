@@ -31,13 +31,14 @@ WalkWatch::WalkWatch(const PanelContext& context, const PanelSpec& spec)
 void WalkWatch::survey(const FrameInput& input) {
     if (start_.size() == 0) start_ = input.sample.velocity.col(0);
     for (const Collision& collision : input.advanced.collisions) {
-        if (!pair_ && collision.second < 0) {
+        if (!pair_ && collision.second.is_side()) {
             early_.push_back(collision);
             continue;
         }
         if (!pair_) {
-            pair_ = std::array<Eigen::Index, 2>{std::min(collision.first, collision.second),
-                                                std::max(collision.first, collision.second)};
+            pair_ =
+                std::array<Eigen::Index, 2>{std::min(collision.first, collision.second.particle()),
+                                            std::max(collision.first, collision.second.particle())};
             for (const Collision& early : early_) see(early);
         }
         see(collision);
@@ -48,10 +49,10 @@ void WalkWatch::see(const Collision& collision) {
     const auto& pair = *pair_;
     const auto place = [&](Eigen::Index i) { return std::ranges::find(pair, i) - pair.begin(); };
     const auto first = place(collision.first);
-    const auto second = collision.second < 0 ? 2 : place(collision.second);
+    const auto second = collision.second.is_side() ? 2 : place(collision.second.particle());
     if (first == 2 && second == 2) return;
     const bool of_the_two = first < 2 && second < 2;
-    if (!of_the_two && collision.second >= 0) {
+    if (!of_the_two && collision.second.is_particle()) {
         if (!foreign_) foreign_ = collision;
         return;
     }
@@ -78,9 +79,9 @@ std::vector<WalkStep> WalkWatch::steps() const {
         const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
         fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
                          "walk on one ellipse",
-                         first_is_own ? foreign_->second : foreign_->first,
-                         first_is_own ? foreign_->first : foreign_->second, foreign_->time, pair[0],
-                         pair[1]),
+                         first_is_own ? foreign_->second.particle() : foreign_->first,
+                         first_is_own ? foreign_->first : foreign_->second.particle(),
+                         foreign_->time, pair[0], pair[1]),
              "`walk` is for two beads that meet only each other and walls; without it the panel "
              "shows their first collision");
     }

@@ -51,12 +51,12 @@ void Flashes::survey(const FrameInput& input, const std::function<Point(const Co
         high_ = leg_high_;
     }
     for (const Collision& collision : input.advanced.collisions) {
-        if (collision.second < 0) continue;  // a wall
+        if (collision.second.is_side()) continue;
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
         Start start{(last_frame_ + share * (tick.frame - last_frame_)) / scene_.film.fps,
                     folded_time(scene_.run, collision.time),
-                    std::minmax(collision.first, collision.second),
+                    std::minmax({collision.first, collision.second.particle()}),
                     {}};
         const bool is_way_back = start.folded > low_ && start.folded < high_;
         for (Choice* choice : {&dense_, &even_}) {

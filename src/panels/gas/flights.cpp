@@ -29,15 +29,19 @@ std::vector<Flights::Corner> Flights::see(const FrameInput& input) {
     };
     for (const Collision& collision : input.advanced.collisions) {
         if (last_.place.empty()) break;  // there is no frame before
-        if (!is_followed(collision.first) && !is_followed(collision.second)) continue;
+        const bool with_particle = collision.second.is_particle();
+        if (!is_followed(collision.first) &&
+            !(with_particle && is_followed(collision.second.particle())))
+            continue;
         Corner corner{collision.time, last_.place, last_.after, last_.after};
         for (std::size_t k = 0; k < particles_.size(); ++k)
             corner.place[k] =
                 within(last_.place[k] + (collision.time - last_.time) * last_.after[k]);
         meet(corner, collision.first, collision.first_position[axis_],
              collision.first_after[axis_]);
-        meet(corner, collision.second, collision.second_position[axis_],
-             collision.second_after[axis_]);
+        if (with_particle)
+            meet(corner, collision.second.particle(), collision.second_position[axis_],
+                 collision.second_after[axis_]);
         last_ = corner;
         corners.push_back(std::move(corner));
     }

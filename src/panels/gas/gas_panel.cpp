@@ -29,7 +29,8 @@ void GasPanel::survey(const FrameInput& input) {
     arrows_.survey(input);
     flashes_.survey(input, [this](const Collision& collision) {
         const double first = context_.particles.radius[collision.first];
-        const double share = first / (first + context_.particles.radius[collision.second]);
+        const double share =
+            first / (first + context_.particles.radius[collision.second.particle()]);
         Eigen::Array2d at = collision.first_position +
                             share * (collision.second_position - collision.first_position);
         const Box& box = context_.scene.gas.box;

@@ -42,7 +42,7 @@ void WirePanel::survey_flashes(const FrameInput& input) {
         const double toward = collision.second_position[0] - collision.first_position[0];
         const double now = map_->place(i, collision.first_position[0], surveyed_places_[i]);
         const bool is_right =
-            toward != 0.0 ? toward > 0.0 : now < surveyed_places_[collision.second];
+            toward != 0.0 ? toward > 0.0 : now < surveyed_places_[collision.second.particle()];
         return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
     });
     surveyed_places_ = map_->places(input.sample, surveyed_places_);

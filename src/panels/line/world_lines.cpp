@@ -62,8 +62,8 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
         if (bends_[line].empty()) bend(line, now, places[particles_[line]], mean_speed);
     for (const Collision& collision : input.advanced.collisions) {
         bend_at(collision.first, collision.time, collision.first_position[0]);
-        if (collision.second >= 0)
-            bend_at(collision.second, collision.time, collision.second_position[0]);
+        if (collision.second.is_particle())
+            bend_at(collision.second.particle(), collision.time, collision.second_position[0]);
     }
     const bool turned =
         input.tick.phase == Phase::reversing && (reversals_.empty() || reversals_.back() < now);

@@ -172,8 +172,9 @@ void EventLoop<Dimension, Scalar>::reverse(double time) {
 }
 
 template <int Dimension, typename Scalar>
-std::optional<std::int32_t> EventLoop<Dimension, Scalar>::displace(
-    std::int64_t particle, const std::array<std::string, 2>& by, double time) {
+std::optional<Partner> EventLoop<Dimension, Scalar>::displace(std::int64_t particle,
+                                                              const std::array<std::string, 2>& by,
+                                                              double time) {
     move_epoch_to(clock_.local(time));
     const auto moved = static_cast<std::size_t>(
         std::find(number_.begin(), number_.end(), static_cast<std::int32_t>(particle)) -
@@ -202,23 +203,22 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar>::displace(
 
 // Contact is no overlap, and with doubles a little more is not either: it comes of round-off.
 template <int Dimension, typename Scalar>
-std::optional<std::int32_t> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
+std::optional<Partner> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
     const double radius = geometry_.properties(bodies_, moved).radius;
     for (std::size_t a = 0; a < Dimension; ++a) {
         if (box_.walls[a] == Wall::periodic) continue;
         const double size = box_.size[static_cast<Eigen::Index>(a)];
-        const auto low = static_cast<std::int32_t>(2 * a);
-        if (b.x[a] < radius - slack * size) return -1 - low;
-        if (b.x[a] > size - radius + slack * size) return -2 - low;
+        if (b.x[a] < radius - slack * size) return static_cast<Side>(2 * a);
+        if (b.x[a] > size - radius + slack * size) return static_cast<Side>(2 * a + 1);
     }
     if constexpr (Dimension == 1) {
         const auto k = geometry_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
-        return k ? std::optional(number_of(*k)) : std::nullopt;
+        return k ? std::optional<Partner>(number_of(*k)) : std::nullopt;
     } else {
         const auto k = disk_overlapped(geometry_, bodies_, moved, box_, slack);
-        return k ? std::optional(number_[*k]) : std::nullopt;
+        return k ? std::optional<Partner>(number_[*k]) : std::nullopt;
     }
 }
 
@@ -426,7 +426,7 @@ void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* c
     contact[side / 2] = side % 2 == 0 ? 0.0 : box_.size[side / 2];
     *collision = {clock_.absolute(now_),
                   number_of(i),
-                  -1 - side,
+                  static_cast<Side>(side),
                   position,
                   contact,
                   in_plane(before),

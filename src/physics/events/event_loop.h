@@ -87,10 +87,10 @@ class EventLoop {
     void reverse(double time);
 
     /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and predicts
-    /// all events anew. Returns what it would overlap then, if anything: a particle, or -1 - side
-    /// for a wall.
-    std::optional<std::int32_t> displace(std::int64_t particle,
-                                         const std::array<std::string, 2>& by, double time);
+    /// all events anew. Returns what it would overlap then, if anything: a particle or a
+    /// wall.
+    std::optional<Partner> displace(std::int64_t particle, const std::array<std::string, 2>& by,
+                                    double time);
 
     /// The state at `time`, which is not before the last event processed nor after the next;
     /// periodic coordinates lie in [0, size). Changes nothing in the particles.
@@ -123,7 +123,7 @@ class EventLoop {
             return Scalar(value, bits_);
     }
 
-    std::optional<std::int32_t> overlapped(std::size_t moved) const;
+    std::optional<Partner> overlapped(std::size_t moved) const;
     std::conditional_t<of_doubles, Event, const Event&> event_of(std::int32_t i) const;
     auto predict(std::int32_t i);
     std::vector<std::int32_t> put_in_order();

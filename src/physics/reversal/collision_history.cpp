@@ -8,8 +8,9 @@ namespace carom {
 bool CollisionHistory::record(const Branch& branch, const Collision& collision) {
     const double path = branch.path_at(collision.time);
     const bool first_agrees = record(branch.direction, path, collision.first, collision.second);
-    return first_agrees && (collision.second < 0 ||
-                            record(branch.direction, path, collision.second, collision.first));
+    return first_agrees &&
+           (collision.second.is_side() ||
+            record(branch.direction, path, collision.second.particle(), collision.first));
 }
 
 std::vector<std::ptrdiff_t> CollisionHistory::checkpoint() const {
@@ -34,8 +35,7 @@ void CollisionHistory::extend_to(double path) {
     high_ = std::max(high_, path);
 }
 
-bool CollisionHistory::record(int direction, double path, std::int32_t particle,
-                              std::int32_t partner) {
+bool CollisionHistory::record(int direction, double path, std::int32_t particle, Partner partner) {
     OfParticle& its = of_particle_[static_cast<std::size_t>(particle)];
     const bool forward = direction > 0;
     const std::ptrdiff_t next = forward ? its.position : its.position - 1;

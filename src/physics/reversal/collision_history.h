@@ -35,7 +35,7 @@ class CollisionHistory {
 
   private:
     struct Entry {
-        std::int32_t partner;
+        Partner partner;
         double path;
     };
     struct OfParticle {
@@ -44,7 +44,7 @@ class CollisionHistory {
         std::ptrdiff_t before_start = 0;  ///< entries from before the start
     };
 
-    bool record(int direction, double path, std::int32_t particle, std::int32_t partner);
+    bool record(int direction, double path, std::int32_t particle, Partner partner);
 
     std::vector<OfParticle> of_particle_;
     double slack_;

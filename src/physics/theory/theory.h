@@ -1,7 +1,7 @@
 // What a gas in equilibrium looks like, exactly, for any finite number of particles: the laws of
 // one particle's energy and speed when the total energy is fixed. Momenta are uniform on the energy
 // sphere whatever the masses, sizes and density, so an energy share is Beta-distributed.
-// Does not measure anything (stats/).
+// Does not measure anything (stats/). Any function may be called from any thread.
 #pragma once
 
 #include <Eigen/Core>

@@ -51,14 +51,15 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
             for (const Collision& c : advanced.collisions) {
                 const double first = map.place(c.first, c.first_position[0], last[c.first]);
                 const double r = map.radius(c.first);
-                if (c.second < 0) {
-                    CHECK(first == relative(c.second == -1 ? r : map.length() - r, 1e-12));
+                if (c.second.is_side()) {
+                    CHECK(first == relative(c.second == Side::left ? r : map.length() - r, 1e-12));
                     continue;
                 }
                 ++meetings;
-                const double second = map.place(c.second, c.second_position[0], last[c.second]);
+                const double second =
+                    map.place(c.second.particle(), c.second_position[0], last[c.second.particle()]);
                 const double apart = std::abs(std::remainder(second - first, map.length()));
-                CHECK(apart == relative(r + map.radius(c.second), 1e-12));
+                CHECK(apart == relative(r + map.radius(c.second.particle()), 1e-12));
             }
             // In between they are apart, in the same order, and nothing jumps.
             const Eigen::ArrayXd places = map.places(simulation.sample(), last);

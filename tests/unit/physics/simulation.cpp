@@ -46,7 +46,7 @@ TEST_CASE("collisions are told exactly, those at the end included") {
     advanced = simulation.advance_to(7.0);
     REQUIRE(advanced.collisions.size() == 1);
     CHECK(advanced.collisions[0].time == 6.5);
-    CHECK(advanced.collisions[0].second == -2);  // the right wall
+    CHECK(advanced.collisions[0].second == Side::right);
     CHECK(advanced.collisions[0].second_position[0] == 10.0);
     CHECK(advanced.collisions[0].first_before[0] == 1.0);
     CHECK(advanced.collisions[0].first_after[0] == -1.0);

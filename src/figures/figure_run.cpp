@@ -265,7 +265,7 @@ void FigureRun::take_means() {
             std::vector<std::shared_ptr<const PanelState>> states;
             for (std::size_t k = 0; k < seeds; ++k)
                 states.push_back(runs_[k]->figure_of(figure.spec->name).moments[i].state);
-            figure.moments[i].state = figure.panel->mean_of(states);
+            figure.moments[i].state = figure.panel->mean_state(states);
         }
     }
 }

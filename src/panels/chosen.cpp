@@ -56,6 +56,12 @@ plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::s
     return {.of = plot::Role::Of::kind, .index = context.scene.gas.species.size() + place};
 }
 
+plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& chosen,
+                      std::size_t place) {
+    if (chosen.size() == 1) return {.of = plot::Role::Of::bar};
+    return choice_role(context, chosen[place], place);
+}
+
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
                     plot::Sample sample, const std::string& last) {
     if (chosen.size() == 1) return escape_markup(name_of(context, chosen.front()));

@@ -39,6 +39,10 @@ Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_
 plot::Role species_role(const PanelContext& context, std::size_t species);
 plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place);
 
+/// That of the only choice is the one of bars.
+plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& chosen,
+                      std::size_t place);
+
 /// Names in their colours: "light and heavy", the last joined by `last`; uncoloured where there is
 /// one.
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,

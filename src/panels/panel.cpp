@@ -14,7 +14,7 @@ void Panel::settle_with(const std::vector<Panel*>&) {
     throw std::logic_error("a panel of a kind that has no means");
 }
 
-std::shared_ptr<const PanelState> Panel::mean_of(
+std::shared_ptr<const PanelState> Panel::mean_state(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
     return states.front();
 }

@@ -75,7 +75,7 @@ class Panel {
     virtual void settle_with(const std::vector<Panel*>& others);
 
     /// What a picture of the mean of these states shows, this panel's first, then the others'.
-    virtual std::shared_ptr<const PanelState> mean_of(
+    virtual std::shared_ptr<const PanelState> mean_state(
         const std::vector<std::shared_ptr<const PanelState>>& states) const;
 
     /// fix_axes() for several runs drawn in one picture: of this one and of others, panels of the

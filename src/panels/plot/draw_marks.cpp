@@ -9,7 +9,7 @@ namespace carom::plot {
 namespace {
 
 constexpr double ascent = 1.1, descent = 0.4;           // of words, units, with air
-constexpr double sample_from = -1.8, sample_to = -0.5;  // of a sample before words, units
+constexpr double sample_from = -1.8, sample_to = -0.6;  // of a sample before words, units
 
 // Where an anchor is on the canvas.
 Point place_of(const Frame& frame, const Anchor& anchor) {

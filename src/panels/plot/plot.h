@@ -32,6 +32,14 @@ struct Role {
     std::array<Color, 3> own{};  ///< on the light, the dark and the print theme
 };
 
+/// A role whose colour on a theme is what a function gives for it.
+template <class ColorOn>
+Role own_role(const ColorOn& color_on) {
+    return {.of = Role::Of::own,
+            .own = {color_on(theme(ThemeKind::light)), color_on(theme(ThemeKind::dark)),
+                    color_on(theme(ThemeKind::print))}};
+}
+
 /// How a colour is changed so that it is seen on the page.
 enum class Shade {
     as_it_is,

@@ -1,4 +1,5 @@
 // The mean kinetic energy of each species against time: who gives, who takes, and where they meet.
+#include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 
@@ -17,17 +18,13 @@ std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& ene
     return sum;
 }
 
-std::string title(const PanelContext& context, const PanelSpec& spec, const Theme& theme) {
+plot::Text title(const PanelContext& context, const PanelSpec& spec) {
     if (spec.title) return escape_markup(*spec.title);
-    const std::vector<Species>& species = context.scene.gas.species;
-    if (species.size() == 1) return "Mean energy";
-    std::string words;
-    for (std::size_t k = 0; k < species.size(); ++k) {
-        if (k > 0) words += k + 1 == species.size() ? " and " : ", ";
-        const Color color = species_color(context, k, theme);
-        words += line_sample(k, color, theme) + colored(species[k].name, color, theme);
-    }
-    return "Mean energy: " + words;
+    const std::size_t count = context.scene.gas.species.size();
+    if (count == 1) return "Mean energy";
+    std::vector<Chosen> all;
+    for (std::size_t k = 0; k < count; ++k) all.push_back({.species = k});
+    return "Mean energy: " + names_of(context, all, plot::Sample::line);
 }
 
 }  // namespace
@@ -35,13 +32,15 @@ std::string title(const PanelContext& context, const PanelSpec& spec, const Them
 std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject{
         .measure = [context](const FrameInput& o) { return means(context, o.energy); },
-        .color = [context](std::size_t k,
-                           const Theme& theme) { return species_color(context, k, theme); },
-        .title = [context, spec](const Theme& theme) { return title(context, spec, theme); },
+        .lines = {},
+        .titles = {title(context, spec)},
         .spreads = true,
-        .column = column_name("mean energy", reduced::energy)};
-    for (const Species& species : context.scene.gas.species) subject.names.push_back(species.name);
-    if (context.equilibrium && context.scene.gas.species.size() > 1)
+        .quantity = "mean energy",
+        .unit = reduced::energy};
+    const std::vector<Species>& species = context.scene.gas.species;
+    for (std::size_t k = 0; k < species.size(); ++k)
+        subject.lines.push_back({species[k].name, species_role(context, k)});
+    if (context.equilibrium && species.size() > 1)
         subject.reference = [context]() -> std::optional<ReferenceLevel> {
             return ReferenceLevel{"equal shares", mean_energy(*context.equilibrium)};
         };

@@ -20,16 +20,13 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
             }
             return {*entropy ? (*entropy)->of(o.sample.velocity) : 0.0};
         },
-        .color = [](std::size_t, const Theme& theme) { return theme.bar; },
-        .title =
-            [spec](const Theme&) {
-                return spec.title ? escape_markup(*spec.title)
-                                  : std::string("Entropy of the velocities, −<i>H</i>");
-            },
+        .lines = {{"all"}},
+        .titles = {spec.title ? escape_markup(*spec.title)
+                              : std::string("Entropy of the velocities, −<i>H</i>")},
         .notes = {"−Σ <i>p</i> ln <i>p</i> over cells of velocity; 0 if all move alike",
                   "−Σ <i>p</i> ln <i>p</i> over cells of velocity"},
-        .column = "entropy (1)",
-        .names = {"all"}};
+        .quantity = "entropy",
+        .unit = "1"};
     if (context.equilibrium)
         subject.reference = [context, entropy]() -> std::optional<ReferenceLevel> {
             if (!*entropy) return std::nullopt;

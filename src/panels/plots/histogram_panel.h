@@ -39,7 +39,7 @@ class HistogramPanel : public Panel {
     void survey(const FrameInput& input) override;
     void fix_axes() override;
     void settle_with(const std::vector<Panel*>& others) override;
-    std::shared_ptr<const PanelState> mean_of(
+    std::shared_ptr<const PanelState> mean_state(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     void settle_beside(const std::vector<Panel*>& others,
                        const std::vector<std::string>& names) override;

@@ -105,7 +105,7 @@ void HistogramPanel::take_mean_of_curves(const std::vector<HistogramPanel*>& run
         }
 }
 
-std::shared_ptr<const PanelState> HistogramPanel::mean_of(
+std::shared_ptr<const PanelState> HistogramPanel::mean_state(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
     auto mean = std::make_shared<HistogramState>();
     mean->histograms = histograms(*states.front());

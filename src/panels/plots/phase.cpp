@@ -7,6 +7,18 @@
 #include "panels/registry.h"
 
 namespace carom {
+namespace {
+
+std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spec,
+                               const std::vector<Chosen>& chosen) {
+    if (spec.title) return {escape_markup(*spec.title)};
+    const std::string words = "Position and velocity";
+    if (spec.of.empty()) return {words};
+    const plot::Text names = names_of(context, chosen, plot::Sample::disk);
+    return {words + " of " + names, names};  // the axes say the rest
+}
+
+}  // namespace
 
 std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
@@ -19,29 +31,18 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     for (const std::vector<Eigen::Index>& list : lists)
         flights.emplace_back(box, axis, std::vector<Eigen::Index>{list.front()});
     PointsSubject subject{
-        .titles = [context, spec, chosen](const Theme& theme) -> std::vector<std::string> {
-            if (spec.title) return {escape_markup(*spec.title)};
-            const std::string words = "Position and velocity";
-            if (spec.of.empty()) return {words};
-            const std::string names =
-                colored_names(context, chosen, theme, " and ", NameMark::disk);
-            return {words + " of " + names, names};  // the axes say the rest
-        },
+        .titles = titles(context, spec, chosen),
         .across = "position" + along,
         .up = "velocity" + along,
         .width = {0.0, box.size[axis]},
         .height = {},
-        .sets = chosen.size(),
+        .sets = {},
         .points =
             [lists, axis](const FrameInput& o, std::size_t set) {
                 std::vector<Point> points;
                 for (const Eigen::Index i : lists[set])
                     points.push_back({o.sample.position(i, axis), o.sample.velocity(i, axis)});
                 return points;
-            },
-        .color =
-            [context, chosen](std::size_t k, const Theme& theme) {
-                return chosen.size() == 1 ? theme.bar : choice_color(context, chosen[k], k, theme);
             },
         .corners =
             [flights](const FrameInput& o, std::size_t set) mutable {
@@ -56,7 +57,8 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
                     column_name("velocity" + along, reduced::speed)}};
     if (std::ranges::none_of(lists, [](const auto& list) { return list.size() == 1; }))
         subject.corners = nullptr;
-    for (const Chosen& one : chosen) subject.names.push_back(name_of(context, one));
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        subject.sets.push_back({name_of(context, chosen[k]), role_among(context, chosen, k)});
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

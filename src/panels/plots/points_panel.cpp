@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/axis.h"
 #include "stats/histogram.h"
 
 namespace carom {
 namespace {
+
+using plot::Role;
 
 struct PointsState : PanelState {
     std::vector<std::vector<Point>> sets;
@@ -21,37 +24,35 @@ struct PointsState : PanelState {
 constexpr std::size_t kept_a_frame = 200;   // numbers that the axis is fixed by
 constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
+const plot::Stroke faint{.role = {.of = Role::Of::muted}, .width = 0.06, .dashes = {0.3}};
+
 }  // namespace
 
 // What a film of many frames, or of many collisions, shows of a path.
-std::pair<std::size_t, std::size_t> PointsPanel::Path::until(std::size_t frames) const {
+plot::Shown PointsPanel::Path::until(std::size_t frames) const {
     if (ends.empty()) return {0, 0};
     const std::size_t end = ends[std::min(frames, ends.size()) - 1];
     return {end > longest_path ? end - longest_path : 0, end};
 }
-
-struct PointsPanel::Scales {
-    Rect area;
-    Scale x, y;
-    Point operator()(const Point& p) const {
-        return {x(p.x), std::clamp(y(p.y), area.y, area.bottom())};
-    }
-};
 
 const std::vector<Point>& PointsPanel::points(const PanelState& state, std::size_t set) {
     return static_cast<const PointsState&>(state).sets[set];
 }
 
 void PointsPanel::survey(const FrameInput& input) {
-    paths_.resize(subject_.sets);
-    for (std::size_t k = 0; k < subject_.sets; ++k) {
+    paths_.resize(subject_.sets.size());
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
         const std::vector<Point> now = subject_.points(input, k);
         if (now.size() == 1) {
-            std::vector<Point>& path = paths_[k].points;
-            if (subject_.corners)
-                for (const Point& corner : subject_.corners(input, k)) path.push_back(corner);
-            path.push_back(now.front());
-            paths_[k].ends.push_back(path.size());
+            Path& path = paths_[k];
+            std::vector<Point> more =
+                subject_.corners ? subject_.corners(input, k) : std::vector<Point>{};
+            more.push_back(now.front());
+            for (const Point& point : more) {
+                path.x.push_back(point.x);
+                path.y.push_back(point.y);
+            }
+            path.ends.push_back(path.x.size());
         }
         const std::size_t stride = std::max<std::size_t>(1, now.size() / kept_a_frame);
         for (std::size_t i = surveyed_ % stride; i < now.size(); i += stride)
@@ -61,111 +62,109 @@ void PointsPanel::survey(const FrameInput& input) {
 }
 
 void PointsPanel::fix_axes() {
-    if (subject_.height) {
-        std::tie(low_, high_) = *subject_.height;
-    } else {
-        const double most = pool_.empty() ? 0.0 : 1.1 * quantile(pool_, 0.995);
-        high_ = most > 0.0 && std::isfinite(most) ? round_up_for_axis(most) : 1.0;
-        low_ = -high_;
-    }
+    const double most = pool_.empty() ? 0.0 : 1.1 * quantile(pool_, 0.995);
+    const double high = most > 0.0 && std::isfinite(most) ? round_up_for_axis(most) : 1.0;
+    height_ = subject_.height.value_or(std::pair{-high, high});
     pool_ = {};
+    make_plot();
+}
+
+void PointsPanel::archive(Archive& archive) {
+    archive(paths_, height_);
+    if (archive.is_reading()) make_plot();
+}
+
+void PointsPanel::make_plot() {
+    whole_ = {
+        .titles = subject_.titles,
+        .x = {.title = subject_.across, .low = subject_.width.first, .high = subject_.width.second},
+        .y = {.title = subject_.up, .low = height_.first, .high = height_.second},
+        .columns = {"piece (number)", subject_.columns.first, subject_.columns.second}};
+    if (height_.first < 0.0) {
+        plot::Level zero;
+        zero.still = true;
+        zero.stroke = faint;
+        whole_.layers.emplace_back(std::move(zero));
+    }
+    if (subject_.never_equal) {
+        const std::vector<double> ends{subject_.width.first, subject_.width.second};
+        plot::Line equal;
+        equal.still = true;
+        equal.x = equal.y = plot::column("", ends);
+        equal.stroke = faint;
+        whole_.layers.emplace_back(std::move(equal));
+    }
+    lines_.clear();
+    for (std::size_t k = 0; k < paths_.size(); ++k) lines_.push_back(line_of(k));
+}
+
+// A path that goes around the box has several pieces.
+std::vector<int> PointsPanel::pieces_of(const Path& path) const {
+    const auto beyond = [](const std::vector<double>& values, std::size_t i, double most) {
+        return most > 0.0 && std::abs(values[i] - values[i - 1]) > most;
+    };
+    std::vector<int> pieces;
+    for (std::size_t i = 0; i < path.x.size(); ++i) {
+        const bool breaks = i > 0 && (beyond(path.x, i, subject_.breaks_across) ||
+                                      beyond(path.y, i, subject_.breaks_up));
+        pieces.push_back(i == 0 ? 0 : pieces.back() + (breaks ? 1 : 0));
+    }
+    return pieces;
+}
+
+plot::Line PointsPanel::line_of(std::size_t set) const {
+    const Path& path = paths_[set];
+    plot::Line line;
+    line.part = "path";
+    line.of = subject_.sets[set].name;
+    line.depth = 1;
+    line.x = plot::column(whole_.columns[1], path.x);
+    line.y = plot::column(whole_.columns[2], path.y);
+    line.piece = std::make_shared<const std::vector<int>>(pieces_of(path));
+    line.piece_column = whole_.columns[0];
+    line.is_thinned = false;
+    line.beyond = plot::Beyond::drawn;
+    line.stroke = {.role = subject_.sets[set].role, .width = 0.1, .shade = plot::Shade::legible};
+    // Dashes of a path that goes to and fro add up to a thicket. Two are told apart by their greys,
+    // and by the points at their ends.
+    if (paths_.size() > 2) line.stroke.print_dashes = plot::dashes_in_print(set, paths_.size());
+    return line;
 }
 
 std::shared_ptr<const PanelState> PointsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<PointsState>();
-    for (std::size_t k = 0; k < subject_.sets; ++k)
+    for (std::size_t k = 0; k < subject_.sets.size(); ++k)
         state->sets.push_back(subject_.points(input, k));
     state->shown = ++seen_;
     return state;
 }
 
-PointsPanel::Scales PointsPanel::scales(const DrawContext& dc) const {
-    const Rect area = plot_area(dc);
-    return {area,
-            {subject_.width.first, subject_.width.second, area.x, area.right()},
-            {low_, high_, area.bottom(), area.y}};
-}
-
-void PointsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    draw_panel_title(canvas, dc, fitting_title(dc, subject_.titles(dc.theme)));
-    const Scales s = scales(dc);
-    draw_x_axis(canvas, s.area, s.x, subject_.across, axis_style(dc));
-    draw_y_axis(canvas, s.area, s.y, "", axis_style(dc));
-    if (low_ < 0.0)
-        canvas.stroke_dashed({s.area.x, s.y(0.0)}, {s.area.right(), s.y(0.0)}, 0.06 * dc.unit,
-                             0.3 * dc.unit, dc.theme.muted);
-    if (subject_.never_equal)
-        canvas.stroke_dashed(s({subject_.width.first, subject_.width.first}),
-                             s({subject_.width.second, subject_.width.second}), 0.06 * dc.unit,
-                             0.3 * dc.unit, dc.theme.muted);
-    draw_text(canvas, {s.area.x + 0.4 * dc.unit, s.area.y - 0.1 * dc.unit}, subject_.up,
-              label_style(dc));
-}
-
-// Whether a step goes around the box.
-bool PointsPanel::breaks_between(const Point& from, const Point& to) const {
-    return (subject_.breaks_across > 0.0 && std::abs(to.x - from.x) > subject_.breaks_across) ||
-           (subject_.breaks_up > 0.0 && std::abs(to.y - from.y) > subject_.breaks_up);
-}
-
-void PointsPanel::draw_path(Canvas& canvas, const DrawContext& dc, std::size_t set,
-                            std::size_t shown) const {
-    const Scales s = scales(dc);
-    const std::vector<Point>& all = paths_[set].points;
-    const auto [first, end] = paths_[set].until(shown);
-    const Color color = edge_of(subject_.color(set, dc.theme), dc.theme);
-    // Dashes of a path that goes to and fro add up to a thicket. Two are told apart by their greys,
-    // and by the points at their ends.
-    std::vector<double> dashes;
-    if (subject_.sets > 2) dashes = line_dashes(set, subject_.sets, dc);
-    std::vector<Point> path;
-    for (std::size_t i = first; i < end; ++i) {
-        if (!path.empty() && breaks_between(all[i - 1], all[i])) {
-            canvas.stroke_path(path, 0.1 * dc.unit, color, dashes);
-            path.clear();
+plot::Plot PointsPanel::plot(const PanelState* state) const {
+    plot::Plot now = whole_;
+    if (state == nullptr) return now;
+    const auto& shown = static_cast<const PointsState&>(*state);
+    for (std::size_t k = 0; k < shown.sets.size(); ++k) {
+        const bool has_path = shown.sets[k].size() == 1;
+        std::vector<double> x, y;
+        for (const Point& point : shown.sets[k]) {
+            x.push_back(point.x);
+            y.push_back(point.y);
         }
-        path.push_back(s(all[i]));
+        plot::Points points;
+        points.part = "point";
+        points.of = subject_.sets[k].name;
+        points.x = plot::column(now.columns[1], std::move(x));
+        points.y = plot::column(now.columns[2], std::move(y));
+        points.mark = {.role = subject_.sets[k].role,
+                       .radius = has_path ? 0.35 : 0.16,
+                       .is_hollow_if_pale = true,
+                       .halo = has_path ? 0.12 : 0.0};  // its own path and others' end before it
+        now.layers.emplace_back(std::move(points));
+        if (k >= lines_.size()) continue;
+        now.layers.emplace_back(lines_[k]);
+        std::get<plot::Line>(now.layers.back()).shown = paths_[k].until(shown.shown);
     }
-    if (!path.empty()) canvas.stroke_path(path, 0.1 * dc.unit, color, dashes);
-}
-
-void PointsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const PointsState&>(state);
-    const Scales s = scales(dc);
-    for (std::size_t k = 0; k < now.sets.size(); ++k) draw_path(canvas, dc, k, now.shown);
-    for (std::size_t k = 0; k < now.sets.size(); ++k) {
-        const bool has_path = now.sets[k].size() == 1;
-        const double radius = (has_path ? 0.35 : 0.16) * dc.unit;
-        const Color color = subject_.color(k, dc.theme);
-        const bool hollow = dc.theme.kind == ThemeKind::print && looks_hollow(color, dc.theme);
-        for (const Point& point : now.sets[k]) {
-            if (has_path)  // its own path and others' end before it
-                canvas.fill_circle(s(point), radius + 0.12 * dc.unit, dc.theme.page);
-            canvas.fill_circle(s(point), radius, edge_of(color, dc.theme));
-            if (hollow) canvas.fill_circle(s(point), 0.6 * radius, dc.theme.page);
-        }
-    }
-}
-
-// A path that goes around the box has several pieces.
-Table PointsPanel::table(const PanelState& state, const Theme&) const {
-    Table table{{"part", "of", "piece (number)", subject_.columns.first, subject_.columns.second}};
-    const auto& now = static_cast<const PointsState&>(state);
-    for (std::size_t k = 0; k < now.sets.size(); ++k) {
-        for (const Point& point : now.sets[k])
-            table.rows.push_back({"point", subject_.names.at(k), {}, point.x, point.y});
-        const std::vector<Point>& path = paths_[k].points;
-        const auto [first, end] = paths_[k].until(now.shown);
-        std::int64_t piece = 0;
-        for (std::size_t i = first; i < end; ++i) {
-            const Point& point = path[i];
-            const bool stands = i > first && point.x == path[i - 1].x && point.y == path[i - 1].y;
-            if (stands) continue;
-            if (i > first && breaks_between(path[i - 1], point)) ++piece;
-            table.rows.push_back({"path", subject_.names.at(k), piece, point.x, point.y});
-        }
-    }
-    return table;
+    return now;
 }
 
 }  // namespace carom

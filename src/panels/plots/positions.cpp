@@ -24,22 +24,17 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
     const auto second = static_cast<Eigen::Index>(spec.of.at(1).particle.value());
     const double length = box.size[axis];
     PointsSubject subject{
-        .titles =
-            [spec, along](const Theme&) {
-                return std::vector<std::string>{spec.title ? escape_markup(*spec.title)
-                                                           : "Positions of two particles" + along};
-            },
+        .titles = {spec.title ? escape_markup(*spec.title) : "Positions of two particles" + along},
         .across = name_on_axis(context, spec.of[0]),
         .up = name_on_axis(context, spec.of[1]),
         .width = {0.0, length},
         .height = std::pair{0.0, length},
-        .sets = 1,
+        .sets = {{"both"}},
         .points =
             [first, second, axis](const FrameInput& o, std::size_t) {
                 return std::vector<Point>{
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
-        .color = [](std::size_t, const Theme& theme) { return theme.bar; },
         .corners =
             [flights = Flights(box, axis, {first, second})](const FrameInput& o,
                                                             std::size_t) mutable {
@@ -52,8 +47,7 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
         .columns = {column_name("position of " + name_of(context, spec.of[0]), reduced::length),
-                    column_name("position of " + name_of(context, spec.of[1]), reduced::length)},
-        .names = {"both"}};
+                    column_name("position of " + name_of(context, spec.of[1]), reduced::length)}};
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

@@ -84,8 +84,15 @@ std::string time_words(const Over& over) {
 }
 
 // On the walls in the bars' colour, by the virial in the one of what should be looked at.
-Color line_color(std::size_t line, const Theme& theme) {
-    return line == 0 ? theme.bar : theme.highlight;
+const plot::Role of_walls{.of = plot::Role::Of::bar};
+const plot::Role of_virial{.of = plot::Role::Of::highlight};
+
+plot::Text title(const PanelSpec& spec, bool has_walls) {
+    if (spec.title) return escape_markup(*spec.title);
+    const plot::Text virial = plot::named("from collisions", of_virial, plot::Sample::line, 1);
+    if (!has_walls) return "Pressure " + virial;
+    return "Pressure " + plot::named("on the walls", of_walls, plot::Sample::line, 0) + " and " +
+           virial;
 }
 
 }  // namespace
@@ -98,26 +105,15 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
     const Gauge gauge(context, over);
     SeriesSubject subject{
         .measure = gauge,
-        .color = line_color,
-        .title =
-            [spec, walls](const Theme& theme) {
-                if (spec.title) return escape_markup(*spec.title);
-                const auto name = [&](std::size_t line, const std::string& words) {
-                    const Color color = line_color(line, theme);
-                    return line_sample(line, color, theme) + colored(words, color, theme);
-                };
-                const std::string virial = name(1, "from collisions");
-                if (!walls) return "Pressure " + virial;
-                return "Pressure " + name(0, "on the walls") + " and " + virial;
-            },
+        .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
+        .titles = {title(spec, walls)},
         .notes = {time_words(over)},
         .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
             if (!std::isfinite(*of_points)) return std::nullopt;
             return ReferenceLevel{"gas of points", *of_points};
         },
-        .column =
-            column_name("pressure", box.dimension == 2 ? "mass/time^2" : "mass length/time^2"),
-        .names = {"on the walls", "from collisions"},
+        .quantity = "pressure",
+        .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2",
         .compared = 1,
         .compared_title = spec.title ? escape_markup(*spec.title) : "Pressure from collisions"};
     return std::make_unique<SeriesPanel>(context, std::move(subject));

@@ -11,16 +11,16 @@
 namespace carom {
 namespace {
 
-std::string title(const PanelContext& context, const PanelSpec& spec, const Theme& theme) {
-    if (spec.title) return escape_markup(*spec.title);
-    const std::vector<Color> colors = speed_class_colors(context.scene, theme);
+// Samples in print take the room of words.
+std::vector<plot::Text> titles(const std::vector<SeriesSubject::Line>& lines,
+                               const PanelSpec& spec) {
+    if (spec.title) return {escape_markup(*spec.title)};
     const auto name = [&](std::size_t k, const std::string& words) {
-        return line_sample(k, colors[k], theme) + colored(words, colors[k], theme);
+        return plot::named(words, lines[k].role, plot::Sample::line, k);
     };
-    const std::string slow = name(0, "Slow"), medium = name(1, "medium"), fast = name(2, "fast");
-    if (theme.kind == ThemeKind::print)  // samples take the room of words
-        return fmt::format("{}, {}, {} (per cent)", slow, medium, fast);
-    return fmt::format("{}, {} and {}, in per cent", slow, medium, fast);
+    const plot::Text slow = name(0, "Slow"), medium = name(1, "medium"), fast = name(2, "fast");
+    return {slow + ", " + medium + " and " + fast + ", in per cent",
+            slow + ", " + medium + ", " + fast + " (per cent)"};
 }
 
 }  // namespace
@@ -28,10 +28,8 @@ std::string title(const PanelContext& context, const PanelSpec& spec, const Them
 std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject{
         .measure = {},
-        .color = [context](
-                     std::size_t k,
-                     const Theme& theme) { return speed_class_colors(context.scene, theme)[k]; },
-        .title = [context, spec](const Theme& theme) { return title(context, spec, theme); },
+        .lines = {{"slow"}, {"medium"}, {"fast"}},
+        .titles = {},
         .notes =
             spec.reference_initial
                 ? std::vector<std::string>{"slow below ½, fast above 1½ of the mean at the start",
@@ -42,8 +40,12 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
                                            : "slow below ½, fast above 1½ of the mean speed now",
                                    "slow below ½, fast above 1½ of the mean"},
         .top = 100.0,
-        .column = "share (per cent)",
-        .names = {"slow", "medium", "fast"}};
+        .quantity = "share",
+        .unit = "per cent"};
+    for (std::size_t k = 0; k < subject.lines.size(); ++k)
+        subject.lines[k].role = plot::own_role(
+            [&](const Theme& theme) { return speed_class_colors(context.scene, theme)[k]; });
+    subject.titles = titles(subject.lines, spec);
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{},
                        spec](const FrameInput& o) mutable -> std::vector<double> {

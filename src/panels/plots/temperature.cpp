@@ -20,18 +20,15 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
                             .temperature());
                 return now;
             },
-        .color =
-            [context, chosen](std::size_t k, const Theme& theme) {
-                return chosen.size() == 1 ? theme.bar : choice_color(context, chosen[k], k, theme);
-            },
-        .title =
-            [context, chosen, spec](const Theme& theme) {
-                if (spec.title) return escape_markup(*spec.title);
-                if (spec.of.empty()) return std::string("Temperature");
-                return "Temperature of " + colored_names(context, chosen, theme);
-            },
-        .column = column_name("temperature", reduced::energy)};
-    for (const Chosen& one : chosen) subject.names.push_back(name_of(context, one));
+        .lines = {},
+        .titles = {spec.title ? plot::Text(escape_markup(*spec.title))
+                   : spec.of.empty()
+                       ? plot::Text("Temperature")
+                       : "Temperature of " + names_of(context, chosen, plot::Sample::line)},
+        .quantity = "temperature",
+        .unit = reduced::energy};
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        subject.lines.push_back({name_of(context, chosen[k]), role_among(context, chosen, k)});
     return std::make_unique<SeriesPanel>(context, std::move(subject));
 }
 

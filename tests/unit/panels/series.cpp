@@ -78,10 +78,10 @@ TEST_CASE("slow and fast are beside the present mean speed, or that at the start
         const auto panel = stage.panel(spec);
         stage.show(*panel, 0.0, along_x({1.0, 1.0, 1.0, 1.0}));
         stage.show(*panel, 1.0, along_x({0.0, 1.0, 3.0, 4.0}));  // mean 2
-        CHECK(panel->line(1)[0] == 100.0);
-        CHECK(panel->line(0)[1] == 25.0);
-        CHECK(panel->line(1)[1] == (initial ? 25.0 : 50.0));
-        CHECK(panel->line(2)[1] == (initial ? 50.0 : 25.0));
+        CHECK(panel->record().runs.front().lines[1][0] == 100.0);
+        CHECK(panel->record().runs.front().lines[0][1] == 25.0);
+        CHECK(panel->record().runs.front().lines[1][1] == (initial ? 25.0 : 50.0));
+        CHECK(panel->record().runs.front().lines[2][1] == (initial ? 50.0 : 25.0));
     }
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("the temperature of a plane is its mean energy, of all and of those ch
     spec.of = {{}, {1, {}}, {{}, 0}};
     const auto panel = stage.panel(spec);
     stage.show(*panel, 0.0, along_x({1.0, 2.0, 3.0, -1.0}));  // energies 0.5, 2, 18, 2
-    CHECK(panel->line(0)[0] == relative(22.5 / 4, 1e-14));
-    CHECK(panel->line(1)[0] == relative(10.0, 1e-14));
-    CHECK(panel->line(2)[0] == relative(0.5, 1e-14));
+    CHECK(panel->record().runs.front().lines[0][0] == relative(22.5 / 4, 1e-14));
+    CHECK(panel->record().runs.front().lines[1][0] == relative(10.0, 1e-14));
+    CHECK(panel->record().runs.front().lines[2][0] == relative(0.5, 1e-14));
 }
 
 TEST_CASE("pressures are of what changed hands since the start, in a while, or since a frame ago") {
@@ -110,10 +110,11 @@ TEST_CASE("pressures are of what changed hands since the start, in a while, or s
             stage.advanced.impulses.virial = 8.0 * t;
             stage.show(*panel, t, velocity);
         }
-        CHECK(std::isnan(panel->line(0)[0]));
+        CHECK(std::isnan(panel->record().runs.front().lines[0][0]));
         // P V = 2 K / 2 + virial / (2 t) over the room of the centres, (10 * 9 + 10 * 9) / 2.
-        CHECK(panel->line(1).back() == relative((5.0 + 8.0 / 2.0) / 90.0, 1e-14));
-        return panel->line(0).back();
+        CHECK(panel->record().runs.front().lines[1].back() ==
+              relative((5.0 + 8.0 / 2.0) / 90.0, 1e-14));
+        return panel->record().runs.front().lines[0].back();
     };
     // Four walls of length 10.
     CHECK(last({Over::Since::start, 0.0}) == relative(4 * 160.0 / (40.0 * 4.0), 1e-14));
@@ -136,10 +137,10 @@ TEST_CASE(
     stage.show(*panel, 1.0, streams);
     stage.show(*panel, 2.0, thermal);
     stage.show(*panel, 3.0, -alike);
-    CHECK(std::abs(panel->line(0)[0]) < 1e-15);
-    CHECK(panel->line(0)[1] == relative(std::log(2.0), 1e-14));
-    CHECK(panel->line(0)[2] > 2.0);
-    CHECK(std::abs(panel->line(0)[3]) < 1e-15);
+    CHECK(std::abs(panel->record().runs.front().lines[0][0]) < 1e-15);
+    CHECK(panel->record().runs.front().lines[0][1] == relative(std::log(2.0), 1e-14));
+    CHECK(panel->record().runs.front().lines[0][2] > 2.0);
+    CHECK(std::abs(panel->record().runs.front().lines[0][3]) < 1e-15);
 }
 
 TEST_CASE("points are positions against velocities, or against another particle's") {

@@ -1,0 +1,55 @@
+// What a panel of numbers against time records of a run: a value, of which means over runs and
+// comparisons of runs are made.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "util/archive.h"
+
+namespace carom {
+
+/// A level that lines are compared with.
+struct ReferenceLevel {
+    std::string name;
+    double value = 0.0;
+    void archive(Archive& archive) { archive(name, value); }
+};
+
+/// The numbers of one run.
+struct SeriesRun {
+    std::vector<double> time;                      ///< of each frame, folded at reversals
+    std::vector<int> reversals;                    ///< so far
+    std::vector<std::vector<double>> lines;        ///< line x frame; NaN: none
+    std::vector<std::vector<double>> errors = {};  ///< standard errors of means over runs, or none
+    std::optional<ReferenceLevel> level = {};
+    std::vector<double> turns = {};  ///< times of reversals, folded
+    std::string name = {};           ///< beside others
+
+    void archive(Archive& archive) { archive(time, reversals, lines, errors, level, turns, name); }
+};
+
+struct SeriesRecord {
+    std::vector<SeriesRun> runs = {{}};  ///< one, or those side by side, a line of each
+    int runs_in_mean = 1;
+    std::size_t compared = 0;  ///< the line that stands for a run beside others
+
+    bool compares() const { return runs.size() > 1; }
+
+    /// The level of all runs, or none where they differ in what a reader sees of it.
+    std::optional<ReferenceLevel> common_level() const;
+
+    /// The reversals of all runs, or none where they differ.
+    std::vector<double> common_turns() const;
+
+    void archive(Archive& archive) { archive(runs, runs_in_mean, compared); }
+};
+
+/// Of runs with the same frames: their means with standard errors.
+SeriesRecord mean_of(std::vector<SeriesRecord> records);
+
+/// A line of each, named.
+SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::string>& names);
+
+}  // namespace carom

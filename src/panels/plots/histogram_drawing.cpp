@@ -38,8 +38,8 @@ HistogramPanel::Scales HistogramPanel::scales(const DrawContext& dc) const {
     area.y += rows;
     area.height = std::max(dc.unit, area.height - rows);
     return {area,
-            {bins_.low, bins_.high, area.x, area.right()},
-            {0.0, tallest_, area.bottom(), area.y}};
+            {axes_.bins.low, axes_.bins.high, area.x, area.right()},
+            {0.0, axes_.top, area.bottom(), area.y}};
 }
 
 // One choice of particles has the colours of all histograms, several have their own.
@@ -49,12 +49,12 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const DrawContext& d
         const Color color = compared_color(series, theme);
         return {color, color, color};
     }
-    if (series_.size() == 1) return {theme.bar, theme.accent, theme.highlight};
-    const Color color = choice_color(context_, series_[series].chosen, series, theme);
+    if (count() == 1) return {theme.bar, theme.accent, theme.highlight};
+    const Color color = choice_color(context_, choices_[series].chosen, series, theme);
     std::vector<Color> tints{theme.page};
-    for (std::size_t k = 0; k < series_.size(); ++k)
+    for (std::size_t k = 0; k < count(); ++k)
         tints.push_back(
-            mix(theme.page, choice_color(context_, series_[k].chosen, k, theme), tint_alpha));
+            mix(theme.page, choice_color(context_, choices_[k].chosen, k, theme), tint_alpha));
     const auto line = [&](double share) {
         return toward_ink(mix(color, theme.ink, share), theme, tints, least_contrast_of_marks);
     };
@@ -64,28 +64,28 @@ HistogramPanel::Ink HistogramPanel::ink(std::size_t series, const DrawContext& d
 void HistogramPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     draw_panel_title(canvas, dc, compares() ? title_of_runs(dc) : title(dc));
     const Scales s = scales(dc);
-    if (compares()) draw_key_of_runs(canvas, dc, {dc.area.x, row_above(dc, 0).y}, names_);
+    if (compares()) draw_key_of_runs(canvas, dc, {dc.area.x, row_above(dc, 0).y}, names());
     draw_x_axis(canvas, s.area, s.x, subject_.quantity, axis_style(dc));
     AxisStyle counts = axis_style(dc);
-    counts.whole =
-        window() == 0.0 && runs_ == 1 && !percent_;  // means over a while may be any number
+    counts.whole = window() == 0.0 && axes_.runs == 1 &&
+                   !axes_.counts_per_cent();  // means over a while may be any number
     draw_y_axis(canvas, s.area, s.y, "", counts);
 }
 
 void HistogramPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const std::vector<MeanHistogram>& now = histograms(state);
     if (compares()) return draw_runs(canvas, dc, now);
-    for (std::size_t k = 0; k < series_.size(); ++k) {
+    for (std::size_t k = 0; k < count(); ++k) {
         draw_bars(canvas, dc, k, now[k]);
-        if (series_.size() > 1) draw_outline(canvas, dc, k, now[k]);
+        if (count() > 1) draw_outline(canvas, dc, k, now[k]);
     }
     draw_cuts(canvas, dc, now);
     draw_beyond(canvas, dc, now);
-    if (series_.size() == 1) draw_casings(canvas, dc, now.front());
-    for (std::size_t k = 0; k < series_.size(); ++k) draw_errors(canvas, dc, k, state);
-    for (std::size_t k = 0; k < series_.size(); ++k) {
-        canvas.stroke_path(path_of(dc, series_[k].curve), curve_width * dc.unit, ink(k, dc).curve,
-                           line_dashes(k, series_.size(), dc));
+    if (count() == 1) draw_casings(canvas, dc, now.front());
+    for (std::size_t k = 0; k < count(); ++k) draw_errors(canvas, dc, k, state);
+    for (std::size_t k = 0; k < count(); ++k) {
+        canvas.stroke_path(path_of(dc, axes_.curves[k]), curve_width * dc.unit, ink(k, dc).curve,
+                           line_dashes(k, count(), dc));
         if (spec_.fit) draw_fit(canvas, dc, k, now[k]);
     }
     draw_means(canvas, dc, now);
@@ -95,15 +95,15 @@ void HistogramPanel::draw_bars(Canvas& canvas, const DrawContext& dc, std::size_
                                const MeanHistogram& now) const {
     const Scales s = scales(dc);
     const Color color = ink(series, dc).bar;
-    const double alpha = series_.size() > 1 ? tint_alpha : 1.0;
+    const double alpha = count() > 1 ? tint_alpha : 1.0;
     // One shape: bars of their own would show seams between them wherever a vector picture is seen
     // at another size. On whole pixels sideways, so that bars side by side are equally sharp.
     std::vector<Point> outline;
-    for (int i = 0; i < bins_.count; ++i) {
+    for (int i = 0; i < axes_.bins.count; ++i) {
         const double count = now.counts[static_cast<std::size_t>(i)];
-        const double left = std::round(s.x(bins_.edge(i)));
-        const double right = std::round(s.x(bins_.edge(i + 1)));
-        const double top = count == 0.0 ? s.area.bottom() : s.y(std::min(count, tallest_));
+        const double left = std::round(s.x(axes_.bins.edge(i)));
+        const double right = std::round(s.x(axes_.bins.edge(i + 1)));
+        const double top = count == 0.0 ? s.area.bottom() : s.y(std::min(count, axes_.top));
         if (outline.empty()) outline.push_back({left, s.area.bottom()});
         outline.push_back({left, top});
         outline.push_back({right, top});
@@ -117,16 +117,16 @@ void HistogramPanel::draw_outline(Canvas& canvas, const DrawContext& dc, std::si
                                   const MeanHistogram& now) const {
     const Scales s = scales(dc);
     std::vector<Point> path;
-    for (int i = 0; i < bins_.count; ++i) {
-        const double y = s.y(std::min(now.counts[static_cast<std::size_t>(i)], tallest_));
-        path.push_back({s.x(bins_.edge(i)), y});
-        path.push_back({s.x(bins_.edge(i + 1)), y});
+    for (int i = 0; i < axes_.bins.count; ++i) {
+        const double y = s.y(std::min(now.counts[static_cast<std::size_t>(i)], axes_.top));
+        path.push_back({s.x(axes_.bins.edge(i)), y});
+        path.push_back({s.x(axes_.bins.edge(i + 1)), y});
     }
     if (compares())
         return canvas.stroke_path(path, curve_width * dc.unit, ink(series, dc).bar,
                                   compared_dashes(series, dc));
     canvas.stroke_path(path, 0.1 * dc.unit, edge_of(ink(series, dc).bar, dc.theme),
-                       line_dashes(series, series_.size(), dc));
+                       line_dashes(series, count(), dc));
 }
 
 // A standard error to either side of each mean, as far as the axis goes.
@@ -135,19 +135,20 @@ void HistogramPanel::draw_errors(Canvas& canvas, const DrawContext& dc, std::siz
     if (errors(state).empty()) return;
     const Scales s = scales(dc);
     const double u = dc.unit;
-    const Color color = series_.size() > 1 ? ink(series, dc).curve : dc.theme.ink;
-    const double half = std::min(0.25 * u, 0.3 * (s.x(bins_.edge(1)) - s.x(bins_.edge(0))));
-    for (int i = 0; i < bins_.count; ++i) {
+    const Color color = count() > 1 ? ink(series, dc).curve : dc.theme.ink;
+    const double half =
+        std::min(0.25 * u, 0.3 * (s.x(axes_.bins.edge(1)) - s.x(axes_.bins.edge(0))));
+    for (int i = 0; i < axes_.bins.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double mean = histograms(state)[series].counts[k], error = errors(state)[series][k];
-        if (!(error > 0.0) || mean - error > tallest_) continue;
-        const double x = 0.5 * (s.x(bins_.edge(i)) + s.x(bins_.edge(i + 1)));
+        if (!(error > 0.0) || mean - error > axes_.top) continue;
+        const double x = 0.5 * (s.x(axes_.bins.edge(i)) + s.x(axes_.bins.edge(i + 1)));
         const double low = s.y(std::max(0.0, mean - error));
-        const double high = s.y(std::min(tallest_, mean + error));
+        const double high = s.y(std::min(axes_.top, mean + error));
         canvas.stroke_line({x, low}, {x, high}, error_width * u, color);
         if (mean - error >= 0.0)
             canvas.stroke_line({x - half, low}, {x + half, low}, error_width * u, color);
-        if (mean + error <= tallest_)
+        if (mean + error <= axes_.top)
             canvas.stroke_line({x - half, high}, {x + half, high}, error_width * u, color);
     }
 }
@@ -158,17 +159,17 @@ void HistogramPanel::draw_cuts(Canvas& canvas, const DrawContext& dc,
     const Scales s = scales(dc);
     const double u = dc.unit;
     double free_from = s.area.x;  // counts of neighbours must not lie on each other
-    for (int i = 0; i < bins_.count; ++i) {
+    for (int i = 0; i < axes_.bins.count; ++i) {
         std::string words;  // of all choices whose bars are cut here
         for (std::size_t k = 0; k < now.size(); ++k) {
             const double count = now[k].counts[static_cast<std::size_t>(i)];
-            if (count > tallest_)
+            if (count > axes_.top)
                 words += (words.empty() ? "" : ", ") +
                          colored(count_words(count), ink(k, dc).bar, dc.theme);
         }
         if (words.empty()) continue;
-        const double left = s.x(bins_.edge(i));
-        const double right = s.x(bins_.edge(i + 1));
+        const double left = s.x(axes_.bins.edge(i));
+        const double right = s.x(axes_.bins.edge(i + 1));
         for (double y : {0.9 * u, 1.3 * u})
             canvas.stroke_line({left - 0.15 * u, s.area.y + y + 0.25 * u},
                                {right + 0.15 * u, s.area.y + y - 0.25 * u}, 0.14 * u,
@@ -188,7 +189,9 @@ void HistogramPanel::draw_beyond(Canvas& canvas, const DrawContext& dc,
         below += one.below;
         above += one.above;
     }
-    const double least = window() == 0.0 ? 0.0 : told_beyond * numbers_at_a_time();
+    double values_at_a_time = 0.0;
+    for (const HistogramSeries& one : axes_.series) values_at_a_time += one.values();
+    const double least = window() == 0.0 ? 0.0 : told_beyond * values_at_a_time;
     if (below < least) below = 0.0;
     if (above < least) above = 0.0;
     const Scales s = scales(dc);
@@ -216,7 +219,7 @@ std::vector<Point> HistogramPanel::path_of(const DrawContext& dc,
     const Scales s = scales(dc);
     std::vector<Point> path;
     for (const Point& point : curve)
-        path.push_back({s.x(point.x), s.y(std::min(point.y, tallest_))});
+        path.push_back({s.x(point.x), s.y(std::min(point.y, axes_.top))});
     return path;
 }
 
@@ -235,7 +238,6 @@ void HistogramPanel::draw_casings(Canvas& canvas, const DrawContext& dc,
     const Scales s = scales(dc);
     const double u = dc.unit, axis = axis_style(dc).line_width;
     canvas.clip_to({s.area.x + axis, s.area.y, s.area.width - axis, s.area.height - axis});
-    const Series& one = series_.front();
     const auto stroke = [&](const std::vector<Point>& points) {
         canvas.stroke_path(path_of(dc, points), (curve_width + 2.0 * casing) * u, dc.theme.page);
     };
@@ -247,17 +249,17 @@ void HistogramPanel::draw_casings(Canvas& canvas, const DrawContext& dc,
             canvas.stroke_line({*x, s.area.bottom()}, {*x, s.area.y},
                                (mark_width + 2.0 * casing) * u, dc.theme.page);
     };
-    if (marks_mean_start()) mark(one.mean_start);
+    if (marks_mean_start()) mark(axes_.series.front().mean_start);
     if (marks_mean_now()) mark(now.mean);
     canvas.release_clip();
-    for (int from = 0; from < bins_.count; ++from) {
+    for (int from = 0; from < axes_.bins.count; ++from) {
         int to = from;
-        while (to < bins_.count && is_tall(to)) ++to;
+        while (to < axes_.bins.count && is_tall(to)) ++to;
         if (to == from) continue;
-        const double left = std::max(std::round(s.x(bins_.edge(from))), s.area.x + axis);
-        const double right = std::round(s.x(bins_.edge(to)));
+        const double left = std::max(std::round(s.x(axes_.bins.edge(from))), s.area.x + axis);
+        const double right = std::round(s.x(axes_.bins.edge(to)));
         canvas.clip_to({left, s.area.y, right - left, s.area.height - cased_from * u});
-        stroke(one.curve);
+        stroke(axes_.curves.front());
         if (spec_.fit) stroke(fit_curve(0, now));
         canvas.release_clip();
         from = to;
@@ -269,14 +271,13 @@ std::vector<Point> HistogramPanel::fit_curve(std::size_t series, const MeanHisto
     std::vector<Point> curve;
     if (!(now.deviation > 0.0)) return curve;
     constexpr int points = 120;
-    const double numbers =
-        series_[series].unit * numbers_each_ * static_cast<double>(series_[series].members.size());
+    const double numbers = axes_.series[series].unit * axes_.series[series].values();
     for (int i = 0; i <= points; ++i) {
-        const double value = bins_.low + (bins_.high - bins_.low) * i / points;
+        const double value = axes_.bins.low + (axes_.bins.high - axes_.bins.low) * i / points;
         const double z = (value - now.mean) / now.deviation;
         const double density =
             std::exp(-0.5 * z * z) / (now.deviation * std::sqrt(2.0 * std::numbers::pi));
-        curve.push_back({value, numbers * bins_.width() * density});
+        curve.push_back({value, numbers * axes_.bins.width() * density});
     }
     return curve;
 }
@@ -285,15 +286,15 @@ std::vector<Point> HistogramPanel::fit_curve(std::size_t series, const MeanHisto
 void HistogramPanel::draw_fit(Canvas& canvas, const DrawContext& dc, std::size_t series,
                               const MeanHistogram& now) const {
     const Color color = ink(series, dc).fit;
-    const bool dashed = !series_[series].curve.empty();
+    const bool dashed = !axes_.curves[series].empty();
     std::vector<double> dashes;
     if (dashed) dashes = {0.8 * dc.unit};
-    if (dc.theme.kind == ThemeKind::print && series_.size() > 1)  // other than the bars' own
-        dashes = line_dashes(series_.size() + series, 2 * series_.size(), dc);
+    if (dc.theme.kind == ThemeKind::print && count() > 1)  // other than the bars' own
+        dashes = line_dashes(count() + series, 2 * count(), dc);
     canvas.stroke_path(path_of(dc, fit_curve(series, now)), curve_width * dc.unit, color, dashes);
     if (series >= most_fit_rows) return;
     const Point row =
-        row_above(dc, static_cast<int>(series) + (compares() ? key_rows(dc, names_) : 0));
+        row_above(dc, static_cast<int>(series) + (compares() ? key_rows(dc, names()) : 0));
     if (!dashes.empty())  // a sample of it, left of the words
         canvas.stroke_path(std::array{Point{row.x - 2.9 * dc.unit, row.y - 0.35 * dc.unit},
                                       Point{row.x - 0.5 * dc.unit, row.y - 0.35 * dc.unit}},
@@ -302,7 +303,7 @@ void HistogramPanel::draw_fit(Canvas& canvas, const DrawContext& dc, std::size_t
     style.color = legible(color, dc.theme);
     style.max_width = plot_area(dc).width;
     const std::string whose =
-        series_.size() == 1 ? "normal curve" : escape_markup(name_of_series(series));
+        count() == 1 ? "normal curve" : escape_markup(axes_.series[series].name);
     const std::string numbers_of_it =
         fmt::format("mean {}, deviation {}", three_digits(now.mean), three_digits(now.deviation));
     const std::string whole = whose + ": " + numbers_of_it;  // without the name the colour tells

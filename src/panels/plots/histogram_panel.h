@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/panel.h"
+#include "panels/plots/histogram_record.h"
 #include "stats/goodness.h"
 #include "stats/running_histogram.h"
 
@@ -56,8 +57,8 @@ class HistogramPanel : public Panel {
     std::optional<ChiSquared> test(const PanelState& state, std::size_t series) const;
 
     /// For tests: the fixed bins and the top of the vertical axis.
-    const Bins& bins() const { return bins_; }
-    double tallest() const { return tallest_; }
+    const Bins& bins() const { return axes_.bins; }
+    double tallest() const { return axes_.top; }
 
     /// For tests: the histograms of a state, one for each choice of particles.
     static const std::vector<MeanHistogram>& histograms(const PanelState& state);
@@ -66,21 +67,9 @@ class HistogramPanel : public Panel {
     static const std::vector<std::vector<double>>& errors(const PanelState& state);
 
   private:
-    struct Probe {
-        double time;
-        Eigen::ArrayXd values;
-    };
-    struct Series {
+    struct Choice {
         Chosen chosen;
-        std::vector<Eigen::Index> members = {};
-        std::optional<EquilibriumGas> equilibrium = {};
-        std::vector<EquilibriumGas> others = {};  ///< of the other runs of a mean
-        double mean_start = 0.0;
-        double unit = 1.0;  ///< what one number counts: 1, or a share in per cent
-        double lowest_mean = 0.0, highest_mean = 0.0;  ///< of the whole run, that at the start too
-        std::vector<Probe> probes = {};  ///< whole samples at a few frames, for the height of bars
-        std::vector<Point> curve = {};   ///< value, expected number in a bin around it
-        std::vector<RunningHistogram> running = {};  ///< one, from fix_axes() on
+        std::vector<Eigen::Index> members;
     };
     struct Scales {
         Rect area;
@@ -90,33 +79,24 @@ class HistogramPanel : public Panel {
         Color bar, curve, fit;
     };
 
-    Eigen::ArrayXd values_of(const Series& series, const Eigen::ArrayXXd& all) const;
     std::optional<double> window() const;
-    double numbers_at_a_time() const;
-    double numbers_in_bars() const;
-    double expected_share(const Series& series, double value) const;
-    double curve_top() const;
-    double reach() const;
-    void choose_bins(double reach, double numbers);
-    void choose_curves();
-    void finish();
-    void take_mean_of_curves(const std::vector<HistogramPanel*>& runs);
-    void choose_height();
-    Expected expected(const Series& series) const;
-    Expected expected_in_run(const Series& series, const EquilibriumGas& gas) const;
-    void require_testable(const Series& series) const;
+    HistogramRules rules() const;
+    HistogramRecord record() const;
+    void begin(HistogramAxes axes);
+    Expected expected(const HistogramSeries& series) const;
+    void require_testable(const HistogramSeries& series) const;
     bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
+    bool compares() const { return axes_.compares; }
     bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means && !compares()); }
     bool marks_mean_start() const {
         return spec_.mean_start.value_or(subject_.means && !compares());
     }
-    bool compares() const { return !names_.empty(); }
-    std::string name_of_series(std::size_t series) const;
+    std::size_t count() const { return axes_.series.size(); }
+    std::vector<std::string> names() const;
     Table table_of(const PanelState& state, std::size_t from, std::size_t to) const;
 
     Scales scales(const DrawContext& dc) const;
     Ink ink(std::size_t series, const DrawContext& dc) const;
-    std::string time_words() const;
     std::string title(const DrawContext& dc) const;
     enum class NamesPlace { right, left, above };
     NamesPlace names_place(const DrawContext& dc) const;
@@ -160,19 +140,13 @@ class HistogramPanel : public Panel {
     PanelContext context_;
     PanelSpec spec_;
     HistogramSubject subject_;
-    std::vector<Series> series_;
-    std::size_t own_ = 0;                  ///< those of series_ that are of this run: the first
-    std::vector<std::string> names_ = {};  ///< of runs side by side, for each of series_; or none
-    bool percent_ = false;                 ///< whether runs of different counts are shown as shares
-    bool same_time_ = true;                ///< whether all of these runs are seen at one time
-    std::size_t runs_ = 1;                 ///< of which bars show the mean
-    double numbers_each_ = 1.0;            ///< of one particle at a time
-    std::vector<double> pool_;             ///< values of the whole run, thinned
+    std::vector<Choice> choices_;
+    HistogramRecord record_;  ///< of the first pass
     int surveyed_ = 0;
-    double span_ = 0.0;       ///< of simulated time in the film
-    double seen_until_ = -1;  ///< time of the last sample in a mean
-    Bins bins_;
-    double tallest_ = 1.0;
+    double span_ = 0.0;  ///< of simulated time in the film
+    HistogramAxes axes_;
+    std::vector<RunningHistogram> running_;  ///< of each choice, in the second pass
+    double seen_until_ = -1;                 ///< time of the last sample in a mean
 };
 
 }  // namespace carom

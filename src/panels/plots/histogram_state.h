@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "panels/panel.h"
-#include "stats/running_histogram.h"
+#include "panels/plots/histogram_record.h"
 
 namespace carom {
 
 struct HistogramState : PanelState {
-    std::vector<MeanHistogram> histograms;
-    std::vector<std::vector<double>> errors;  // of the bars, or none
+    HistogramCounts counts;
     std::size_t bytes() const override {
         std::size_t sum = 0;
-        for (const MeanHistogram& one : histograms) sum += one.counts.size() * sizeof(double);
+        for (const MeanHistogram& one : counts.series) sum += one.counts.size() * sizeof(double);
         return sum;
     }
 };

@@ -19,12 +19,12 @@ constexpr double usual_names_width = 10.6;  // of the means' names and numbers, 
 
 double HistogramPanel::names_width(const DrawContext& dc) const {
     const double usual = usual_names_width * dc.unit;
-    return series_.size() > 1 ? usual : std::max(usual, width_of_name(dc, "mean at start"));
+    return count() > 1 ? usual : std::max(usual, width_of_name(dc, "mean at start"));
 }
 
 // Of a mean's mark, name and number.
 double HistogramPanel::width_of_name(const DrawContext& dc, const std::string& name) const {
-    const std::string longest = name + " " + three_digits(series_.front().mean_start);
+    const std::string longest = name + " " + three_digits(axes_.series.front().mean_start);
     return measure_text(longest, label_style(dc)).width + 0.7 * dc.unit;
 }
 
@@ -36,7 +36,7 @@ std::string HistogramPanel::name_of_mean(bool is_short) const {
 
 // "now" and "start" in a row that has no room for more.
 bool HistogramPanel::has_short_names(const DrawContext& dc) const {
-    if (names_place(dc) != NamesPlace::above || series_.size() > 1) return false;
+    if (names_place(dc) != NamesPlace::above || count() > 1) return false;
     return width_of_name(dc, name_of_mean(false)) + width_of_name(dc, "mean at start") + dc.unit >
            plot_area(dc).right() - dc.area.x;
 }
@@ -44,11 +44,12 @@ bool HistogramPanel::has_short_names(const DrawContext& dc) const {
 // Whether the equilibrium curve, and so the bars in the long run, leave room under the names.
 bool HistogramPanel::is_low_right_of(const Rect& area, double x, const DrawContext& dc) const {
     constexpr double height_of_names = 2.8;  // units
-    const double room = height_of_names * dc.unit / area.height * tallest_;
-    const double from = bins_.low + (bins_.high - bins_.low) * (x - area.x) / area.width;
-    for (const Series& one : series_)
-        for (const Point& point : one.curve)
-            if (point.x >= from && point.y > tallest_ - room) return false;
+    const double room = height_of_names * dc.unit / area.height * axes_.top;
+    const double from =
+        axes_.bins.low + (axes_.bins.high - axes_.bins.low) * (x - area.x) / area.width;
+    for (const std::vector<Point>& curve : axes_.curves)
+        for (const Point& point : curve)
+            if (point.x >= from && point.y > axes_.top - room) return false;
     return true;
 }
 
@@ -58,9 +59,9 @@ HistogramPanel::NamesPlace HistogramPanel::names_place(const DrawContext& dc) co
     if (fills_the_middle() || compares()) return NamesPlace::above;
     if (window() != 0.0) return NamesPlace::right;  // the mean over a while settles soon
     const Rect area = plot_area(dc);
-    const Scale x{bins_.low, bins_.high, area.x, area.right()};
+    const Scale x{axes_.bins.low, axes_.bins.high, area.x, area.right()};
     double lowest = area.right(), highest = area.x;
-    for (const Series& one : series_) {
+    for (const HistogramSeries& one : axes_.series) {
         lowest = std::min(lowest, x(one.lowest_mean));
         highest = std::max(highest, x(one.highest_mean));
     }
@@ -73,8 +74,8 @@ HistogramPanel::NamesPlace HistogramPanel::names_place(const DrawContext& dc) co
 // Fits are written over the bars, and so are the means where they find no room beside them; a fit
 // says the mean too.
 int HistogramPanel::rows_above(const DrawContext& dc) const {
-    const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(series_.size())) : 0;
-    if (compares()) return fits + key_rows(dc, names_);
+    const int fits = spec_.fit ? std::min<int>(most_fit_rows, static_cast<int>(count())) : 0;
+    if (compares()) return fits + key_rows(dc, names());
     const bool marks = marks_mean_now() || marks_mean_start();
     return fits + (fits == 0 && marks && names_place(dc) == NamesPlace::above ? 1 : 0);
 }
@@ -84,35 +85,23 @@ Point HistogramPanel::row_above(const DrawContext& dc, int row) const {
     return {area.x, area.y + (0.3 + note_height * row) * dc.unit};
 }
 
-std::string HistogramPanel::time_words() const {
-    const std::optional<double> back = window();
-    const std::string runs = runs_ > 1 ? fmt::format(", mean of {} runs", runs_) : "";
-    if (spec_.at) {
-        if (!back) return "until time " + plain_number(*spec_.at) + runs;
-        return (*back > 0.0 ? fmt::format("time {} to {}", plain_number(*spec_.at - *back),
-                                          plain_number(*spec_.at))
-                            : "at time " + plain_number(*spec_.at)) +
-               runs;
-    }
-    if (!back) return "so far";
-    return *back > 0.0 ? fmt::format("last {:g}", *back) : "now";
-}
-
 std::string HistogramPanel::title(const DrawContext& dc) const {
     std::vector<Chosen> chosen;
-    for (const Series& one : series_) chosen.push_back(one.chosen);
+    for (const Choice& one : choices_) chosen.push_back(one.chosen);
     const std::string names = colored_names(context_, chosen, dc.theme);
     std::string words = spec_.of.empty() ? escape_markup(subject_.title)
                                          : capitalised(subject_.quantity) + " of " + names;
     if (spec_.title) words = escape_markup(*spec_.title);
-    const bool several = series_.size() > 1;
-    const std::string time = several ? time_words() : colored(time_words(), dc.theme.bar, dc.theme);
+    const bool several = count() > 1;
+    const std::string runs = axes_.runs > 1 ? fmt::format(", mean of {} runs", axes_.runs) : "";
+    const std::string time =
+        several ? axes_.time + runs : colored(axes_.time + runs, dc.theme.bar, dc.theme);
     words += ": " + time;
     std::string shortest = capitalised(subject_.quantity) + ": " + time;
     if (several)
         shortest = capitalised(subject_.quantity) + ": " +
                    colored_names(context_, chosen, dc.theme, ", ") + ", " + time;
-    if (curve_top() == 0.0) return fitting_title(dc, {words, shortest});
+    if (!axes_.has_curves()) return fitting_title(dc, {words, shortest});
     const std::string curve = colored("equilibrium", dc.theme.accent, dc.theme);
     const std::vector<std::string> endings =
         several ? std::vector<std::string>{", lines: in equilibrium", ", lines: equilibrium",
@@ -137,7 +126,7 @@ Point HistogramPanel::name_place(const DrawContext& dc, int index) const {
     if (names_place(dc) != NamesPlace::above)
         return {names_x(dc), area.y + (0.8 + 1.4 * index) * dc.unit};
     const Point row = row_above(dc, std::max(0, rows_above(dc) - 1));
-    if (series_.size() == 1) {  // that of the present at the left, that of the start at the right
+    if (count() == 1) {  // that of the present at the left, that of the start at the right
         const bool is_short = has_short_names(dc);
         const double second =
             area.right() - (is_short ? width_of_name(dc, "start") : names_width(dc));
@@ -145,7 +134,7 @@ Point HistogramPanel::name_place(const DrawContext& dc, int index) const {
         const double first = std::min(row.x, second - width - dc.unit);
         return {index == 0 ? std::max(dc.area.x, first) + 0.2 * dc.unit : second, row.y};
     }
-    const auto shown = std::max<double>(2.0, static_cast<double>(series_.size()));
+    const auto shown = std::max<double>(2.0, static_cast<double>(count()));
     return {row.x + 0.2 * dc.unit + index * area.width / shown, row.y};
 }
 
@@ -177,23 +166,22 @@ void HistogramPanel::draw_means(Canvas& canvas, const DrawContext& dc,
         if (solid) canvas.stroke_line(low, high, 0.12 * u, color);
         if (!solid) canvas.stroke_dashed(low, high, 0.12 * u, 0.25 * u, color);
     };
-    const bool several = series_.size() > 1;
+    const bool several = count() > 1;
     const bool is_short = has_short_names(dc);
     const std::string present = name_of_mean(is_short);
-    for (std::size_t k = series_.size(); k-- > 0;) {
+    for (std::size_t k = count(); k-- > 0;) {
         const Color start_color = several ? ink(k, dc).bar : dc.theme.muted;
         if (marks_mean_start()) {
-            draw_mark(canvas, dc, series_[k].mean_start, false, start_color);
+            draw_mark(canvas, dc, axes_.series[k].mean_start, false, start_color);
             if (!several)
-                name(1, is_short ? "start" : "mean at start", series_[k].mean_start, false,
+                name(1, is_short ? "start" : "mean at start", axes_.series[k].mean_start, false,
                      start_color);
         }
         if (!marks_mean_now()) continue;
         const Color color = several ? ink(k, dc).curve : dc.theme.ink;
         draw_mark(canvas, dc, now[k].mean, true, color);
         name(several ? static_cast<int>(k) : 0,
-             several ? escape_markup(name_of(context_, series_[k].chosen)) : present, now[k].mean,
-             true, color);
+             several ? escape_markup(axes_.series[k].name) : present, now[k].mean, true, color);
     }
 }
 

@@ -1,0 +1,126 @@
+// What histograms record of runs, and how the records of several are combined: plain values,
+// without a panel.
+#include "panels/plots/histogram_record.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/relative.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+EquilibriumGas gas_of(double energy, double count) {
+    return {.energy = energy, .beta = count - 1.0, .groups = {{1.0, count, 1.0}}};
+}
+
+HistogramRecord record_of(double mean_start, double particles, double energy,
+                          const std::vector<double>& pool) {
+    HistogramRecord record;
+    record.series = {{.name = "all",
+                      .particles = particles,
+                      .mean_start = mean_start,
+                      .lowest_mean = mean_start - 1.0,
+                      .highest_mean = mean_start + 1.0,
+                      .equilibria = {gas_of(energy, particles)}}};
+    record.probes = {{{0.0, Eigen::Map<const Eigen::ArrayXd>(pool.data(), std::ssize(pool))}}};
+    record.pools = {pool};
+    record.independent = particles;
+    record.time = "at time 3";
+    return record;
+}
+
+// The height of the curve is the energy of the gas, in each bin.
+HistogramRules rules_with_energies() {
+    return {.range = std::pair{0.0, 4.0},
+            .bins = 4,
+            .density = [](const EquilibriumGas& gas, double) { return gas.energy; }};
+}
+
+MeanHistogram bars(std::vector<double> counts, double below, double above, double mean,
+                   double deviation) {
+    return {.bins = {0.0, 4.0, static_cast<int>(counts.size())},
+            .counts = std::move(counts),
+            .below = below,
+            .above = above,
+            .values = 10.0,
+            .mean = mean,
+            .deviation = deviation};
+}
+
+}  // namespace
+
+TEST_CASE("the record of a mean holds the values of all runs, and means of their starts") {
+    const HistogramRecord mean =
+        mean_of(std::vector{record_of(2.0, 10, 3.0, {1, 2}), record_of(3.0, 10, 5.0, {4})});
+    CHECK(mean.runs == 2);
+    CHECK(!mean.compares);
+    CHECK(mean.time == "at time 3");
+    CHECK(mean.pools == std::vector<std::vector<double>>{{1, 2, 4}});
+    REQUIRE(mean.series.size() == 1);
+    CHECK(mean.series[0].mean_start == 2.5);
+    CHECK(mean.series[0].lowest_mean == 1.0);
+    CHECK(mean.series[0].highest_mean == 4.0);
+    CHECK(mean.series[0].equilibria.size() == 2);
+    const HistogramAxes axes = axes_of(mean, rules_with_energies());
+    CHECK(axes.has_curves());
+    CHECK(!axes.counts_per_cent());
+    for (const Point& point : axes.curves.at(0))
+        CHECK(point.y == relative(10 * 0.5 * (3 + 5), 1e-14));
+}
+
+TEST_CASE("runs of equal numbers are compared by counts, others by shares") {
+    const std::vector<HistogramRecord> equal{record_of(2.0, 10, 3.0, {1, 2}),
+                                             record_of(3.0, 10, 5.0, {4})};
+    const HistogramRecord counts = compare(equal, {"cold", "hot"});
+    CHECK(counts.compares);
+    CHECK(counts.series[0].name == "cold");
+    CHECK(counts.series[1].name == "hot");
+    CHECK(counts.series[1].unit == 1.0);
+    CHECK(counts.pools == std::vector<std::vector<double>>{{1, 2}, {4}});
+    CHECK(counts.time == "at time 3");
+    CHECK(!axes_of(counts, rules_with_energies()).counts_per_cent());
+
+    HistogramRecord few = record_of(3.0, 5, 5.0, {40});
+    few.time = "at time 2";
+    const HistogramRecord shares = compare({equal[0], few}, {"many", "few"});
+    CHECK(shares.independent == 5.0);
+    CHECK(shares.time.empty());
+    CHECK(shares.series[0].unit == 10.0);
+    CHECK(shares.series[1].unit == 20.0);
+    const HistogramAxes axes = axes_of(shares, rules_with_energies());
+    CHECK(axes.counts_per_cent());
+    CHECK(axes.curves.at(0).front().y == relative(10.0 * 10 * 3.0, 1e-14));
+    CHECK(axes.curves.at(1).front().y == relative(20.0 * 5 * 5.0, 1e-14));
+    const HistogramCounts shown =
+        compare({HistogramCounts{{bars({4, 6}, 0, 0, 1, 1)}}, {{bars({1, 3}, 1, 0, 1, 1)}}}, axes);
+    CHECK(shown.series[0].counts == std::vector{40.0, 60.0});
+    CHECK(shown.series[1].counts == std::vector{20.0, 60.0});
+    CHECK(shown.series[1].below == 20.0);
+    CHECK(shown.errors.empty());
+}
+
+TEST_CASE("an axis has room for the values of every run that is compared") {
+    const std::vector<HistogramRecord> runs{record_of(1.0, 3, 1.0, {1, 1, 2}),
+                                            record_of(9.0, 3, 1.0, {8, 9, 10})};
+    CHECK(axes_of(runs[0], {}).bins.high < 4.0);
+    CHECK(axes_of(compare(runs, {"slow", "fast"}), {}).bins.high >= 1.25 * 9.9);
+    CHECK(axes_of(compare({runs[1], runs[0]}, {"fast", "slow"}), {}).bins.high >= 1.25 * 9.9);
+}
+
+TEST_CASE("mean counts have errors, and a deviation about the mean of all runs") {
+    const HistogramCounts mean = mean_of(std::vector<HistogramCounts>{
+        {{bars({2, 8}, 1, 0, 1.0, 0.5)}}, {{bars({4, 6}, 0, 2, 3.0, 0.5)}}});
+    const MeanHistogram& one = mean.series.at(0);
+    CHECK(one.counts == std::vector{3.0, 7.0});
+    CHECK(mean.errors.at(0)[0] == relative(1.0, 1e-14));
+    CHECK(mean.errors.at(0)[1] == relative(1.0, 1e-14));
+    CHECK(one.below == 0.5);
+    CHECK(one.above == 1.0);
+    CHECK(one.mean == 2.0);
+    CHECK(one.deviation == relative(std::sqrt(0.25 + 1.0), 1e-14));
+    CHECK(one.values == 20.0);
+}

@@ -15,6 +15,7 @@ struct Bins {
     int count = 1;
     double width() const { return (high - low) / count; }
     double edge(int index) const { return low + (high - low) * index / count; }
+    void archive(auto& archive) { archive(low, high, count); }
 };
 
 /// Counts of values in bins; those outside are counted apart: the three always add up to the number

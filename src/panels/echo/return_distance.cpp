@@ -1,111 +1,162 @@
-// The numbers of return distances: what is compared, the axes, tables and words.
-#include "panels/echo/return_distance.h"
-
+// How far the gas is from where it was, on its way back after a reversal: the largest distance and
+// the root of the mean square, over powers of ten, against the time or the collisions since the
+// reversal, with the law by which such distances grow. Of several runs side by side the largest.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "panels/echo/return_distance_state.h"
-#include "panels/plots/comparison.h"
+#include "panels/echo/echo_record.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
 #include "util/text.h"
 
 namespace carom {
+namespace {
 
-const char* ReturnDistancePanel::name_of(Line line) {
-    return line == Line::largest ? "largest" : "root mean square";
+using namespace plot;
+using Step = EchoRecord::Step;
+using Steps = std::vector<Step>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double line_width = 0.18, law_width = 0.1;  // units
+
+/// One run.
+struct Echo {
+    std::string name;
+    Steps steps;
+    std::vector<double> reversals;  ///< their times
+    double radius = 0.0;            ///< mean of the particles; 0: none
+    bool all_alike = true;          ///< their radii
+    std::optional<double> bits;     ///< that are lost with each collision
+    void archive(auto& archive) { archive(name, steps, reversals, radius, all_alike, bits); }
+};
+
+struct EchoRuns {
+    std::vector<Echo> runs;
+    bool compares = false;
+    void archive(auto& archive) { archive(runs, compares); }
+};
+
+EchoRuns compare(std::vector<EchoRuns> records, const std::vector<std::string>& names) {
+    EchoRuns all{.runs = {}, .compares = true};
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        all.runs.push_back(std::move(records[k].runs.front()));
+        all.runs.back().name = names[k];
+    }
+    return all;
 }
 
-double ReturnDistancePanel::value_of(const EchoRecord::Step& step, Line line) {
-    return line == Line::largest ? step.apart.largest : step.apart.root_mean_square;
-}
+/// What a line shows of each step. Logarithms are -infinity for 0, and finite also where the value
+/// is too small for a double.
+struct Distance {
+    const char *name, *short_name;
+    double ReturnDistance::*value;
+    double ReturnDistance::*log10;
+};
+constexpr Distance largest{"largest", "largest", &ReturnDistance::largest,
+                           &ReturnDistance::log10_largest};
+constexpr Distance root_mean_square{"root mean square", "r.m.s.", &ReturnDistance::root_mean_square,
+                                    &ReturnDistance::log10_root_mean_square};
 
-// -infinity for 0; finite also where the value is too small for a double.
-double ReturnDistancePanel::log_of(const EchoRecord::Step& step, Line line) {
-    return line == Line::largest ? step.apart.log10_largest : step.apart.log10_root_mean_square;
-}
+class ReturnDistancePanel : public RecordPanel<EchoRuns> {
+  public:
+    ReturnDistancePanel(const PanelContext& context, const PanelSpec& spec)
+        : context_(context), spec_(spec), echo_(context) {}
 
-ReturnDistancePanel::ReturnDistancePanel(const PanelContext& context, const PanelSpec& spec)
-    : context_(context), spec_(spec), echo_(context) {}
+    void survey(const FrameInput& input) override { echo_.survey(input); }
+    bool wants_return_distances() const override { return true; }
+    void archive(Archive& archive) override { archive(record_, low_, high_, last_); }
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    Plot plot(const PanelState* state) const override;
 
-std::vector<ReturnDistancePanel::Line> ReturnDistancePanel::lines() const {
-    if (compares()) return {Line::largest};
-    return {Line::largest, Line::root_mean_square};
-}
+  private:
+    void finish_record() override;
+    void make_axes() override;
 
-double ReturnDistancePanel::along(const EchoRecord::Step& step) const {
-    return spec_.against_collisions ? step.collisions : step.since;
-}
+    bool compares() const { return record_.compares; }
+    double along(const Step& step) const {
+        return spec_.against_collisions ? step.collisions : step.since;
+    }
+    Steps law(const Echo& run, std::size_t reversal) const;
+    bool has_law() const;
+    std::string account_of(const Echo& run, std::size_t shown) const;
 
-// Mean of the particles; 0: none.
-double ReturnDistancePanel::radius() const {
-    return context_.particles.count() > 0 ? context_.particles.radius.mean() : 0.0;
-}
+    Stroke stroke(const Distance& distance, std::size_t run) const;
+    Line line(const char* part, const char* of, const Steps& steps, const Distance& distance) const;
+    void add_distance(Plot& plot, std::size_t run, const Distance& distance,
+                      std::size_t shown) const;
+    void add_law(Plot& plot, std::size_t run, std::size_t reversal) const;
+    void add_level(Plot& plot) const;
+    void add_end(Plot& plot) const;
+    void add_start(Plot& plot) const;
+    void add_words(Plot& plot) const;
 
-// The steps after a reversal.
-ReturnDistancePanel::Steps ReturnDistancePanel::way_back(const ReturnDistancePanel& run,
-                                                         std::size_t reversal) const {
-    const auto found =
-        std::ranges::equal_range(run.echo_.steps(), reversal, {}, &EchoRecord::Step::reversal);
-    return {found.begin(), found.end()};
-}
+    PanelContext context_;
+    PanelSpec spec_;
+    EchoRecord echo_;
+    double low_ = -16.0, high_ = 0.0;  // powers of ten
+    double last_ = 1.0;                // of the horizontal axis
+};
 
-// Up to a radius: there distances are no longer small, and the law ends.
-std::vector<ReturnDistancePanel::LawPoint> ReturnDistancePanel::law(const ReturnDistancePanel& run,
-                                                                    std::size_t reversal) const {
-    std::vector<LawPoint> points;
-    if (!spec_.theory || !run.echo_.bits_per_collision()) return points;
-    const double end = std::log10(run.radius());
-    for (const EchoRecord::Step& step : way_back(run, reversal)) {
+// The steps after a reversal up to a radius: there distances are no longer small, and the law
+// ends.
+Steps ReturnDistancePanel::law(const Echo& run, std::size_t reversal) const {
+    Steps points;
+    if (!spec_.theory || !run.bits) return points;
+    const double end = std::log10(run.radius);
+    for (const Step& step : std::ranges::equal_range(run.steps, reversal, {}, &Step::reversal)) {
         if (!step.is_known) break;
-        points.push_back({step, along(step), step.log10_law});
+        points.push_back(step);
         if (step.log10_law < end) continue;
         if (points.size() == 1) return {};
-        const LawPoint& before = points[points.size() - 2];
-        const double share =
-            (end - before.log10_distance) / (step.log10_law - before.log10_distance);
-        points.back().along = std::lerp(before.along, points.back().along, share);
-        points.back().step.since = std::lerp(before.step.since, step.since, share);
-        points.back().step.collisions = std::lerp(before.step.collisions, step.collisions, share);
-        points.back().log10_distance = end;
+        const Step& before = points[points.size() - 2];
+        const double share = (end - before.log10_law) / (step.log10_law - before.log10_law);
+        points.back().since = std::lerp(before.since, step.since, share);
+        points.back().collisions = std::lerp(before.collisions, step.collisions, share);
+        points.back().log10_law = end;
         break;
+    }
+    for (Step& point : points) {
+        point.apart.log10_largest = point.log10_law;
+        point.apart.largest = std::pow(10.0, point.log10_law);
     }
     return points;
 }
 
 bool ReturnDistancePanel::has_law() const {
-    return std::ranges::any_of(
-        runs_, [&](const ReturnDistancePanel* run) { return !law(*run, 0).empty(); });
+    return std::ranges::any_of(record_.runs, [&](const Echo& run) { return !law(run, 0).empty(); });
 }
 
-void ReturnDistancePanel::fix_axes() { choose_axes(); }
-
-void ReturnDistancePanel::settle_beside(const std::vector<Panel*>& others,
-                                        const std::vector<std::string>& names) {
-    names_ = names;
-    runs_.clear();
-    for (ReturnDistancePanel* run : runs_of(*this, others)) runs_.push_back(run);
-    choose_axes();
+void ReturnDistancePanel::finish_record() {
+    const Eigen::ArrayXd& radius = context_.particles.radius;
+    Echo echo{.name = "",
+              .steps = echo_.steps(),
+              .reversals = echo_.reversals(),
+              .bits = echo_.bits_per_collision()};
+    if (radius.size() > 0) echo.radius = radius.mean();
+    if (radius.size() > 0) echo.all_alike = (radius == radius[0]).all();
+    record_.runs = {std::move(echo)};
 }
 
 // For all that is drawn.
-void ReturnDistancePanel::choose_axes() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+void ReturnDistancePanel::make_axes() {
     double least = infinity, most = -infinity, last = 0.0;  // powers of ten, and a place
-    for (const ReturnDistancePanel* run : runs_) {
-        if (const double size = run->radius(); size > 0.0) most = std::max(most, std::log10(size));
-        for (const EchoRecord::Step& step : run->echo_.steps()) {
+    const auto take = [&](double power) {
+        if (std::isfinite(power)) least = std::min(least, power);
+    };
+    for (const Echo& run : record_.runs) {
+        if (run.radius > 0.0) most = std::max(most, std::log10(run.radius));
+        for (const Step& step : run.steps) {
             if (!step.is_known) continue;
             last = std::max(last, along(step));
             most = std::max(most, step.apart.log10_largest);
-            for (const Line line : lines())
-                if (std::isfinite(log_of(step, line))) least = std::min(least, log_of(step, line));
+            take(step.apart.log10_largest);
+            if (!compares()) take(step.apart.log10_root_mean_square);
         }
-        for (std::size_t k = 0; k < run->echo_.reversals().size(); ++k)
-            for (const LawPoint& point : law(*run, k))
-                least = std::min(least, point.log10_distance);
+        for (std::size_t k = 0; k < run.reversals.size(); ++k)
+            for (const Step& point : law(run, k)) least = std::min(least, point.log10_law);
     }
     if (last > 0.0) last_ = last;
     if (std::isfinite(least)) low_ = std::floor(least);
@@ -114,25 +165,21 @@ void ReturnDistancePanel::choose_axes() {
 }
 
 std::shared_ptr<const PanelState> ReturnDistancePanel::state(const FrameInput& input) {
-    auto state = std::make_shared<ReturnDistanceState>();
-    state->shown = {echo_.shown(input.tick.frame)};
+    auto state = std::make_shared<ShownState>();
+    const Steps& steps = record_.runs.front().steps;
+    const auto next = std::ranges::upper_bound(steps, input.tick.frame, {}, &Step::frame);
+    state->shown = {static_cast<std::size_t>(next - steps.begin())};
     return state;
 }
 
-std::shared_ptr<const PanelState> ReturnDistancePanel::beside(
-    const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    return shown_of_each<ReturnDistanceState>(states);
-}
-
-// Whether, and when, the way back of the last reversal has left the way out.
-std::string ReturnDistancePanel::told_of(const ReturnDistancePanel& run, std::size_t shown) const {
-    const std::vector<EchoRecord::Step>& steps = run.echo_.steps();
-    const EchoRecord::Step* last = nullptr;
+// Whether, and when, the echo of the last reversal has left the way out.
+std::string ReturnDistancePanel::account_of(const Echo& run, std::size_t shown) const {
+    const Step* last = nullptr;
     for (std::size_t k = 0; k < shown; ++k) {
-        const EchoRecord::Step& step = steps[k];
-        if (step.reversal != steps[shown - 1].reversal || !step.is_known) continue;
+        const Step& step = run.steps[k];
+        if (step.reversal != run.steps[shown - 1].reversal || !step.is_known) continue;
         last = &step;
-        if (run.radius() > 0.0 && step.apart.log10_largest > std::log10(run.radius()))
+        if (run.radius > 0.0 && step.apart.log10_largest > std::log10(run.radius))
             return fmt::format("a radius astray after {} collisions of each",
                                three_digits(step.collisions));
     }
@@ -142,68 +189,237 @@ std::string ReturnDistancePanel::told_of(const ReturnDistancePanel& run, std::si
                        three_digits(last->collisions));
 }
 
-std::vector<std::string> ReturnDistancePanel::told_of_runs(const PanelState& state) const {
-    std::vector<std::string> told;
-    for (std::size_t k = 0; k < runs_.size(); ++k)
-        told.push_back(
-            told_of(*runs_[k], static_cast<const ReturnDistanceState&>(state).shown.at(k)));
-    return told;
+Stroke ReturnDistancePanel::stroke(const Distance& distance, std::size_t run) const {
+    if (compares()) return stroke_of_run(run, line_width);
+    if (distance.name == largest.name)
+        return {.role = {Role::Of::highlight}, .width = line_width, .shade = Shade::legible};
+    return {.role = {Role::Of::bar},
+            .width = line_width,
+            .dashes = {0.5, 0.5},
+            .shade = Shade::legible};
 }
 
-std::string ReturnDistancePanel::account(const PanelState& state) const {
-    const std::size_t shown = static_cast<const ReturnDistanceState&>(state).shown.front();
-    if (shown == 0) return "";
-    return fmt::format("At the last the largest is {}.", told_of(*this, shown));
+const std::string since_column = column_name("since the reversal", reduced::time);
+const std::string collisions_column = "collisions of each (count)";
+const std::string distance_column = column_name("distance", reduced::length);
+const std::string log_column = "log10 of distance";
+const std::string reversal_column = "reversal (number)";
+
+// Pieces end with each reversal, and where the distance is exactly 0.
+Line ReturnDistancePanel::line(const char* part, const char* of, const Steps& steps,
+                               const Distance& distance) const {
+    std::vector<double> reversal, since, collisions, value, log;
+    std::vector<int> pieces;
+    int piece = 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        const Step& step = steps[k];
+        reversal.push_back(static_cast<double>(step.reversal) + 1.0);
+        since.push_back(step.since);
+        collisions.push_back(step.collisions);
+        value.push_back(step.apart.*distance.value);
+        log.push_back(step.is_known ? step.apart.*distance.log10 : std::nan(""));
+        if (k > 0 && (step.reversal != steps[k - 1].reversal || !std::isfinite(log.back())))
+            ++piece;
+        pieces.push_back(piece);
+    }
+    Line line;
+    line.part = part;
+    line.of = of;
+    Column along = column(since_column, std::move(since));
+    Column other = column(collisions_column, std::move(collisions));
+    if (spec_.against_collisions) std::swap(along, other);
+    line.x = std::move(along);
+    line.y = column(log_column, std::move(log));
+    line.more = {column(reversal_column, std::move(reversal)), std::move(other),
+                 column(distance_column, std::move(value))};
+    line.piece = std::make_shared<const std::vector<int>>(std::move(pieces));
+    return line;
 }
 
-// The same for all runs, or there is no law to name.
-std::string ReturnDistancePanel::finding(const PanelState&) const {
-    if (!has_law()) return "";
-    const double bits = *echo_.bits_per_collision();
-    for (const ReturnDistancePanel* run : runs_)
-        if (run->echo_.bits_per_collision() != bits) return "";
-    return fmt::format(
-        "The growth law: distances double {} times with each collision of a particle.",
-        three_digits(bits));
-}
-
-Table ReturnDistancePanel::table_of(const ReturnDistancePanel& run, std::size_t shown) const {
-    Table table{{"part", "of", "reversal (number)",
-                 column_name("since the reversal", reduced::time),
-                 column_name("distance", reduced::length), "collisions of each (count)",
-                 "log10 of distance"}};
-    const auto logarithm = [](double value) { return std::isfinite(value) ? Cell{value} : Cell{}; };
-    for (const Line line : lines())
-        for (std::size_t k = 0; k < shown; ++k) {
-            const EchoRecord::Step& step = run.echo_.steps()[k];
-            if (step.is_known)
-                table.rows.push_back({"line", name_of(line),
-                                      static_cast<std::int64_t>(step.reversal) + 1, step.since,
-                                      value_of(step, line), step.collisions,
-                                      logarithm(log_of(step, line))});
+// Echoes of former reversals are fainter. Where the distance is exactly 0, rings instead of a line.
+void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distance& distance,
+                                       std::size_t shown) const {
+    const Steps& steps = record_.runs[run].steps;
+    std::size_t present = shown;
+    while (present > 0 && steps[present - 1].reversal == steps[shown - 1].reversal) --present;
+    Line line = this->line("line", distance.name, steps, distance);
+    if (compares()) line.run = run;
+    line.depth = distance.name == largest.name ? static_cast<int>(run) : 1;
+    const auto add = [&](Shown part, double fade) {
+        line.shown = part;
+        line.stroke = stroke(distance, run);
+        line.stroke.fade = fade;
+        plot.layers.emplace_back(line);
+        Points zeros;
+        zeros.depth = line.depth;
+        zeros.shown = part;
+        zeros.x = line.x;
+        std::vector<double> at_zero;
+        for (const Step& step : steps) {
+            const double log = step.apart.*distance.log10;
+            at_zero.push_back(step.is_known && std::isinf(log) ? log : std::nan(""));
         }
-    for (std::size_t k = 0; k < run.echo_.reversals().size(); ++k)
-        for (const LawPoint& point : law(run, k))
-            table.rows.push_back({"curve", "growth law", static_cast<std::int64_t>(k) + 1,
-                                  point.step.since, std::pow(10.0, point.log10_distance),
-                                  point.step.collisions, point.log10_distance});
-    if (run.radius() > 0.0 && std::log10(run.radius()) >= low_)
-        for (const double place : {0.0, last_}) {
-            table.rows.push_back(
-                {"level", "mean radius", {}, {}, run.radius(), {}, std::log10(run.radius())});
-            table.rows.back()[spec_.against_collisions ? 5 : 3] = place;
-        }
-    return table;
+        zeros.y = column(log_column, std::move(at_zero));
+        zeros.spacing = 0.3;
+        zeros.mark = {.role = line.stroke.role, .radius = 0.2, .fade = fade, .ring = 0.1};
+        plot.layers.emplace_back(std::move(zeros));
+    };
+    if (present > 0) add({0, present}, 0.4);
+    add({present, shown}, 0.0);
+    if (compares()) return;
+    while (shown > present && !steps[shown - 1].is_known) --shown;
+    if (shown == present) return;
+    Points head;
+    head.depth = line.depth;
+    head.x = column(line.x.name, {line.x[shown - 1]});
+    head.y = column(line.y.name, {line.y[shown - 1]});
+    head.mark = {.role = line.stroke.role, .radius = 0.3};
+    plot.layers.emplace_back(std::move(head));
 }
 
-Table ReturnDistancePanel::table(const PanelState& state, const Theme&) const {
-    const std::vector<std::size_t>& shown = static_cast<const ReturnDistanceState&>(state).shown;
-    if (!compares()) return table_of(*this, shown.front());
-    Table all;
-    for (std::size_t k = 0; k < runs_.size(); ++k)
-        add_table_of_run(all, names_[k], table_of(*runs_[k], shown.at(k)));
-    return all;
+void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t reversal) const {
+    const Steps points = law(record_.runs[run], reversal);
+    if (points.empty()) return;
+    Line curve = line("curve", "growth law", points, largest);
+    curve.stroke = {.role = {Role::Of::accent}, .width = law_width};
+    curve.depth = static_cast<int>(record_.runs.size()) + 1;
+    if (compares()) curve.run = run;
+    plot.layers.emplace_back(std::move(curve));
 }
+
+// A particle's radius: beyond it the echo is lost to the eye. Words at its right end, as lines are
+// steep at the left.
+void ReturnDistancePanel::add_level(Plot& plot) const {
+    const Echo& first = record_.runs.front();
+    const double power = std::log10(first.radius);
+    if (!(first.radius > 0.0) || power < low_) return;
+    for (const Echo& run : record_.runs)
+        if (run.radius != first.radius) return;
+    Level level;
+    level.part = "level";
+    level.of = "mean radius";
+    level.column = log_column;
+    level.x_column = spec_.against_collisions ? collisions_column : since_column;
+    level.value = power;
+    level.more = {column(distance_column, {first.radius})};
+    level.still = true;
+    Label name;
+    name.words = {first.all_alike ? "a radius" : "a mean radius"};
+    name.anchors = {{.at = {1.0, power},
+                     .x_is_share = true,
+                     .offset = {-0.4, 1.2},
+                     .align = Align::right,
+                     .step = {-1.0, 0.0}}};
+    level.label = std::move(name);
+    plot.layers.emplace_back(std::move(level));
+}
+
+// Where the gas is back at its start.
+void ReturnDistancePanel::add_end(Plot& plot) const {
+    const Echo& run = record_.runs.front();
+    if (compares() || run.reversals.empty()) return;
+    const double end = run.reversals.front() * (1.0 - 1e-9);
+    const auto there = std::ranges::find_if(run.steps, [&](const Step& step) {
+        return step.reversal == 0 && step.is_known && step.since >= end;
+    });
+    if (there == run.steps.end()) return;
+    Marker marker;
+    marker.value = along(*there);
+    marker.still = true;
+    Label name;
+    name.words = {"home"};
+    name.anchors = {{.at = {marker.value, 1.0},
+                     .y_is_share = true,
+                     .offset = {-0.4, -0.5},
+                     .align = Align::right}};
+    marker.label = std::move(name);
+    plot.layers.emplace_back(std::move(marker));
+}
+
+// In the middle, and clear of the words at the level.
+void ReturnDistancePanel::add_start(Plot& plot) const {
+    const Echo& run = record_.runs.front();
+    const std::string begins = "begins at time " + three_digits(run.reversals.front());
+    Label label;
+    label.words = {begins + ", when all turn round", begins};
+    Point middle{0.5 * last_, 0.5 * (low_ + high_)};
+    const double clear = 0.15 * (high_ - low_);
+    if (run.radius > 0.0 && std::abs(middle.y - std::log10(run.radius)) < clear)
+        middle.y = std::log10(run.radius) - 1.5 * clear;
+    label.anchors = {{.at = middle, .offset = {0.0, 0.35}, .align = Align::center}};
+    plot.layers.emplace_back(std::move(label));
+}
+
+// With the bits of the run's numbers, which are why it returns or does not. The growth law is the
+// same for all runs, or there is none to name.
+void ReturnDistancePanel::add_words(Plot& plot) const {
+    const std::string title = "Distance from the way out";
+    const int bits = context_.scene.run.bits.value_or(bits_of_double);
+    plot.titles = {fmt::format("{}, in numbers of {} bits", title, bits),
+                   fmt::format("{}, {} bits", title, bits), title};
+    if (compares()) plot.titles = {title};
+    if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
+    Note lines;
+    if (compares())
+        lines.entries = {{{}, {"the largest of all particles", "the largest"}}};
+    else
+        for (const Distance& distance : {largest, root_mean_square})
+            lines.entries.push_back({stroke(distance, 0), {distance.name, distance.short_name}});
+    if (has_law())
+        lines.entries.push_back(
+            {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law"}});
+    plot.notes = {std::move(lines)};
+    if (compares()) {
+        Note key{.wraps = true};
+        for (std::size_t k = 0; k < record_.runs.size(); ++k) {
+            plot.runs.push_back(record_.runs[k].name);
+            const Stroke stroke = stroke_of_run(k);
+            key.entries.push_back({stroke, {named(record_.runs[k].name, stroke.role)}});
+        }
+        plot.notes.push_back(std::move(key));
+    }
+    const std::optional<double>& lost = record_.runs.front().bits;
+    if (has_law() &&
+        std::ranges::all_of(record_.runs, [&](const Echo& run) { return run.bits == lost; }))
+        plot.finding = fmt::format(
+            "The growth law: distances double {} times with each collision of a particle.",
+            three_digits(*lost));
+}
+
+Plot ReturnDistancePanel::plot(const PanelState* state) const {
+    Plot plot{
+        .x = {.title = "since the reversal", .high = last_},
+        .y = {.low = low_, .high = high_, .kind = Axis::Kind::powers, .has_zero_place = true}};
+    if (spec_.against_collisions) {
+        plot.x.title = "collisions of each since the reversal";
+        plot.x.short_title = "collisions of each";
+    }
+    plot.columns = {reversal_column, since_column, distance_column, collisions_column, log_column};
+    add_words(plot);
+    const std::vector<std::size_t> none(record_.runs.size(), 0);
+    const std::vector<std::size_t>& shown =
+        state ? static_cast<const ShownState&>(*state).shown : none;
+    const bool has_begun = shown != none;
+    for (std::size_t k = 0; k < record_.runs.size(); ++k) {
+        const Echo& run = record_.runs[k];
+        if (has_begun || state == nullptr) {  // labels keep clear of what will come
+            add_distance(plot, k, largest, shown[k]);
+            if (!compares()) add_distance(plot, k, root_mean_square, shown[k]);
+            if (shown[k] > 0 || (state == nullptr && !run.steps.empty()))
+                add_law(plot, k, shown[k] > 0 ? run.steps[shown[k] - 1].reversal : 0);
+        }
+        if (compares()) plot.accounts_of_runs.push_back(account_of(run, shown[k]));
+    }
+    add_level(plot);
+    add_end(plot);
+    if (state && !has_begun && !record_.runs.front().reversals.empty()) add_start(plot);
+    if (has_begun && !compares())
+        plot.account = fmt::format("At the last the largest is {}.",
+                                   account_of(record_.runs.front(), shown[0]));
+    return plot;
+}
+
+}  // namespace
 
 std::unique_ptr<Panel> make_return_distance(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<ReturnDistancePanel>(context, spec);

@@ -82,8 +82,14 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Points& points) {
-    for (std::size_t i = points.shown.first; i < end_of(points); ++i)
-        draw_mark(canvas, frame.dc, {frame.x(points.x[i]), frame.y(points.y[i])}, points.mark);
+    std::optional<Point> last;
+    for (std::size_t i = points.shown.first; i < end_of(points); ++i) {
+        if (std::isnan(points.y[i])) continue;
+        const Point at{frame.x(points.x[i]), frame.y(points.y[i])};
+        if (last && !is_apart(*last, at, frame.pixels(points.spacing))) continue;
+        draw_mark(canvas, frame.dc, at, points.mark);
+        if (points.spacing > 0.0) last = at;
+    }
 }
 
 }  // namespace carom::plot

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panels/plot/layers.h"
+#include "panels/plot/bar_notes.h"
+#include "panels/plot/draw_bars.h"
 
 namespace carom::plot {
 namespace {
@@ -12,7 +13,15 @@ namespace {
 constexpr double sample_width = 2.6, sample_gap = 0.5, entry_gap = 1.5;  // of notes, units
 constexpr double first_baseline = 2.5;                                   // of notes, units
 constexpr double least_left = 3.0;         // for the labels of the axis up, units
+constexpr double most_of_title = 0.3;      // of the width: a longer title has a short form
 constexpr double zero_place_height = 1.5;  // units
+constexpr double sample_over_plot = 2.4;   // of notes that begin at the plot's edge, units
+constexpr double gap_over_bars = 0.4;  // under notes, for the counts of bars that are cut, units
+
+// How much lower rows of words stand over bars.
+double drop_over_bars(const Plot& plot, const DrawContext& dc) {
+    return plot.bar_notes ? 0.3 * dc.unit : 0.0;
+}
 
 double start_of_words(const KeyEntry& entry, const DrawContext& dc) {
     return entry.sample ? (sample_width + sample_gap) * dc.unit : 0.0;
@@ -57,36 +66,84 @@ std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc) {
 
 // In units.
 double height_of(const Note& note, const DrawContext& dc) {
-    if (note.entries.empty()) return 0.0;
+    if (note.entries.empty()) return note.changes ? note_height : 0.0;
     return note_height + (note.wraps ? places(note, dc).back().at.y / dc.unit : 0.0);
 }
 
-double height_of_notes(const Plot& plot, const DrawContext& dc) {
+double height_of_rows(const Plot& plot, const DrawContext& dc) {
     double sum = 0.0;
     for (const Note& note : plot.notes) sum += height_of(note, dc);
     return sum;
 }
 
-void draw_notes(Canvas& canvas, const DrawContext& dc, const Plot& plot) {
-    double y = dc.area.y + first_baseline * dc.unit;
+double height_of_notes(const Plot& plot, const DrawContext& dc) {
+    double sum = height_of_rows(plot, dc);
+    if (!plot.bar_notes) return sum;
+    sum += note_height * rows_of(*plot.bar_notes, plot, dc);
+    return sum > 0.0 ? sum + gap_over_bars : 0.0;
+}
+
+// One entry at the left edge of the plot, its sample left of that.
+void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, double y) {
+    const DrawContext& dc = frame.dc;
+    TextStyle style = label_style(dc);
+    style.max_width = frame.area.width;
+    for (const KeyEntry& entry : note.entries) {
+        const double end = frame.area.x - sample_gap * dc.unit, middle = y - 0.35 * dc.unit;
+        if (entry.sample)
+            draw_stroke(
+                canvas, dc,
+                std::array{Point{end - sample_over_plot * dc.unit, middle}, Point{end, middle}},
+                *entry.sample);
+        std::string words;
+        for (const Text& text : entry.words) {  // a little more room, as its numbers change
+            words = markup_of(text, dc.theme);
+            if (measure_text(words + "00", label_style(dc)).width <= style.max_width) break;
+        }
+        draw_text(canvas, {frame.area.x, y}, words, style);
+    }
+}
+
+void draw_note(Canvas& canvas, const DrawContext& dc, const Note& note, double y) {
+    for (const PlacedEntry& one : places(note, dc)) {
+        const Point left{dc.area.x + one.at.x, y + one.at.y};
+        const double words = start_of_words(*one.entry, dc);
+        if (one.entry->sample)
+            draw_stroke(canvas, dc,
+                        std::array{Point{left.x, left.y - 0.35 * dc.unit},
+                                   Point{left.x + sample_width * dc.unit, left.y - 0.35 * dc.unit}},
+                        *one.entry->sample);
+        TextStyle style = label_style(dc);
+        style.max_width =
+            std::min(one.width - words + 0.1 * dc.unit, dc.area.width - one.at.x - words);
+        draw_text(canvas, {left.x + words, left.y},
+                  markup_of(one.entry->words[one.length], dc.theme), style);
+    }
+}
+
+void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part) {
+    const DrawContext& dc = frame.dc;
+    double y = dc.area.y + first_baseline * dc.unit + drop_over_bars(plot, dc);
     for (const Note& note : plot.notes) {
-        for (const PlacedEntry& one : places(note, dc)) {
-            const Point left{dc.area.x + one.at.x, y + one.at.y};
-            const double words = start_of_words(*one.entry, dc);
-            if (one.entry->sample)
-                draw_stroke(
-                    canvas, dc,
-                    std::array{Point{left.x, left.y - 0.35 * dc.unit},
-                               Point{left.x + sample_width * dc.unit, left.y - 0.35 * dc.unit}},
-                    *one.entry->sample);
-            TextStyle style = label_style(dc);
-            style.max_width =
-                std::min(one.width - words + 0.1 * dc.unit, dc.area.width - one.at.x - words);
-            draw_text(canvas, {left.x + words, left.y},
-                      markup_of(one.entry->words[one.length], dc.theme), style);
+        if (note.changes == (part == Part::changing)) {
+            if (note.is_over_plot)
+                draw_note_over_plot(canvas, frame, note, y);
+            else
+                draw_note(canvas, dc, note, y);
         }
         y += height_of(note, dc) * dc.unit;
     }
+}
+
+// The first of the wide titles that is not cut at full size, else of the others.
+std::string title_of(const Plot& plot, const DrawContext& dc) {
+    for (const Text& title : plot.wide_titles) {
+        const std::string words = markup_of(title, dc.theme);
+        if (measure_text(words, title_style(dc)).width <= dc.area.width) return words;
+    }
+    std::vector<std::string> titles;
+    for (const Text& title : plot.titles) titles.push_back(markup_of(title, dc.theme));
+    return fitting_title(dc, titles);
 }
 
 AxisStyle style_of(const Axis& axis, const DrawContext& dc) {
@@ -113,7 +170,10 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
     area.x += more;
     area.width -= more;
     placer = LabelPlacer(area);
-    return {dc, area, {plot.x.low, plot.x.high, area.x, area.right()}, up, plot.y.kind, placer};
+    const double row =
+        dc.area.y + first_baseline * u + drop_over_bars(plot, dc) + height_of_rows(plot, dc) * u;
+    return {dc,     area,         {plot.x.low, plot.x.high, area.x, area.right()}, up, plot.y.kind,
+            placer, {area.x, row}};
 }
 
 // No power of ten is 0: it has a place of its own under the axis, which is broken there.
@@ -130,8 +190,12 @@ void draw_zero_place(Canvas& canvas, const Frame& frame) {
 
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
-    draw_x_axis(canvas, frame.area, frame.x_scale, markup_of(plot.x.title, dc.theme),
-                style_of(plot.x, dc));
+    const AxisStyle style = style_of(plot.x, dc);
+    std::string title = markup_of(plot.x.title, dc.theme);
+    if (!plot.x.short_title.empty() &&
+        measure_text(title, style.title).width > most_of_title * frame.area.width)
+        title = markup_of(plot.x.short_title, dc.theme);
+    draw_x_axis(canvas, frame.area, frame.x_scale, title, style);
     Rect above = frame.area;
     above.height = frame.y_scale.from - frame.area.y;
     if (is_linear(plot.y))
@@ -192,10 +256,7 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
     const Frame frame = frame_of(plot, dc, placer);
     const bool still = part == Part::still;
     if (still) {
-        std::vector<std::string> titles;
-        for (const Text& title : plot.titles) titles.push_back(markup_of(title, dc.theme));
-        draw_panel_title(canvas, dc, fitting_title(dc, titles));
-        draw_notes(canvas, dc, plot);
+        draw_panel_title(canvas, dc, title_of(plot, dc));
         draw_axes(canvas, frame, plot);
     }
     if (has_labels(plot, still))
@@ -205,8 +266,15 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         if (common(layer).still == still) layers.push_back(&layer);
     std::ranges::stable_sort(layers, std::ranges::greater{},
                              [](const AnyLayer* layer) { return common(*layer).depth; });
-    for (const AnyLayer* layer : layers)
+    const auto last_bars = std::ranges::find_if(
+        layers.rbegin(), layers.rend(),
+        [](const AnyLayer* layer) { return std::holds_alternative<Bars>(*layer); });
+    for (const AnyLayer* layer : layers) {
         std::visit([&](const auto& one) { draw_layer(canvas, frame, one); }, *layer);
+        if (last_bars != layers.rend() && layer == *last_bars) draw_over_bars(canvas, frame, plot);
+    }
+    if (!still) draw_names(canvas, frame, plot);
+    draw_notes(canvas, frame, plot, part);
 }
 
 }  // namespace carom::plot

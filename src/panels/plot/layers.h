@@ -19,6 +19,7 @@ struct Frame {
     Scale x_scale, y_scale;  ///< unless an axis is linear, of decimal logarithms
     Axis::Kind y_kind;
     LabelPlacer& placer;
+    Point row = {};  ///< where the last row above the plot begins, on its baseline
 
     double x(double value) const { return x_scale(value); }
 
@@ -28,7 +29,6 @@ struct Frame {
 };
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars);
-void draw_layer(Canvas& canvas, const Frame& frame, const Steps& steps);
 void draw_layer(Canvas& canvas, const Frame& frame, const Line& line);
 void draw_layer(Canvas& canvas, const Frame& frame, const Band& band);
 void draw_layer(Canvas& canvas, const Frame& frame, const Points& points);

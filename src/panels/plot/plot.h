@@ -99,8 +99,10 @@ struct KeyEntry {
 
 /// Words under the title: entries in a row, all in their longest words that fit.
 struct Note {
-    std::vector<KeyEntry> entries;
-    bool wraps = false;  ///< into as many rows as they need
+    std::vector<KeyEntry> entries = {};
+    bool wraps = false;         ///< into as many rows as they need
+    bool changes = false;       ///< from frame to frame; its row is kept in any case
+    bool is_over_plot = false;  ///< begins at the plot's left edge, samples left of it
 };
 
 /// A place for words: a point, and from there on in steps, as far as the plot's area goes.
@@ -150,6 +152,7 @@ struct Mark {
     bool is_hollow = false;
     bool is_hollow_if_pale = false;  ///< in print, of a grey that hardly differs from the paper
     double halo = 0.0;               ///< of the page around it
+    double fade = 0.0;               ///< toward the page, 0 to 1
     double ring = 0.0;               ///< > 0: a ring of this width instead
 };
 
@@ -179,6 +182,7 @@ struct Band : Layer {
 struct Points : Layer {
     Column x, y;
     Shown shown = {};
+    double spacing = 0.0;  ///< units: one that is nearer to the last one drawn is left out
     Mark mark = {};
 };
 
@@ -210,18 +214,14 @@ struct Marker : Layer {
     std::optional<Label> label = {};
 };
 
-/// The heights of bins side by side, filled from 0 on.
+/// The heights of bins side by side.
 struct Bars : Layer {
-    Column from, to, value, error;  ///< errors may be none
+    Column from, to, value, error;    ///< errors may be none
+    double below = 0.0, above = 0.0;  ///< beyond the ends of the axis, for the table
     Role role = {.of = Role::Of::bar};
-    double alpha = 1.0;
+    double alpha = 1.0;               ///< of the filling; 0: none
+    std::optional<Stroke> edge = {};  ///< of the upper edge
     Stroke error_stroke = {.width = 0.08};
-};
-
-/// The upper edge of such bars.
-struct Steps : Layer {
-    Column from, to, value;
-    Stroke stroke = {};
 };
 
 struct Ellipse : Layer {
@@ -229,10 +229,26 @@ struct Ellipse : Layer {
     Stroke stroke = {};
 };
 
-using AnyLayer = std::variant<Bars, Steps, Line, Band, Points, Level, Marker, Ellipse, Label>;
+using AnyLayer = std::variant<Bars, Line, Band, Points, Level, Marker, Ellipse, Label>;
 
 /// What all kinds of layers have in common.
 const Layer& common(const AnyLayer& layer);
+
+/// What stands over bars: names and numbers of marks, which stand still while marks and numbers
+/// change, and how many values lie beyond the ends of the axis.
+struct BarNotes {
+    struct Name {
+        Stroke sample;
+        std::string name, short_name;  ///< plain words
+        std::string number;
+    };
+    std::vector<Name> names = {};
+    std::string typical_number = {};       ///< by which places are found
+    bool may_be_beside = true;             ///< at the top right or left; else in a row above
+    bool is_right = false;                 ///< at the top right whatever lies there
+    std::pair<double, double> marks = {};  ///< between which marks move in the whole film
+    std::string below = {}, above = {}, beyond = {};  ///< "3", "5", "faster"; empty: none
+};
 
 // ------------------------------------------------------------------------------------ axes, plot
 
@@ -243,6 +259,7 @@ struct Axis {
         powers        ///< of data that are decimal logarithms themselves
     };
     Text title = {};
+    Text short_title = {};         ///< instead, where that leaves too little room for numbers
     double low = 0.0, high = 1.0;  ///< unless linear, decimal logarithms
     Kind kind = Kind::linear;
     bool is_whole = false;        ///< ticks at whole numbers only
@@ -251,10 +268,12 @@ struct Axis {
 
 /// A plot, complete and immutable. Copies share its data.
 struct Plot {
-    std::vector<Text> titles;  ///< from the longest on
-    Axis x, y;
+    std::vector<Text> titles = {};       ///< from the longest on
+    std::vector<Text> wide_titles = {};  ///< tried before those, at full size only
+    Axis x = {}, y = {};
     std::vector<AnyLayer> layers = {};
     std::vector<Note> notes = {};
+    std::optional<BarNotes> bar_notes = {};
     std::vector<std::string> columns = {};           ///< of the table, in order
     std::vector<std::string> runs = {};              ///< names of runs side by side
     std::string account = {};                        ///< what it shows, in whole sentences

@@ -35,6 +35,12 @@ class PlotPanel : public Panel {
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
 };
 
+/// Whether there are means of such records.
+template <class Record>
+concept HasMean = requires(std::vector<Record> records) {
+    mean_of(std::move(records));
+};
+
 /// A plot of what was recorded in the first pass. For a Record there are mean_of(records) and
 /// compare(records, names), which give the record of several runs.
 template <class Record>
@@ -45,11 +51,15 @@ class RecordPanel : public PlotPanel {
         make_axes();
     }
     void settle_with(const std::vector<Panel*>& others) final {
-        join(others, [](std::vector<Record> records) { return mean_of(records); });
+        if constexpr (HasMean<Record>)
+            join(others, [](std::vector<Record> records) { return mean_of(std::move(records)); });
+        else
+            Panel::settle_with(others);
     }
     void settle_beside(const std::vector<Panel*>& others,
                        const std::vector<std::string>& names) final {
-        join(others, [&](std::vector<Record> records) { return compare(records, names); });
+        join(others,
+             [&](std::vector<Record> records) { return compare(std::move(records), names); });
     }
     const Record& record() const { return record_; }
 

@@ -65,27 +65,29 @@ class Rows {
         }
     }
 
-    template <class Bins>
-    void rows_of_bins(const Bins& bins) {
-        for (std::size_t i = 0; i < bins.value.size(); ++i) {
-            Numbers numbers{{bins.from.name, bins.from[i]},
-                            {bins.to.name, bins.to[i]},
-                            {bins.value.name, bins.value[i]}};
-            for (const Column& more : bins.more) numbers[more.name] = more[i];
-            if constexpr (requires { bins.error; })
-                if (bins.error.size() > 0) numbers[bins.error.name] = bins.error[i];
-            row(numbers);
-        }
-    }
-
     void rows_of(const Line& line) { rows_of_curve(line); }
     void rows_of(const Points& points) { rows_of_curve(points); }
     void rows_of(const Band& band) { rows_of_curve(band, &band.error); }
-    void rows_of(const Bars& bars) { rows_of_bins(bars); }
-    void rows_of(const Steps& steps) { rows_of_bins(steps); }
+    void rows_of(const Bars& bars) {
+        const std::size_t count = bars.value.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            Numbers numbers{{bars.from.name, bars.from[i]},
+                            {bars.to.name, bars.to[i]},
+                            {bars.value.name, bars.value[i]}};
+            if (bars.error.size() > 0) numbers[bars.error.name] = bars.error[i];
+            row(numbers);
+        }
+        part_ = "below";
+        row({{bars.to.name, bars.from[0]}, {bars.value.name, bars.below}});
+        part_ = "above";
+        row({{bars.from.name, bars.to[count - 1]}, {bars.value.name, bars.above}});
+    }
     void rows_of(const Level& level) {
-        for (const double x : {plot_.x.low, plot_.x.high})
-            row({{level.x_column, x}, {level.column, level.value}});
+        for (const double x : {plot_.x.low, plot_.x.high}) {
+            Numbers numbers{{level.x_column, x}, {level.column, level.value}};
+            for (const Column& more : level.more) numbers[more.name] = more[0];
+            row(numbers);
+        }
     }
     void rows_of(const Marker& marker) { row({{marker.column, marker.value}}); }
     void rows_of(const Layer& other) {

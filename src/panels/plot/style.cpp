@@ -74,7 +74,8 @@ void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
 void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark) {
     const double u = dc.unit, radius = mark.radius * u;
     const Color color = color_of(mark.role, dc.theme);
-    const Color edge = mark.shade == Shade::as_it_is ? color : edge_of(color, dc.theme);
+    const Color edge = mix(mark.shade == Shade::as_it_is ? color : edge_of(color, dc.theme),
+                           dc.theme.page, mark.fade);
     if (mark.ring > 0.0) return canvas.stroke_circle(at, radius, mark.ring * u, edge);
     if (mark.halo > 0.0) canvas.fill_circle(at, radius + mark.halo * u, dc.theme.page);
     canvas.fill_circle(at, radius, edge);

@@ -1,5 +1,5 @@
-// What a histogram shows: its bins, heights, curves and states. How it is drawn is in
-// histogram_drawing.cpp, how it shows several runs in histogram_runs.cpp, how well it fits in
+// What a histogram records of a run, and counts in a frame. How axes are fixed is in
+// histogram_record.cpp, what is shown in histogram_plot.cpp, how well it fits in
 // histogram_test.cpp.
 #include "panels/plots/histogram_panel.h"
 
@@ -9,8 +9,6 @@
 #include <cmath>
 
 #include "panels/chosen.h"
-#include "panels/plots/comparison.h"
-#include "panels/plots/histogram_state.h"
 #include "util/text.h"
 
 namespace carom {
@@ -50,7 +48,27 @@ std::string time_words(const PanelSpec& spec) {
     return fmt::format("time {} to {}", plain_number(*spec.at - *back), at);
 }
 
+std::vector<HistogramCounts> counts_of(
+    const std::vector<std::shared_ptr<const PanelState>>& states) {
+    std::vector<HistogramCounts> counts;
+    for (const auto& state : states)
+        counts.push_back(static_cast<const HistogramState&>(*state).counts);
+    return counts;
+}
+
+std::shared_ptr<const PanelState> state_of(HistogramCounts counts) {
+    auto state = std::make_shared<HistogramState>();
+    state->counts = std::move(counts);
+    return state;
+}
+
 }  // namespace
+
+std::size_t HistogramState::bytes() const {
+    std::size_t sum = 0;
+    for (const MeanHistogram& one : counts.series) sum += one.counts.size() * sizeof(double);
+    return sum;
+}
 
 HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spec,
                                HistogramSubject subject)
@@ -111,13 +129,11 @@ void HistogramPanel::survey(const FrameInput& input) {
 }
 
 // Frames that follow one another show nearly the same.
-HistogramRecord HistogramPanel::record() const {
-    HistogramRecord record = record_;
+void HistogramPanel::finish_record() {
     const std::optional<double> back = window();
     const double share = !back ? 1.0 : span_ > 0.0 ? std::min(1.0, *back / span_) : 0.0;
-    record.independent = record.values() / static_cast<double>(record.series.size()) *
-                         std::max(1.0, share * context_.frames / 10.0);
-    return record;
+    record_.independent = record_.values() / static_cast<double>(record_.series.size()) *
+                          std::max(1.0, share * context_.frames / 10.0);
 }
 
 HistogramRules HistogramPanel::rules() const {
@@ -132,16 +148,27 @@ HistogramRules HistogramPanel::rules() const {
     return rules;
 }
 
-void HistogramPanel::begin(HistogramAxes axes) {
-    axes_ = std::move(axes);
-    record_ = {};
-    running_.assign(choices_.size(), RunningHistogram(axes_.bins, window()));
+void HistogramPanel::make_axes() {
+    axes_ = axes_of(record_, rules());
+    begin_counting();
+    if (spec_.test && !compares())
+        for (const HistogramSeries& one : axes_.series) require_testable(one);
 }
 
-void HistogramPanel::fix_axes() {
-    begin(axes_of(record(), rules()));
-    if (spec_.test)
-        for (const HistogramSeries& one : axes_.series) require_testable(one);
+void HistogramPanel::take_axes(const RecordPanel& of) {
+    axes_ = static_cast<const HistogramPanel&>(of).axes_;
+    begin_counting();
+}
+
+void HistogramPanel::begin_counting() {
+    record_ = {};
+    running_.assign(choices_.size(), RunningHistogram(axes_.bins, window()));
+    for (std::size_t k = 0; k < count(); ++k) roles_.push_back(roles_of(k));
+}
+
+void HistogramPanel::archive(Archive& archive) {
+    archive(axes_);
+    if (archive.is_reading()) begin_counting();
 }
 
 std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input) {
@@ -157,44 +184,14 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
     return state;
 }
 
-Table HistogramPanel::table(const PanelState& state, const Theme&) const {
-    if (!compares()) return table_of(state, 0, count());
-    Table all;
-    for (std::size_t k = 0; k < count(); ++k)
-        add_table_of_run(all, axes_.series[k].name, table_of(state, k, k + 1));
-    return all;
+std::shared_ptr<const PanelState> HistogramPanel::mean_state(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    return state_of(mean_of(counts_of(states)));
 }
 
-// Of the series `from` to `to` - 1.
-Table HistogramPanel::table_of(const PanelState& state, std::size_t from, std::size_t to) const {
-    const std::vector<std::vector<double>>& errors = HistogramPanel::errors(state);
-    const Bins& bins = axes_.bins;
-    Table table{{"part", "of", column_name(subject_.quantity + " from", subject_.unit),
-                 column_name(subject_.quantity + " to", subject_.unit),
-                 axes_.counts_per_cent() ? "value (per cent)" : "value (count)"}};
-    if (!errors.empty()) table.columns.push_back("standard error (count)");
-    for (std::size_t k = from; k < to; ++k) {
-        const MeanHistogram& now = histograms(state)[k];
-        const std::string of =
-            compares() ? name_of(context_, choices_.front().chosen) : axes_.series[k].name;
-        const auto add = [&](const char* part, Cell low, Cell high, Cell value) {
-            table.rows.push_back({part, of, std::move(low), std::move(high), std::move(value)});
-        };
-        for (int i = 0; i < bins.count; ++i) {
-            add("bar", bins.edge(i), bins.edge(i + 1), now.counts[static_cast<std::size_t>(i)]);
-            if (!errors.empty())
-                table.rows.back().emplace_back(errors[k][static_cast<std::size_t>(i)]);
-        }
-        add("below", {}, bins.low, now.below);
-        add("above", bins.high, {}, now.above);
-        for (const Point& point : axes_.curves[k]) add("curve", point.x, {}, point.y);
-        if (spec_.fit)
-            for (const Point& point : fit_curve(k, now)) add("fit", point.x, {}, point.y);
-        if (marks_mean_now()) add("mean", now.mean, {}, {});
-        if (marks_mean_start()) add("mean at start", axes_.series[k].mean_start, {}, {});
-    }
-    for (std::vector<Cell>& row : table.rows) row.resize(table.columns.size());
-    return table;
+std::shared_ptr<const PanelState> HistogramPanel::beside(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    return state_of(compare(counts_of(states), axes_));
 }
 
 }  // namespace carom

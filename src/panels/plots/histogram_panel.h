@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "panels/panel.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/plots/histogram_record.h"
 #include "stats/goodness.h"
 #include "stats/running_histogram.h"
@@ -33,25 +33,24 @@ struct HistogramSubject {
     std::optional<Law> law = {};        ///< that they follow at equilibrium, for a test
 };
 
-class HistogramPanel : public Panel {
+/// What a histogram shows in one frame.
+struct HistogramState : PanelState {
+    HistogramCounts counts;
+    std::size_t bytes() const override;
+};
+
+class HistogramPanel : public RecordPanel<HistogramRecord> {
   public:
     HistogramPanel(const PanelContext& context, const PanelSpec& spec, HistogramSubject subject);
 
     void survey(const FrameInput& input) override;
-    void fix_axes() override;
-    void settle_with(const std::vector<Panel*>& others) override;
+    void archive(Archive& archive) override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     std::shared_ptr<const PanelState> mean_state(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
-    void settle_beside(const std::vector<Panel*>& others,
-                       const std::vector<std::string>& names) override;
     std::shared_ptr<const PanelState> beside(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
-    std::vector<std::string> told_of_runs(const PanelState& state) const override;
-    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
-    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
-    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
-    Table table(const PanelState& state, const Theme& theme) const override;
-    std::string finding(const PanelState& state) const override;
+    plot::Plot plot(const PanelState* state) const override;
 
     /// For tests: of the bars of a choice against its curve, where the scene asks for it.
     std::optional<ChiSquared> test(const PanelState& state, std::size_t series) const;
@@ -71,20 +70,21 @@ class HistogramPanel : public Panel {
         Chosen chosen;
         std::vector<Eigen::Index> members;
     };
-    struct Scales {
-        Rect area;
-        Scale x, y;
-    };
-    struct Ink {
-        Color bar, curve, fit;
+    struct Roles {
+        plot::Role bar, curve, fit;
     };
 
+    void finish_record() override;
+    void make_axes() override;
+    void take_axes(const RecordPanel& of) override;
+    void begin_counting();
     std::optional<double> window() const;
     HistogramRules rules() const;
-    HistogramRecord record() const;
-    void begin(HistogramAxes axes);
     Expected expected(const HistogramSeries& series) const;
     void require_testable(const HistogramSeries& series) const;
+    std::optional<ChiSquared> test_of(const HistogramCounts& now, std::size_t series) const;
+    std::string test_words(const HistogramCounts& now) const;
+
     bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
     bool compares() const { return axes_.compares; }
     bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means && !compares()); }
@@ -92,59 +92,28 @@ class HistogramPanel : public Panel {
         return spec_.mean_start.value_or(subject_.means && !compares());
     }
     std::size_t count() const { return axes_.series.size(); }
-    std::vector<std::string> names() const;
-    Table table_of(const PanelState& state, std::size_t from, std::size_t to) const;
-
-    Scales scales(const DrawContext& dc) const;
-    Ink ink(std::size_t series, const DrawContext& dc) const;
-    std::string title(const DrawContext& dc) const;
-    enum class NamesPlace { right, left, above };
-    NamesPlace names_place(const DrawContext& dc) const;
-    double names_width(const DrawContext& dc) const;
-    double width_of_name(const DrawContext& dc, const std::string& name) const;
-    std::string name_of_mean(bool is_short) const;
-    bool has_short_names(const DrawContext& dc) const;
-    bool is_low_right_of(const Rect& area, double x, const DrawContext& dc) const;
-    int rows_above(const DrawContext& dc) const;
-    Point row_above(const DrawContext& dc, int row) const;
-    std::string title_of_runs(const DrawContext& dc) const;
-    void draw_runs(Canvas& canvas, const DrawContext& dc,
-                   const std::vector<MeanHistogram>& now) const;
-    void draw_beyond_runs(Canvas& canvas, const DrawContext& dc,
-                          const std::vector<MeanHistogram>& now) const;
-    void draw_bars(Canvas& canvas, const DrawContext& dc, std::size_t series,
-                   const MeanHistogram& now) const;
-    void draw_outline(Canvas& canvas, const DrawContext& dc, std::size_t series,
-                      const MeanHistogram& now) const;
-    std::vector<Point> path_of(const DrawContext& dc, const std::vector<Point>& curve) const;
-    std::vector<Point> fit_curve(std::size_t series, const MeanHistogram& now) const;
-    std::optional<double> mark_place(const DrawContext& dc, double value) const;
-    void draw_casings(Canvas& canvas, const DrawContext& dc, const MeanHistogram& now) const;
-    void draw_errors(Canvas& canvas, const DrawContext& dc, std::size_t series,
-                     const PanelState& state) const;
-    void draw_fit(Canvas& canvas, const DrawContext& dc, std::size_t series,
-                  const MeanHistogram& now) const;
-    void draw_means(Canvas& canvas, const DrawContext& dc,
-                    const std::vector<MeanHistogram>& now) const;
-    void draw_mark(Canvas& canvas, const DrawContext& dc, double value, bool solid,
-                   Color color) const;
-    double names_x(const DrawContext& dc) const;
-    Point name_place(const DrawContext& dc, int index) const;
-    void draw_name(Canvas& canvas, const DrawContext& dc, Point at, const std::string& words,
-                   Color color) const;
-    void draw_cuts(Canvas& canvas, const DrawContext& dc,
-                   const std::vector<MeanHistogram>& now) const;
-    void draw_beyond(Canvas& canvas, const DrawContext& dc,
-                     const std::vector<MeanHistogram>& now) const;
+    std::string from_name() const;
+    std::string to_name() const;
+    std::string value_name() const;
+    Roles roles_of(std::size_t k) const;
+    plot::Bars bars(std::size_t k, const HistogramCounts& now) const;
+    plot::Stroke fit_stroke(std::size_t k) const;
+    plot::Note fit_note(std::size_t k, const MeanHistogram* now) const;
+    plot::Marker mean_mark(std::size_t k, double mean, bool is_start) const;
+    std::vector<plot::BarNotes::Name> mean_names(const HistogramCounts* now) const;
+    plot::BarNotes bar_notes(const HistogramCounts* now) const;
+    plot::Text names_of_choices(const std::string& last) const;
+    void add_titles(plot::Plot& plot) const;
+    void add_series(plot::Plot& plot, std::size_t k, const HistogramCounts* now) const;
 
     PanelContext context_;
     PanelSpec spec_;
     HistogramSubject subject_;
     std::vector<Choice> choices_;
-    HistogramRecord record_;  ///< of the first pass
     int surveyed_ = 0;
     double span_ = 0.0;  ///< of simulated time in the film
     HistogramAxes axes_;
+    std::vector<Roles> roles_;               ///< of each series
     std::vector<RunningHistogram> running_;  ///< of each choice, in the second pass
     double seen_until_ = -1;                 ///< time of the last sample in a mean
 };

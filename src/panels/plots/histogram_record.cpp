@@ -66,9 +66,9 @@ double expected_share(const HistogramRules& rules, const EquilibriumGas& gas, do
 }
 
 // The mean of the curves of all runs.
-std::vector<Point> curve_of(const HistogramSeries& series, const HistogramRules& rules,
-                            const Bins& bins) {
-    std::vector<Point> curve;
+HistogramCurve curve_of(const HistogramSeries& series, const HistogramRules& rules,
+                        const Bins& bins) {
+    HistogramCurve curve;
     if (!rules.density || series.equilibria.empty()) return curve;
     constexpr int points = 240;  // so that no corners are seen where a curve turns
     const double first = bins.low + (rules.probability ? 0.5 * bins.width() : 0.0);
@@ -83,16 +83,17 @@ std::vector<Point> curve_of(const HistogramSeries& series, const HistogramRules&
             heights += series.unit * series.values_each * sharing *
                        expected_share(rules, gas, value, bins.width());
         }
-        curve.push_back({value, heights / static_cast<double>(series.equilibria.size())});
+        curve.value.push_back(value);
+        curve.count.push_back(heights / static_cast<double>(series.equilibria.size()));
     }
     return curve;
 }
 
-double top_of(const std::vector<std::vector<Point>>& curves) {
+double top_of(const std::vector<HistogramCurve>& curves) {
     double top = 0.0;
-    for (const std::vector<Point>& curve : curves)
-        for (const Point& point : curve)
-            if (std::isfinite(point.y)) top = std::max(top, point.y);
+    for (const HistogramCurve& curve : curves)
+        for (const double count : curve.count)
+            if (std::isfinite(count)) top = std::max(top, count);
     return top;
 }
 

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "draw/geometry.h"
 #include "physics/theory/theory.h"
 #include "stats/running_histogram.h"
 
@@ -27,6 +26,19 @@ struct HistogramSeries {
     std::vector<EquilibriumGas> equilibria = {};   ///< of each run that comes to one
 
     double values() const { return particles * values_each; }  ///< at a time
+
+    void archive(auto& archive) {
+        archive(name, particles, values_each, unit, mean_start, lowest_mean, highest_mean,
+                equilibria);
+    }
+};
+
+/// What is expected in equilibrium, or fitted.
+struct HistogramCurve {
+    std::vector<double> value;
+    std::vector<double> count;  ///< expected in a bin around it
+    bool empty() const { return value.empty(); }
+    void archive(auto& archive) { archive(value, count); }
 };
 
 /// A whole sample of a series, for the height of bars.
@@ -43,8 +55,8 @@ struct HistogramRecord {
                                              ///< that is compared
     double independent = 0.0;  ///< values in the bars of one series at the end of the film,
                                ///< roughly; of the run with the fewest
-    std::size_t runs = 1;  ///< whose mean the bars show
-    std::string time;      ///< "at time 20"; empty where runs that are compared differ in it
+    std::size_t runs = 1;      ///< whose mean the bars show
+    std::string time;          ///< "at time 20"; empty where runs that are compared differ in it
     bool compares = false;
 
     double values() const;  ///< of all series, at a time
@@ -74,14 +86,15 @@ struct HistogramAxes {
     Bins bins;
     double top = 1.0;  ///< of the vertical axis, which begins at 0
     std::vector<HistogramSeries> series;
-    std::vector<std::vector<Point>> curves;  ///< of each series: a value, and the expected number
-                                             ///< in a bin around it; or none
-    std::size_t runs = 1;                    ///< these three as in the record
+    std::vector<HistogramCurve> curves;  ///< of each series; or empty ones
+    std::size_t runs = 1;                ///< these three as in the record
     std::string time;
     bool compares = false;
 
     bool has_curves() const;
     bool counts_per_cent() const;  ///< else each bar counts values
+
+    void archive(auto& archive) { archive(bins, top, series, curves, runs, time, compares); }
 };
 
 HistogramAxes axes_of(const HistogramRecord& record, const HistogramRules& rules);

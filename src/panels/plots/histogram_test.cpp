@@ -1,7 +1,6 @@
 // How well a histogram fits its curve: Pearson's test, with what is conserved taken into account.
 #include <fmt/format.h>
 
-#include "panels/chosen.h"
 #include "panels/plots/histogram_panel.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -52,8 +51,9 @@ void HistogramPanel::require_testable(const HistogramSeries& series) const {
     throw SceneError({error});
 }
 
-std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::size_t series) const {
-    const MeanHistogram& now = histograms(state)[series];
+std::optional<ChiSquared> HistogramPanel::test_of(const HistogramCounts& counts,
+                                                  std::size_t series) const {
+    const MeanHistogram& now = counts.series[series];
     std::vector<double> observed{now.below};
     observed.insert(observed.end(), now.counts.begin(), now.counts.end());
     observed.push_back(now.above);
@@ -61,11 +61,14 @@ std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::siz
     return pearson(observed, expected(axes_.series[series]));
 }
 
-std::string HistogramPanel::finding(const PanelState& state) const {
-    if (!spec_.test) return "";
+std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::size_t series) const {
+    return test_of(static_cast<const HistogramState&>(state).counts, series);
+}
+
+std::string HistogramPanel::test_words(const HistogramCounts& now) const {
     std::string words = "Pearson\u2019s chi-squared test against equilibrium";
     for (std::size_t k = 0; k < count(); ++k) {
-        const ChiSquared found = test(state, k).value();
+        const ChiSquared found = test_of(now, k).value();
         words += fmt::format(
             "{}{} \u03C7\u00B2 = {} for {} degrees of freedom, p = {}", k == 0 ? ":" : ";",
             count() > 1 ? " " + axes_.series[k].name + "," : "", three_digits(found.statistic),

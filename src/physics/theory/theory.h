@@ -20,6 +20,7 @@ struct MassGroup {
     /// The most of the total energy that one of them can have: 1 between walls; 1 - m/M in a
     /// periodic box, where the others must balance its momentum.
     double largest_share;
+    void archive(auto& archive) { archive(mass, count, largest_share); }
 };
 
 /// A gas in equilibrium: energy shares are largest_share * Beta(alpha, beta).
@@ -28,6 +29,7 @@ struct EquilibriumGas {
     double alpha = 1.0;             ///< half the dimension
     double beta = 1.0;              ///< d/2 (N - 1) between walls, d/2 (N - 2) in a periodic box
     std::vector<MassGroup> groups;  ///< those whose distribution is asked for, by rising mass
+    void archive(auto& archive) { archive(energy, alpha, beta, groups); }
 };
 
 /// The equilibrium towards which the gas tends, or nothing where there is none: energy not

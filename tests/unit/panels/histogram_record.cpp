@@ -68,8 +68,8 @@ TEST_CASE("the record of a mean holds the values of all runs, and means of their
     const HistogramAxes axes = axes_of(mean, rules_with_energies());
     CHECK(axes.has_curves());
     CHECK(!axes.counts_per_cent());
-    for (const Point& point : axes.curves.at(0))
-        CHECK(point.y == relative(10 * 0.5 * (3 + 5), 1e-14));
+    for (const double count : axes.curves.at(0).count)
+        CHECK(count == relative(10 * 0.5 * (3 + 5), 1e-14));
 }
 
 TEST_CASE("runs of equal numbers are compared by counts, others by shares") {
@@ -93,8 +93,8 @@ TEST_CASE("runs of equal numbers are compared by counts, others by shares") {
     CHECK(shares.series[1].unit == 20.0);
     const HistogramAxes axes = axes_of(shares, rules_with_energies());
     CHECK(axes.counts_per_cent());
-    CHECK(axes.curves.at(0).front().y == relative(10.0 * 10 * 3.0, 1e-14));
-    CHECK(axes.curves.at(1).front().y == relative(20.0 * 5 * 5.0, 1e-14));
+    CHECK(axes.curves.at(0).count.front() == relative(10.0 * 10 * 3.0, 1e-14));
+    CHECK(axes.curves.at(1).count.front() == relative(20.0 * 5 * 5.0, 1e-14));
     const HistogramCounts shown =
         compare({HistogramCounts{{bars({4, 6}, 0, 0, 1, 1)}}, {{bars({1, 3}, 1, 0, 1, 1)}}}, axes);
     CHECK(shown.series[0].counts == std::vector{40.0, 60.0});

@@ -1,0 +1,19 @@
+// The words over bars: names and numbers of marks, and how many values lie beyond the ends of the
+// axis. They stand still while marks and numbers change: beside the bars, where a tail leaves room,
+// or in a row above the plot.
+#pragma once
+
+#include "panels/plot/layers.h"
+
+namespace carom::plot {
+
+/// How many rows above the plot they take: one, or none.
+int rows_of(const BarNotes& notes, const Plot& plot, const DrawContext& dc);
+
+/// Draws how many values lie beyond the ends of the axis.
+void draw_counts_beyond(Canvas& canvas, const Frame& frame, const Plot& plot);
+
+/// Draws the names, over all that may lie behind them.
+void draw_names(Canvas& canvas, const Frame& frame, const Plot& plot);
+
+}  // namespace carom::plot

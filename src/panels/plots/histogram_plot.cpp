@@ -1,0 +1,328 @@
+// What a histogram shows in one frame, as a plot: bars, curves, fits and marks of means.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "panels/chosen.h"
+#include "panels/plot/draw_bars.h"
+#include "panels/plots/histogram_panel.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+using namespace plot;
+
+constexpr double line_width = 0.16, thin_width = 0.07, mark_width = 0.12;  // units
+constexpr double tint_alpha = 0.3;        // of bars that others overlap
+constexpr double told_beyond = 0.01;      // of a mean number: less beyond the axis is not told
+constexpr std::size_t most_fit_rows = 3;  // more would leave no room for the bars
+// What lies over what, from the bottom up; the bars of runs side by side from the last to the
+// first.
+constexpr int depth_of_bars = 3, depth_of_lines = 2, depth_of_starts = 1;
+
+Line line_of(const char* part, HistogramCurve curve, const std::string& x_name,
+             const std::string& y_name) {
+    Line line;
+    line.part = part;
+    line.x = column(x_name, std::move(curve.value));
+    line.y = column(y_name, std::move(curve.count));
+    line.is_thinned = false;
+    line.depth = depth_of_lines;
+    return line;
+}
+
+// The normal curve with the mean and the deviation of what the bars show.
+HistogramCurve normal_curve(const Bins& bins, const MeanHistogram& now, double values) {
+    HistogramCurve curve;
+    if (!(now.deviation > 0.0)) return curve;
+    constexpr int points = 120;
+    for (int i = 0; i <= points; ++i) {
+        const double value = bins.low + (bins.high - bins.low) * i / points;
+        const double z = (value - now.mean) / now.deviation;
+        const double density =
+            std::exp(-0.5 * z * z) / (now.deviation * std::sqrt(2.0 * std::numbers::pi));
+        curve.value.push_back(value);
+        curve.count.push_back(values * bins.width() * density);
+    }
+    return curve;
+}
+
+// From the fewest of a run to the most.
+std::string range_of(const std::vector<MeanHistogram>& now, double MeanHistogram::*beyond,
+                     const std::string& unit) {
+    const auto [fewest, most] = std::ranges::minmax(now, {}, beyond);
+    if (!(most.*beyond > 0.0)) return "";
+    const std::string low = count_words(fewest.*beyond), high = count_words(most.*beyond);
+    return (low == high ? high : low + " to " + high) + unit;
+}
+
+}  // namespace
+
+// One choice of particles has the colours of all histograms, several have their own.
+HistogramPanel::Roles HistogramPanel::roles_of(std::size_t k) const {
+    const Role run{.of = Role::Of::run, .index = k};
+    if (compares()) return {run, run, run};
+    if (count() == 1) return {{Role::Of::bar}, {Role::Of::accent}, {Role::Of::highlight}};
+    const auto color = [&](std::size_t choice, const Theme& theme) {
+        return choice_color(context_, choices_[choice].chosen, choice, theme);
+    };
+    const auto line = [&](double share) {
+        return own_role([&, share](const Theme& theme) {
+            std::vector<Color> tints{theme.page};
+            for (std::size_t i = 0; i < count(); ++i)
+                tints.push_back(mix(theme.page, color(i, theme), tint_alpha));
+            return toward_ink(mix(color(k, theme), theme.ink, share), theme, tints,
+                              least_contrast_of_marks);
+        });
+    };
+    return {choice_role(context_, choices_[k].chosen, k), line(0.4), line(0.7)};
+}
+
+plot::Bars HistogramPanel::bars(std::size_t k, const HistogramCounts& now) const {
+    const MeanHistogram& one = now.series[k];
+    std::vector<double> from, to;
+    for (int i = 0; i < axes_.bins.count; ++i) {
+        from.push_back(axes_.bins.edge(i));
+        to.push_back(axes_.bins.edge(i + 1));
+    }
+    Bars bars;
+    bars.part = "bar";
+    bars.from = column(from_name(), std::move(from));
+    bars.to = column(to_name(), std::move(to));
+    bars.value = column(value_name(), one.counts);
+    bars.below = one.below;
+    bars.above = one.above;
+    bars.role = roles_[k].bar;
+    bars.depth = depth_of_bars;
+    if (!now.errors.empty()) {
+        bars.error = column("standard error (count)", now.errors[k]);
+        bars.error_stroke.role = count() > 1 ? roles_[k].curve : Role{Role::Of::ink};
+    }
+    if (compares()) {  // areas of more than two would hide one another
+        bars.alpha = 0.0;
+        bars.edge = stroke_of_run(k, line_width);
+        bars.depth += static_cast<int>(k);
+    } else if (count() > 1) {
+        bars.alpha = tint_alpha;
+        bars.edge = Stroke{.role = roles_[k].bar,
+                           .width = 0.1,
+                           .print_dashes = dashes_in_print(k, count()),
+                           .shade = Shade::legible};
+    }
+    return bars;
+}
+
+// Dashed beside the equilibrium curve, which has no other colour in print.
+plot::Stroke HistogramPanel::fit_stroke(std::size_t k) const {
+    Stroke stroke{.role = roles_[k].fit, .width = line_width};
+    if (!axes_.curves[k].empty()) stroke.dashes = {0.8};
+    if (count() > 1) stroke.print_dashes = dashes_in_print(count() + k, 2 * count());
+    return stroke;
+}
+
+plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) const {
+    Note note{.changes = true, .is_over_plot = true};
+    if (now == nullptr) return note;
+    const std::string whose = count() == 1 ? "normal curve" : axes_.series[k].name;
+    const std::string numbers =
+        fmt::format("mean {}, deviation {}", three_digits(now->mean), three_digits(now->deviation));
+    const Role& role = roles_[k].fit;
+    KeyEntry entry{.words = {named(whose + ": " + numbers, role), named(numbers, role)}};
+    if (const Stroke stroke = fit_stroke(k); !stroke.dashes.empty() || !stroke.print_dashes.empty())
+        entry.sample = stroke;
+    note.entries.push_back(std::move(entry));
+    return note;
+}
+
+plot::Marker HistogramPanel::mean_mark(std::size_t k, double mean, bool is_start) const {
+    Marker mark;
+    mark.part = is_start ? "mean at start" : "mean";
+    mark.column = from_name();
+    mark.value = mean;
+    mark.stroke.width = mark_width;
+    if (is_start) mark.depth = depth_of_starts;
+    if (is_start) mark.stroke.dashes = {0.25};
+    if (count() > 1)
+        mark.stroke.role = is_start ? roles_[k].bar : roles_[k].curve;
+    else
+        mark.stroke.role = {is_start ? Role::Of::muted : Role::Of::ink};
+    return mark;
+}
+
+// Before there are counts the curve alone, which words keep clear of.
+void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramCounts* now) const {
+    const HistogramSeries& series = axes_.series[k];
+    const auto add = [&](auto layer) {
+        layer.of = compares() ? name_of(context_, choices_.front().chosen) : series.name;
+        if (compares()) layer.run = k;
+        plot.layers.emplace_back(std::move(layer));
+    };
+    if (now) add(bars(k, *now));
+    if (!axes_.curves[k].empty()) {
+        Line curve = line_of("curve", axes_.curves[k], from_name(), value_name());
+        curve.stroke = {.role = roles_[k].curve, .width = compares() ? thin_width : line_width};
+        if (compares())
+            curve.depth = depth_of_bars + static_cast<int>(count());
+        else
+            curve.stroke.print_dashes = dashes_in_print(k, count());
+        add(std::move(curve));
+    }
+    if (now == nullptr) return;
+    const MeanHistogram& one = now->series[k];
+    if (spec_.fit) {
+        Line fit = line_of("fit", normal_curve(axes_.bins, one, series.unit * series.values()),
+                           from_name(), value_name());
+        fit.stroke = fit_stroke(k);
+        add(std::move(fit));
+    }
+    if (marks_mean_now()) add(mean_mark(k, one.mean, false));
+    if (marks_mean_start()) add(mean_mark(k, series.mean_start, true));
+}
+
+// A picture of one time shows no other that were the present.
+std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCounts* now) const {
+    std::vector<BarNotes::Name> names;
+    const auto add = [&](std::size_t k, const std::string& name, const std::string& short_name,
+                         double mean, bool is_start) {
+        names.push_back(
+            {mean_mark(k, mean, is_start).stroke, name, short_name, now ? three_digits(mean) : ""});
+    };
+    const bool is_present = window() == 0.0 && !spec_.at;
+    if (marks_mean_now())
+        for (std::size_t k = 0; k < count(); ++k) {
+            const double mean = now ? now->series[k].mean : 0.0;
+            if (count() > 1)
+                add(k, axes_.series[k].name, "", mean, false);
+            else
+                add(k, is_present ? "mean now" : "mean", is_present ? "now" : "mean", mean, false);
+        }
+    if (marks_mean_start() && count() == 1)
+        add(0, "mean at start", "start", axes_.series.front().mean_start, true);
+    return names;
+}
+
+// Fits are written over the bars, and so are the means where they find no room beside them; a fit
+// says the mean too. A mean over a while may be a small part of one.
+plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
+    BarNotes notes{.typical_number = three_digits(axes_.series.front().mean_start),
+                   .may_be_beside = !fills_the_middle() && !compares(),
+                   .is_right = window() != 0.0,  // the mean over a while comes to rest soon
+                   .beyond = subject_.beyond};
+    if (!compares()) notes.names = mean_names(now);
+    if (spec_.fit && !notes.may_be_beside) notes.names.clear();
+    notes.marks = {axes_.bins.high, axes_.bins.low};
+    double values = 0.0, below = 0.0, above = 0.0;
+    for (std::size_t k = 0; k < count(); ++k) {
+        const HistogramSeries& series = axes_.series[k];
+        notes.marks.first = std::min(notes.marks.first, series.lowest_mean);
+        notes.marks.second = std::max(notes.marks.second, series.highest_mean);
+        values += series.values();
+        if (now) below += now->series[k].below;
+        if (now) above += now->series[k].above;
+    }
+    if (compares()) {
+        const std::string unit = axes_.counts_per_cent() ? " %" : "";
+        if (now) notes.below = range_of(now->series, &MeanHistogram::below, unit);
+        if (now) notes.above = range_of(now->series, &MeanHistogram::above, unit);
+        return notes;
+    }
+    const double least = window() == 0.0 ? 0.0 : told_beyond * values;
+    if (below > 0.0 && below >= least) notes.below = count_words(below);
+    if (above > 0.0 && above >= least) notes.above = count_words(above);
+    return notes;
+}
+
+plot::Text HistogramPanel::names_of_choices(const std::string& last) const {
+    if (count() == 1) return escape_markup(axes_.series.front().name);
+    Text names;
+    for (std::size_t k = 0; k < count(); ++k) {
+        if (k > 0) names += k + 1 == count() ? last : ", ";
+        names += named(axes_.series[k].name, roles_[k].bar, plot::Sample::line, k);
+    }
+    return names;
+}
+
+// What the words say of the time, and of the equilibrium curves where there is room.
+void HistogramPanel::add_titles(Plot& plot) const {
+    const std::string quantity = capitalised(subject_.quantity);
+    const std::string runs = axes_.runs > 1 ? fmt::format(", mean of {} runs", axes_.runs) : "";
+    Text words = escape_markup(spec_.title.value_or(subject_.title)), time = axes_.time + runs;
+    if (compares()) {
+        if (!spec_.title && !spec_.of.empty())
+            words = quantity + " of " + escape_markup(name_of(context_, choices_.front().chosen));
+        const std::string unit = axes_.counts_per_cent() ? ", per cent" : "";
+        time = unit + (axes_.time.empty() ? "" : ": " + axes_.time);
+        plot.titles = {words + time, quantity + time};
+        if (axes_.has_curves())
+            plot.titles = {words + time + ", thin lines: in equilibrium",
+                           words + time + ", thin: equilibrium",
+                           quantity + time + ", thin: equilibrium", quantity + time};
+        return;
+    }
+    const bool several = count() > 1;
+    if (!spec_.title && !spec_.of.empty()) words = quantity + " of " + names_of_choices(" and ");
+    if (!several) time = named(axes_.time + runs, {Role::Of::bar});
+    words += ": " + time;
+    const Text shortest =
+        several ? quantity + ": " + names_of_choices(", ") + ", " + time : quantity + ": " + time;
+    plot.titles = {words, shortest};
+    if (!axes_.has_curves()) return;
+    if (several) {
+        for (const char* ending :
+             {", lines: in equilibrium", ", lines: equilibrium", ", lines: theory"})
+            plot.wide_titles.push_back(words + ending);
+        return;
+    }
+    const Text curve = ", " + named("equilibrium", {Role::Of::accent});
+    plot.wide_titles = {words + " and " + named("in equilibrium", {Role::Of::accent}),
+                        words + curve};
+    plot.titles = {words + curve, shortest + curve, shortest};
+}
+
+std::string HistogramPanel::from_name() const {
+    return column_name(subject_.quantity + " from", subject_.unit);
+}
+
+std::string HistogramPanel::to_name() const {
+    return column_name(subject_.quantity + " to", subject_.unit);
+}
+
+std::string HistogramPanel::value_name() const {
+    return axes_.counts_per_cent() ? "value (per cent)" : "value (count)";
+}
+
+Plot HistogramPanel::plot(const PanelState* state) const {
+    const HistogramCounts* now =
+        state ? &static_cast<const HistogramState&>(*state).counts : nullptr;
+    Plot plot{.x = {.title = subject_.quantity, .low = axes_.bins.low, .high = axes_.bins.high},
+              .y = {.high = axes_.top}};
+    plot.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
+    add_titles(plot);
+    plot.columns = {from_name(), to_name(), value_name()};
+    if (axes_.runs > 1) plot.columns.emplace_back("standard error (count)");
+    if (compares()) {
+        Note key{.wraps = true};
+        for (std::size_t k = 0; k < count(); ++k) {
+            plot.runs.push_back(axes_.series[k].name);
+            const Stroke stroke = stroke_of_run(k);
+            key.entries.push_back({stroke, {named(axes_.series[k].name, stroke.role)}});
+        }
+        plot.notes.push_back(std::move(key));
+    }
+    for (std::size_t k = 0; spec_.fit && k < std::min(count(), most_fit_rows); ++k)
+        plot.notes.push_back(fit_note(k, now ? &now->series[k] : nullptr));
+    plot.bar_notes = bar_notes(now);
+    for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, now);
+    if (now == nullptr) return plot;
+    for (const MeanHistogram& one : now->series)
+        plot.accounts_of_runs.push_back(
+            fmt::format("mean {} {}", subject_.quantity, three_digits(one.mean)) +
+            (subject_.symmetric ? ", deviation " + three_digits(one.deviation) : ""));
+    if (spec_.test) plot.finding = test_words(*now);
+    return plot;
+}
+
+}  // namespace carom

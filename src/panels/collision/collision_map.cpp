@@ -48,7 +48,7 @@ void CollisionMapPanel::fix_axes() {
         motion_ = {.inverse_mass = spec_.given->inverse_mass, .before = spec_.given->velocity};
         motion_.after = (collision_matrix(motion_.inverse_mass) * motion_.before.matrix()).array();
     } else {
-        met_ = watch_.meeting();
+        met_ = watch_.collision();
         for (std::size_t k = 0; k < 2; ++k) {
             const auto i = static_cast<Eigen::Index>(k);
             number_[k] = met_->particle[k];

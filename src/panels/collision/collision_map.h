@@ -1,6 +1,7 @@
-// The collision of two beads on a wire in the plane of their velocities: an ellipse of constant
-// energy, a line of constant momentum, and the two points where they cross, before and after. Or
-// all collisions of the two as a walk on the ellipse.
+// The collision of two beads on a wire in the plane of their velocities: an
+// ellipse of constant energy, a line of constant momentum, and the two points
+// where they cross, before and after. Or all collisions of the two as a walk on
+// the ellipse.
 #pragma once
 
 #include <optional>
@@ -8,9 +9,10 @@
 #include <vector>
 
 #include "panels/collision/collision_map_key.h"
-#include "panels/collision/pair_event.h"
+#include "panels/collision/pair_collision.h"
 #include "panels/collision/pair_motion.h"
 #include "panels/collision/velocity_plane.h"
+#include "util/archive.h"
 
 namespace carom {
 
@@ -21,6 +23,9 @@ class CollisionMapPanel : public Panel {
     void survey(const FrameInput& input) override;
     bool surveys_collisions() const override { return !spec_.given; }
     void fix_axes() override;
+    void archive(Archive& archive) override {
+        archive(met_, motion_, number_, walk_, factor_, reach_);
+    }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
@@ -51,9 +56,9 @@ class CollisionMapPanel : public Panel {
 
     PanelContext context_;
     PanelSpec spec_;
-    MeetingWatch watch_;
+    PairCollisionWatch watch_;
     WalkWatch walk_watch_;
-    std::optional<Meeting> met_;  ///< of the run
+    std::optional<PairCollision> met_;  ///< of the run
     PairMotion motion_;
     std::array<std::int64_t, 2> number_{1, 2};  ///< what the two are called
     std::vector<WalkStep> walk_;

@@ -1,28 +1,33 @@
-// The squared distance of two particles against time: the parabola of their free flight, the two
-// times at which it is that of contact, and the first of them, which counts. After it the true
-// distance, and on it the present.
+// The squared distance of two particles against time: the parabola of their
+// free flight, the two times at which it is that of contact, and the first of
+// them, which counts. After it the true distance, and on it the present.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
 
-#include "panels/collision/pair_event.h"
+#include "panels/collision/pair_collision.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
+using namespace plot;
+
 struct ContactState : PanelState {
     std::optional<double> time;  // the present, in a film
 };
 
-constexpr double ahead = 1.25, beyond = 1.75;  // of the time between the roots, that are shown
+constexpr double ahead = 1.25,
+                 beyond = 1.75;  // of the time between the roots, that are shown
 constexpr int curve_points = 200;
 constexpr const char* passing = "if they passed through each other";
+const std::string time_column = column_name("time", reduced::time);
+const std::string square_column = column_name("squared distance", "length^2");
 
-class ContactTimePanel : public Panel {
+class ContactTimePanel : public PlotPanel {
   public:
     ContactTimePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context), spec_(spec), watch_(context, spec) {}
@@ -31,52 +36,48 @@ class ContactTimePanel : public Panel {
     bool surveys_collisions() const override { return true; }
     void fix_axes() override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
-    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
-    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
-    Table table(const PanelState& state, const Theme& theme) const override;
+    Plot plot(const PanelState* state) const override;
+    void archive(Archive& archive) override {
+        archive(collision_, contact_, are_points_, first_, last_, top_);
+    }
 
   private:
     using Curve = std::function<double(double)>;
-    struct Scales {
-        Rect area;
-        Scale x, y;
-        Point operator()(double time, double square) const { return {x(time), y(square)}; }
-    };
-    Scales scales(const DrawContext& dc) const;
-    std::vector<Point> path(const DrawContext& dc, const Curve& curve, double from,
-                            double to) const;
-    void draw_note(Canvas& canvas, const DrawContext& dc) const;
-    void draw_curves(Canvas& canvas, const DrawContext& dc) const;
-    void draw_roots(Canvas& canvas, const DrawContext& dc) const;
-    bool draw_label(Canvas& canvas, const DrawContext& dc, const std::string& words,
-                    std::span<const Point> places, Align align) const;
-    bool is_free(const DrawContext& dc, const Rect& rect) const;
-    void draw_level_note(Canvas& canvas, const DrawContext& dc, const std::string& words) const;
+    Line line(const char* of, const Curve& curve, double from, double to, Stroke stroke) const;
+    void add_lines(Plot& plot) const;
+    void add_point(Plot& plot, const char* of, Point at, const plot::Mark& mark, const Role& drop,
+                   bool still) const;
+    void add_roots(Plot& plot) const;
+    Label label(const std::string& words, std::vector<Anchor> anchors) const;
+    void add_labels(Plot& plot) const;
+    void add_present(Plot& plot, double now) const;
 
     PanelContext context_;
     PanelSpec spec_;
-    MeetingWatch watch_;
-    Meeting met_;
-    double contact_ = 0.0;             // σ²
+    PairCollisionWatch watch_;
+    PairCollision collision_;
+    double contact_ = 0.0;             // the square of the distance at contact
+    bool are_points_ = false;          // the roots lie upon each other
     double first_ = 0.0, last_ = 1.0;  // of the time axis
     double top_ = 1.0;
 };
 
 void ContactTimePanel::fix_axes() {
-    met_ = watch_.meeting();
-    const double sigma =
-        context_.particles.radius[met_.particle[0]] + context_.particles.radius[met_.particle[1]];
+    collision_ = watch_.collision();
+    const Eigen::ArrayXd& radius = context_.particles.radius;
+    const double sigma = radius[collision_.particle[0]] + radius[collision_.particle[1]];
     contact_ = sigma * sigma;
-    const double between = met_.other_root() - met_.time;
-    const double flight = met_.time - met_.since;
-    const bool are_points = !(between > 1e-3 * flight);  // the roots lie upon each other
-    double back = are_points ? flight : ahead * between;
-    double on = are_points ? 0.6 * flight : beyond * between;
+    const double between = collision_.other_root() - collision_.time;
+    const double flight = collision_.time - collision_.since;
+    are_points_ = !(between > 1e-3 * flight);
+    double back = are_points_ ? flight : ahead * between;
+    double on = are_points_ ? 0.6 * flight : beyond * between;
     if (!(back > 0.0)) back = on = 1.0;
-    first_ = std::max(0.0, met_.time - back);
-    last_ = met_.time + on;
-    top_ = 1.08 * std::max({met_.free_square(met_.time - 0.6 * back), met_.free_square(first_),
-                            are_points ? 0.0 : met_.free_square(last_)});
+    first_ = std::max(0.0, collision_.time - back);
+    last_ = collision_.time + on;
+    top_ = 1.08 * std::max({collision_.free_square(collision_.time - 0.6 * back),
+                            collision_.free_square(first_),
+                            are_points_ ? 0.0 : collision_.free_square(last_)});
 }
 
 std::shared_ptr<const PanelState> ContactTimePanel::state(const FrameInput& input) {
@@ -85,197 +86,158 @@ std::shared_ptr<const PanelState> ContactTimePanel::state(const FrameInput& inpu
     return state;
 }
 
-ContactTimePanel::Scales ContactTimePanel::scales(const DrawContext& dc) const {
-    Rect area = plot_area(dc);
-    area.y += note_height * dc.unit;
-    area.height = std::max(dc.unit, area.height - note_height * dc.unit);
-    return {area, {first_, last_, area.x, area.right()}, {0.0, top_, area.bottom(), area.y}};
-}
-
-std::vector<Point> ContactTimePanel::path(const DrawContext& dc, const Curve& curve, double from,
-                                          double to) const {
-    const Scales s = scales(dc);
-    std::vector<Point> points;
+Line ContactTimePanel::line(const char* of, const Curve& curve, double from, double to,
+                            Stroke stroke) const {
+    std::vector<double> times, squares;
     for (int i = 0; i <= curve_points; ++i) {
-        const double time = from + (to - from) * i / curve_points;
-        points.push_back(s(time, curve(time)));
+        times.push_back(from + (to - from) * i / curve_points);
+        squares.push_back(curve(times.back()));
     }
-    return points;
+    Line line;
+    line.part = "curve";
+    line.of = of;
+    line.still = true;
+    line.is_thinned = false;
+    line.x = column(time_column, std::move(times));
+    line.y = column(square_column, std::move(squares));
+    line.stroke = std::move(stroke);
+    line.beyond = Beyond::cut;
+    return line;
 }
 
-void ContactTimePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    const std::string of = names_of(context_, met_, dc.theme);
-    const std::array titles{"Squared distance r² of " + of, std::string("Squared distance r²")};
-    draw_panel_title(canvas, dc,
-                     spec_.title ? escape_markup(*spec_.title)
-                                 : fitting_title(dc, {titles.begin(), titles.end()}));
-    const Scales s = scales(dc);
-    if (met_.other_root() > met_.time) draw_note(canvas, dc);
-    draw_x_axis(canvas, s.area, s.x, "time", axis_style(dc));
-    draw_y_axis(canvas, s.area, s.y, "", axis_style(dc));
-    draw_curves(canvas, dc);
-    draw_roots(canvas, dc);
-}
-
-// What the dashes are. Points touch for no time: the two ways are one.
-void ContactTimePanel::draw_note(Canvas& canvas, const DrawContext& dc) const {
-    const double u = dc.unit;
-    const Point sample{dc.area.x, dc.area.y + 2.35 * u};
-    canvas.stroke_dashed(sample, {sample.x + 1.8 * u, sample.y}, 0.14 * u, 0.35 * u,
-                         dc.theme.muted);
-    TextStyle note = label_style(dc);
-    note.max_width = dc.area.width - 2.3 * u;
-    const bool fits = measure_text(passing, label_style(dc)).width <= note.max_width;
-    draw_text(canvas, {sample.x + 2.3 * u, sample.y + 0.35 * u},
-              fits ? passing : "if they did not touch", note);
-}
-
-void ContactTimePanel::draw_curves(Canvas& canvas, const DrawContext& dc) const {
-    const Scales s = scales(dc);
-    const double u = dc.unit;
-    const auto parabola = [this](double time) { return met_.free_square(time); };
-    const auto truth = [this](double time) { return met_.square(time); };
-    const double level = s.y(contact_);
-    if (contact_ > 0.0)
-        canvas.stroke_line({s.area.x, level}, {s.area.right(), level}, 0.08 * u, dc.theme.muted);
-    canvas.clip_to({s.area.x, s.area.y, s.area.width, s.area.height + u});
-    const double from = std::max(first_, met_.since);
+// Points touch for no time: the two ways are one.
+void ContactTimePanel::add_lines(Plot& plot) const {
+    const Stroke dashed{.width = 0.14, .dashes = {0.35}};
+    Stroke solid{.role = {Role::Of::highlight}, .width = 0.2, .shade = Shade::legible};
+    const auto parabola = [this](double time) { return collision_.free_square(time); };
+    const auto truth = [this](double time) { return collision_.square(time); };
+    const double from = std::max(first_, collision_.since), met = collision_.time;
+    if (!are_points_) plot.notes = {{.entries = {{dashed, {passing, "if they did not touch"}}}}};
     if (from > first_)
-        canvas.stroke_path(path(dc, parabola, first_, from), 0.14 * u, dc.theme.muted, 0.35 * u);
-    canvas.stroke_path(path(dc, parabola, met_.time, last_), 0.14 * u, dc.theme.muted, 0.35 * u);
-    const Color color = edge_of(dc.theme.highlight, dc.theme);
-    canvas.stroke_path(path(dc, truth, from, met_.time), 0.2 * u, color);
-    canvas.stroke_path(path(dc, truth, met_.time, std::min(last_, met_.until)), 0.2 * u,
-                       mix(color, dc.theme.page, 0.35));
-    canvas.release_clip();
+        plot.layers.push_back(line("without the collision before", parabola, first_, from, dashed));
+    Line through = line(passing, parabola, met, last_, dashed);
+    through.depth = 1;
+    plot.layers.push_back(line("before", truth, from, met, solid));
+    solid.fade = 0.35;
+    plot.layers.push_back(line("after", truth, met, std::min(last_, collision_.until), solid));
+    plot.layers.push_back(std::move(through));
 }
 
-void ContactTimePanel::draw_roots(Canvas& canvas, const DrawContext& dc) const {
-    const Scales s = scales(dc);
-    const double u = dc.unit;
-    const Point contact = s(met_.time, contact_), other = s(met_.other_root(), contact_);
-    for (const Point& root : {contact, other})
-        canvas.stroke_dashed(root, {root.x, s.area.bottom()}, 0.07 * u, 0.25 * u, dc.theme.muted);
-    canvas.fill_circle(other, 0.32 * u, dc.theme.muted);
-    canvas.fill_circle(other, 0.19 * u, dc.theme.page);
-    canvas.fill_circle(contact, 0.34 * u, dc.theme.ink);
+// A point, with a line down to the time.
+void ContactTimePanel::add_point(Plot& plot, const char* of, Point at, const plot::Mark& mark,
+                                 const Role& drop, bool still) const {
+    Marker line;
+    line.still = still;
+    line.value = at.x;
+    line.up_to = at.y;
+    line.stroke = {.role = drop, .width = 0.07, .dashes = {0.25}};
+    plot.layers.emplace_back(std::move(line));
+    Points point;
+    point.part = "mark";
+    point.of = of;
+    point.still = still;
+    point.x = column(time_column, {at.x});
+    point.y = column(square_column, {at.y});
+    point.mark = mark;
+    plot.layers.emplace_back(std::move(point));
+}
 
-    // As near to the contact as there is room between the curves.
-    const double high = s.area.y + 1.1 * u;
-    std::vector<Point> above;
-    for (double y = contact.y - u; y > high; y -= 0.5 * u) above.push_back({contact.x, y});
-    for (const double aside : {0.0, 0.15, -0.15})
-        above.push_back({contact.x + aside * s.area.width, high});
-    const std::string words = "contact at " + three_digits(met_.time);
-    const std::array beside_it{Point{contact.x + 0.6 * u, high},
-                               Point{contact.x + 0.6 * u, high + u}};
-    if (!draw_label(canvas, dc, words, above, Align::center))
-        draw_label(canvas, dc, words, beside_it, Align::left);
-    const double left = s.area.x + 0.4 * u, right = s.area.right() - 0.2 * u;
+void ContactTimePanel::add_roots(Plot& plot) const {
     if (contact_ > 0.0) {
-        const std::array beside{Point{left, contact.y - 0.5 * u}, Point{left, contact.y + 1.2 * u},
-                                Point{contact.x + 0.7 * u, contact.y - 0.5 * u}};
-        const std::string level = "σ² = " + three_digits(contact_);
-        if (!draw_label(canvas, dc, level, beside, Align::left)) draw_level_note(canvas, dc, level);
+        Level level;
+        level.part = "level";
+        level.of = "contact";
+        level.column = square_column;
+        level.x_column = time_column;
+        level.value = contact_;
+        level.stroke = {.width = 0.08};
+        level.still = true;
+        level.depth = 2;
+        plot.layers.emplace_back(std::move(level));
     }
-    if (other.x - contact.x < u) return;
-    const std::array after{Point{right, other.y + 1.3 * u},
-                           Point{right, s.area.y + 1.1 * u},
-                           Point{right, s.area.y + 2.1 * u},
-                           Point{right, other.y - 0.5 * u},
-                           Point{other.x - 0.5 * u, other.y - 0.5 * u},
-                           Point{other.x - 0.5 * u, other.y - 1.5 * u}};
-    draw_label(canvas, dc, three_digits(met_.other_root()) + " is too late", after, Align::right);
+    const Role muted{Role::Of::muted};
+    add_point(plot, "contact", {collision_.time, contact_},
+              {.role = {Role::Of::ink}, .radius = 0.34}, muted, true);
+    add_point(plot, "other root", {collision_.other_root(), contact_},
+              {.role = muted, .radius = 0.32, .shade = Shade::as_it_is, .is_hollow = true}, muted,
+              true);
 }
 
-// In low areas the level has its name at the end of the row under the title, if there is room.
-void ContactTimePanel::draw_level_note(Canvas& canvas, const DrawContext& dc,
-                                       const std::string& words) const {
-    const double u = dc.unit;
-    TextStyle style = label_style(dc);
-    style.align = Align::right;
-    const Point end{dc.area.right(), dc.area.y + 2.7 * u};
-    const double width = measure_text(words, style).width;
-    if (width + measure_text(passing, style).width + 4.7 * u > dc.area.width) return;
-    draw_text(canvas, end, words, style);
-    const double x = end.x - width - 0.5 * u;
-    canvas.stroke_line({x - 1.0 * u, end.y - 0.35 * u}, {x, end.y - 0.35 * u}, 0.08 * u,
-                       dc.theme.muted);
+Label ContactTimePanel::label(const std::string& words, std::vector<Anchor> anchors) const {
+    Label label;
+    label.still = true;
+    label.words = {words};
+    label.anchors = std::move(anchors);
+    label.role = {Role::Of::ink};
+    label.may_be_left_out = true;
+    return label;
 }
 
-// At the first of some places where it lies upon no curve; false if there is none.
-bool ContactTimePanel::draw_label(Canvas& canvas, const DrawContext& dc, const std::string& words,
-                                  std::span<const Point> places, Align align) const {
-    TextStyle style = label_style(dc);
-    style.align = align;
-    style.color = dc.theme.ink;
-    const double width = measure_text(words, style).width;
-    const double share = align == Align::left ? 0.0 : align == Align::center ? 0.5 : 1.0;
-    for (const Point& at : places) {
-        const Rect rect{at.x - share * width, at.y - 0.85 * dc.unit, width, 1.1 * dc.unit};
-        if (!is_free(dc, rect)) continue;
-        draw_text(canvas, at, words, style);
-        return true;
-    }
-    return false;
-}
-
-bool ContactTimePanel::is_free(const DrawContext& dc, const Rect& rect) const {
-    const Scales s = scales(dc);
-    if (rect.x < s.area.x || rect.right() > s.area.right() + 0.1 * dc.unit ||
-        rect.bottom() > s.area.bottom())
-        return false;
-    const double margin = 0.25 * dc.unit;
-    const auto parabola = [this](double time) { return met_.free_square(time); };
-    const auto truth = [this](double time) { return met_.square(time); };
-    for (const Curve& curve : {Curve(parabola), Curve(truth)})
-        for (const Point& p : path(dc, curve, first_, last_))
-            if (p.x > rect.x - margin && p.x < rect.right() + margin && p.y > rect.y - margin &&
-                p.y < rect.bottom() + margin)
-                return false;
-    const double level = s.y(contact_);
-    return level < rect.y || level > rect.bottom();
-}
-
-void ContactTimePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const std::optional<double> present = static_cast<const ContactState&>(state).time;
-    if (!present) return;
-    const double now = *present;
-    if (now < std::max(first_, met_.since) || now > std::min(last_, met_.until)) return;
-    const Scales s = scales(dc);
-    const Point at = s(now, met_.square(now));
-    if (at.y < s.area.y) return;
-    const double u = dc.unit;
-    canvas.stroke_dashed(at, {at.x, s.area.bottom()}, 0.07 * u, 0.25 * u, dc.theme.ink);
-    canvas.fill_circle(at, 0.5 * u, dc.theme.page);
-    canvas.fill_circle(at, 0.4 * u, edge_of(dc.theme.highlight, dc.theme));
-}
-
-Table ContactTimePanel::table(const PanelState& state, const Theme&) const {
-    Table table{{"part", "of", column_name("time", reduced::time),
-                 column_name("squared distance", "length^2")}};
-    const auto add_curve = [&](const char* of, const Curve& curve, double from, double to) {
-        for (int i = 0; i <= curve_points; ++i) {
-            const double time = from + (to - from) * i / curve_points;
-            table.rows.push_back({"curve", of, time, curve(time)});
-        }
+// The time as near to the contact as there is room between the curves. In low
+// plots the level has its name in the row under the title, if there is room.
+void ContactTimePanel::add_labels(Plot& plot) const {
+    const Point contact{collision_.time, contact_}, other{collision_.other_root(), contact_};
+    const double aside = 0.15 * (last_ - first_);
+    const auto at_top = [](double time, Point offset, Align align) {
+        return Anchor{.at = {time, 0.0}, .y_is_share = true, .offset = offset, .align = align};
     };
-    const auto parabola = [this](double time) { return met_.free_square(time); };
-    const auto truth = [this](double time) { return met_.square(time); };
-    const double from = std::max(first_, met_.since), to = std::min(last_, met_.until);
-    if (from > first_) add_curve("without the collision before", parabola, first_, from);
-    add_curve("before", truth, from, met_.time);
-    add_curve("after", truth, met_.time, to);
-    add_curve("if they passed through each other", parabola, met_.time, last_);
+    const auto at_left = [&](double down) {
+        return Anchor{.at = {0.0, contact_}, .x_is_share = true, .offset = {0.4, down}};
+    };
+    const auto at_right = [](double y, bool is_share, double down) {
+        return Anchor{.at = {1.0, y},
+                      .x_is_share = true,
+                      .y_is_share = is_share,
+                      .offset = {-0.2, down},
+                      .align = Align::right};
+    };
+    const auto add = [&](const std::string& words, std::vector<Anchor> anchors) {
+        plot.layers.emplace_back(label(words, std::move(anchors)));
+    };
+    add("contact at " + three_digits(contact.x),
+        {{.at = contact, .offset = {0.0, -1.0}, .align = Align::center, .step = {0.0, -0.5}},
+         at_top(contact.x, {0.0, 1.1}, Align::center),
+         at_top(contact.x + aside, {0.0, 1.1}, Align::center),
+         at_top(contact.x - aside, {0.0, 1.1}, Align::center),
+         at_top(contact.x, {0.6, 1.1}, Align::left),
+         at_top(contact.x, {0.6, 2.1}, Align::left)});
     if (contact_ > 0.0)
-        for (const double time : {first_, last_})
-            table.rows.push_back({"level", "contact", time, contact_});
-    table.rows.push_back({"mark", "contact", met_.time, contact_});
-    table.rows.push_back({"mark", "other root", met_.other_root(), contact_});
-    const std::optional<double> now = static_cast<const ContactState&>(state).time;
-    if (now && *now >= from && *now <= to)
-        table.rows.push_back({"mark", "present", *now, met_.square(*now)});
-    return table;
+        add("σ² = " + three_digits(contact_), {at_left(-0.5),
+                                               at_left(1.2),
+                                               {.at = contact, .offset = {0.7, -0.5}},
+                                               at_right(0.0, true, -note_height)});
+    if (are_points_) return;
+    add(three_digits(other.x) + " is too late",
+        {at_right(contact_, false, 1.3),
+         at_right(0.0, true, 1.1),
+         at_right(0.0, true, 2.1),
+         at_right(contact_, false, -0.5),
+         {.at = other, .offset = {-0.5, -0.5}, .align = Align::right},
+         {.at = other, .offset = {-0.5, -1.5}, .align = Align::right}});
+}
+
+void ContactTimePanel::add_present(Plot& plot, double now) const {
+    const double square = collision_.square(now);
+    if (now < std::max(first_, collision_.since) || now > std::min(last_, collision_.until) ||
+        square > top_)
+        return;
+    add_point(plot, "present", {now, square},
+              {.role = {Role::Of::highlight}, .radius = 0.4, .halo = 0.1}, {Role::Of::ink}, false);
+}
+
+Plot ContactTimePanel::plot(const PanelState* state) const {
+    const Text title = "Squared distance r²";
+    Plot plot{.titles = {title + " of " + names_of(context_, collision_), title},
+              .x = {.title = "time", .low = first_, .high = last_},
+              .y = {.high = top_}};
+    if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
+    plot.columns = {time_column, square_column};
+    add_lines(plot);
+    add_roots(plot);
+    add_labels(plot);
+    if (state == nullptr) return plot;
+    if (const auto now = static_cast<const ContactState&>(*state).time) add_present(plot, *now);
+    return plot;
 }
 
 }  // namespace

@@ -77,16 +77,26 @@ std::vector<WalkStep> WalkWatch::steps() const {
     };
     if (foreign_) {
         const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
-        fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
+        fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} "
+                         "and {} do not "
                          "walk on one ellipse",
+<<<<<<< HEAD
                          first_is_own ? foreign_->second.particle() : foreign_->first,
                          first_is_own ? foreign_->first : foreign_->second.particle(),
                          foreign_->time, pair[0], pair[1]),
              "`walk` is for two beads that meet only each other and walls; without it the panel "
+=======
+                         first_is_own ? foreign_->second : foreign_->first,
+                         first_is_own ? foreign_->first : foreign_->second, foreign_->time, pair[0],
+                         pair[1]),
+             "`walk` is for two beads that meet only each other and walls; without "
+             "it the panel "
+>>>>>>> b126236 (panels: Show the squared distance of a pair as a plot)
              "shows their first collision");
     }
     if (count_ > most_steps)
-        fail(fmt::format("particles {} and {} meet each other and walls {} times, and `walk` shows "
+        fail(fmt::format("particles {} and {} meet each other and walls {} times, "
+                         "and `walk` shows "
                          "at most {}",
                          pair[0], pair[1], count_, most_steps),
              "give a shorter run, or masses that are less unlike");

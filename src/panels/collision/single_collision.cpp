@@ -7,6 +7,7 @@
 
 #include "panels/gas/bead_words.h"
 #include "panels/gas/velocity_arrows.h"
+#include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "util/text.h"
 
@@ -26,7 +27,7 @@ struct Pose {
     std::array<Vector, 2> arrow;  // velocities, or their changes
 };
 
-// The meeting with beads of a size, where they are points.
+// The collision with beads of a size, where they are points.
 struct Cause {
     std::array<Vector, 2> place, before, after;
     std::array<double, 2> radius, weight;  // weight: share of the mass
@@ -34,14 +35,15 @@ struct Cause {
     double back, on;                       // time before and after the contact
 };
 
-// How long until the centres are as far apart as is shown, in a flight of at most so long.
+// How long until the centres are as far apart as is shown, in a flight of at
+// most so long.
 double time_apart(const Vector& between, const Vector& moving, double longest) {
     const double a = moving.square().sum(), b = std::abs((between * moving).sum());
     const double c = between.square().sum() * (1.0 - apart * apart);
     return std::clamp((-b + std::sqrt(b * b - a * c)) / a, 0.0, longest);
 }
 
-Cause cause_of(const Meeting& met, const Particles& particles) {
+Cause cause_of(const PairCollision& met, const Particles& particles) {
     Cause cause{.place = met.place,
                 .before = met.before,
                 .after = met.after,
@@ -111,9 +113,9 @@ std::array<Rect, 3> places(const Rect& area, double unit) {
 
 }  // namespace
 
-CollisionStages collision_stages(const Meeting& meeting, const Particles& particles,
+CollisionStages collision_stages(const PairCollision& pair, const Particles& particles,
                                  const Rect& area, double unit, int dimension) {
-    const Cause cause = cause_of(meeting, particles);
+    const Cause cause = cause_of(pair, particles);
     const std::array<Pose, 3> all = poses(cause);
     double fastest = length(cause.drift);
     for (const Pose& pose : all)
@@ -170,7 +172,7 @@ class SingleCollisionPanel : public Panel {
 
     void survey(const FrameInput& input) override { watch_.survey(input); }
     bool surveys_collisions() const override { return true; }
-    void fix_axes() override { met_ = watch_.meeting(); }
+    void fix_axes() override { met_ = watch_.collision(); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
@@ -189,8 +191,8 @@ class SingleCollisionPanel : public Panel {
 
     PanelContext context_;
     PanelSpec spec_;
-    MeetingWatch watch_;
-    Meeting met_;
+    PairCollisionWatch watch_;
+    PairCollision met_;
 };
 
 constexpr double title_height = 1.9, row_height = 1.4;  // units
@@ -239,7 +241,7 @@ ArrowStyle SingleCollisionPanel::change_style(const DrawContext& dc) const {
 }
 
 void SingleCollisionPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    const std::string of = names_of(context_, met_, dc.theme);
+    const std::string of = plot::markup_of(names_of(context_, met_), dc.theme);
     const std::string at = " at time " + three_digits(met_.time);
     const std::string title =
         spec_.title ? escape_markup(*spec_.title)
@@ -372,7 +374,8 @@ void SingleCollisionPanel::draw(Canvas& canvas, const DrawContext& dc,
     }
 }
 
-// Places from the centre of mass; arrows are velocities, at contact their changes.
+// Places from the centre of mass; arrows are velocities, at contact their
+// changes.
 Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
     Table table{{"part", "stage", "of", column_name("x", reduced::length),
                  column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",

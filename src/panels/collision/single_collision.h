@@ -1,10 +1,10 @@
-// One collision in three pictures: before, at contact, after. Where everything stands, as plain
-// geometry, apart from how it is drawn.
+// One collision in three pictures: before, at contact, after. Where everything
+// stands, as plain geometry, apart from how it is drawn.
 #pragma once
 
 #include <array>
 
-#include "panels/collision/pair_event.h"
+#include "panels/collision/pair_collision.h"
 
 namespace carom {
 
@@ -30,9 +30,10 @@ struct CollisionStages {
     double reach = 0.0;            ///< pixels of a unit of velocity
 };
 
-/// Of a meeting in an area; side by side, or in a high area one above the other. On a wire
-/// arrows stand in rows of their own, above the beads and below, which they would cover.
-CollisionStages collision_stages(const Meeting& meeting, const Particles& particles,
+/// Of a collision in an area; side by side, or in a high area one above the
+/// other. On a wire arrows stand in rows of their own, above the beads and
+/// below, which they would cover.
+CollisionStages collision_stages(const PairCollision& pair, const Particles& particles,
                                  const Rect& area, double unit, int dimension);
 
 }  // namespace carom

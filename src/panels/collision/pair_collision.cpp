@@ -1,10 +1,11 @@
-#include "panels/collision/pair_event.h"
+#include "panels/collision/pair_collision.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "draw/palette.h"
+#include "panels/chosen.h"
+#include "panels/plot/layers.h"
 
 namespace carom {
 namespace {
@@ -17,26 +18,26 @@ double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, d
 
 }  // namespace
 
-double Meeting::square(double at) const {
+double PairCollision::square(double at) const {
     return at <= time ? free_square(at)
                       : square_after(place[1] - place[0], after[1] - after[0], at - time);
 }
 
-double Meeting::free_square(double at) const {
+double PairCollision::free_square(double at) const {
     return square_after(place[1] - place[0], before[1] - before[0], at - time);
 }
 
-double Meeting::other_root() const {
+double PairCollision::other_root() const {
     const Eigen::Array2d moving = before[1] - before[0];
     return time - 2.0 * dot(place[1] - place[0], moving) / dot(moving, moving);
 }
 
-MeetingWatch::MeetingWatch(const PanelContext& context, const PanelSpec& spec)
+PairCollisionWatch::PairCollisionWatch(const PanelContext& context, const PanelSpec& spec)
     : context_(context),
       spec_(spec),
       last_(static_cast<std::size_t>(context.particles.count()), 0.0) {}
 
-bool MeetingWatch::is_wanted(const Collision& collision) const {
+bool PairCollisionWatch::is_wanted(const Collision& collision) const {
     if (collision.second.is_side()) return false;
     if (spec_.of.empty()) return true;
     const std::int64_t a = spec_.of[0].particle.value(), b = spec_.of[1].particle.value();
@@ -45,22 +46,22 @@ bool MeetingWatch::is_wanted(const Collision& collision) const {
 }
 
 // Reversals part two flights as collisions do.
-double MeetingWatch::flying_since(Eigen::Index particle, double now) const {
+double PairCollisionWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
     for (const double at : reversal_times(context_.scene.run))
         if (at < now) since = std::max(since, at);
     return since;
 }
 
-double MeetingWatch::flying_until(double now, double next) const {
+double PairCollisionWatch::flying_until(double now, double next) const {
     for (const double at : reversal_times(context_.scene.run))
         if (at >= now) next = std::min(next, at);
     return next;
 }
 
-void MeetingWatch::meet(const Collision& collision) {
+void PairCollisionWatch::meet(const Collision& collision) {
     const bool swapped = !spec_.of.empty() && spec_.of[0].particle.value() != collision.first;
-    Meeting met;
+    PairCollision met;
     met.time = collision.time;
     met.particle = {collision.first, collision.second.particle()};
     met.place = {collision.first_position, collision.second_position};
@@ -75,22 +76,22 @@ void MeetingWatch::meet(const Collision& collision) {
         std::swap(met.before[0], met.before[1]);
         std::swap(met.after[0], met.after[1]);
     }
-    meeting_ = met;
+    found_ = met;
 }
 
-void MeetingWatch::survey(const FrameInput& input) {
+void PairCollisionWatch::survey(const FrameInput& input) {
     if (is_over_) return;
     for (const Collision& collision : input.advanced.collisions) {
         const auto is_one_of_them = [&](Eigen::Index i) {
             return i == collision.first || i == collision.second;
         };
-        if (meeting_ &&
-            (is_one_of_them(meeting_->particle[0]) || is_one_of_them(meeting_->particle[1]))) {
-            meeting_->until = std::min(meeting_->until, collision.time);
+        if (found_ &&
+            (is_one_of_them(found_->particle[0]) || is_one_of_them(found_->particle[1]))) {
+            found_->until = std::min(found_->until, collision.time);
             is_over_ = true;
             return;
         }
-        if (meeting_) continue;
+        if (found_) continue;
         if (is_wanted(collision)) meet(collision);
         last_[static_cast<std::size_t>(collision.first)] = collision.time;
         if (collision.second.is_particle())
@@ -98,8 +99,8 @@ void MeetingWatch::survey(const FrameInput& input) {
     }
 }
 
-const Meeting& MeetingWatch::meeting() const {
-    if (meeting_) return *meeting_;
+const PairCollision& PairCollisionWatch::collision() const {
+    if (found_) return *found_;
     Diagnostic error = spec_.place;
     const std::string pair =
         spec_.of.empty() ? "no two particles"
@@ -107,28 +108,30 @@ const Meeting& MeetingWatch::meeting() const {
                                        spec_.of[1].particle.value());
     error.message = fmt::format("{} collide from time 0 to {}, the end of the run", pair,
                                 context_.scene.run.until);
-    error.hint =
-        spec_.of.empty()
-            ? "give a longer run, or let particles meet"
-            : "give another pair in `of`, or none for the first that collides, or a longer "
-              "run";
+    error.hint = spec_.of.empty() ? "give a longer run, or let particles meet"
+                                  : "give another pair in `of`, or none for the "
+                                    "first that collides, or a longer "
+                                    "run";
     throw SceneError({error});
 }
 
-Color color_of(const PanelContext& context, const Meeting& meeting, std::size_t k,
-               const Theme& theme) {
+plot::Role role_of(const PanelContext& context, const PairCollision& pair, std::size_t k) {
     const auto species = [&](std::size_t one) {
-        return static_cast<std::size_t>(context.particles.species[meeting.particle[one]]);
+        return static_cast<std::size_t>(context.particles.species[pair.particle[one]]);
     };
-    if (species(0) != species(1)) return species_color(context, species(k), theme);
-    return kind_color(context.scene.gas.species.size() + k, theme);
+    if (species(0) != species(1)) return species_role(context, species(k));
+    return {.of = plot::Role::Of::kind, .index = context.scene.gas.species.size() + k};
 }
 
-std::string names_of(const PanelContext& context, const Meeting& meeting, const Theme& theme) {
+Color color_of(const PanelContext& context, const PairCollision& pair, std::size_t k,
+               const Theme& theme) {
+    return plot::color_of(role_of(context, pair, k), theme);
+}
+
+plot::Text names_of(const PanelContext& context, const PairCollision& pair) {
     const auto name = [&](std::size_t k) {
-        const Color color = color_of(context, meeting, k, theme);
-        return disk_sample(color, theme) +
-               colored(std::to_string(meeting.particle[k]), color, theme);
+        return plot::named(std::to_string(pair.particle[k]), role_of(context, pair, k),
+                           plot::Sample::disk);
     };
     return "particles " + name(0) + " and " + name(1);
 }

@@ -27,10 +27,11 @@ Scene scene_of(const std::string& box, const std::string& gas, double until,
 }
 
 // What a watch sees of a simulation in ten frames.
-Meeting meeting_in(const Scene& scene, Simulation simulation, const PanelSpec& spec = {}) {
+PairCollision pair_collision_in(const Scene& scene, Simulation simulation,
+                                const PanelSpec& spec = {}) {
     const Particles particles = simulation.particles();
     const std::optional<EquilibriumGas> none;
-    MeetingWatch watch(PanelContext{scene, particles, 10, none}, spec);
+    PairCollisionWatch watch(PanelContext{scene, particles, 10, none}, spec);
     simulation.record_collisions(true);
     const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(particles.count());
     for (int frame = 0; frame <= 10; ++frame) {
@@ -40,11 +41,11 @@ Meeting meeting_in(const Scene& scene, Simulation simulation, const PanelSpec& s
         const AdvanceResult advanced = simulation.advance_to(tick.time);
         watch.survey({tick, simulation.sample(), zeros, zeros, advanced});
     }
-    return watch.meeting();
+    return watch.collision();
 }
 
-Meeting meeting_in(const Scene& scene, const PanelSpec& spec = {}) {
-    return meeting_in(scene, Simulation(scene.gas, scene.run), spec);
+PairCollision pair_collision_in(const Scene& scene, const PanelSpec& spec = {}) {
+    return pair_collision_in(scene, Simulation(scene.gas, scene.run), spec);
 }
 
 PanelSpec pair_of(std::int64_t first, std::int64_t second) {
@@ -74,7 +75,7 @@ Scene at_thirty_degrees(const std::string& film = "panels: []") {
 }  // namespace
 
 TEST_CASE("equal disks that meet at 30 degrees part at right angles, at half and 0.866 the speed") {
-    const Meeting met = meeting_in(at_thirty_degrees());
+    const PairCollision met = pair_collision_in(at_thirty_degrees());
     const double cosine = std::sqrt(3.0) / 2.0;
     CHECK(met.time == relative(9.5 - 4.0 * cosine, 1e-14));
     CHECK(met.since == 0.0);
@@ -99,9 +100,9 @@ TEST_CASE("the two times of contact are the roots of a quadratic equation for th
     int seen = 0;
     for (std::int64_t i = 0; i < 17; ++i)
         for (std::int64_t j = i + 1; j < 17; ++j) {
-            Meeting met;
+            PairCollision met;
             try {
-                met = meeting_in(scene, pair_of(i, j));
+                met = pair_collision_in(scene, pair_of(i, j));
             } catch (const SceneError&) {
                 continue;
             }
@@ -144,8 +145,8 @@ TEST_CASE("beads leave a collision with exactly the velocities of its matrix") {
         const Particles particles{Eigen::ArrayXd::Zero(2), Eigen::ArrayXd{{w1, w2}},
                                   Eigen::ArrayXi::Zero(2)};
         Sample start{0.0, Eigen::ArrayXXd{{500.0}, {501.0}}, Eigen::ArrayXXd{{u1}, {u2}}};
-        const Meeting met =
-            meeting_in(scene, Simulation(scene.gas.box, particles, start, scene.run));
+        const PairCollision met =
+            pair_collision_in(scene, Simulation(scene.gas.box, particles, start, scene.run));
         CHECK(met.before[0][0] == u1);
         CHECK(met.before[1][0] == u2);
         CHECK(met.after[0][0] == doctest::Approx(std::stod(row.at(6))).epsilon(1e-12));
@@ -162,7 +163,7 @@ TEST_CASE(
     const std::string gas =
         "{name: a, position: [5, 5], radius: 1, velocity: [1, 0]}, "
         "{name: b, position: [17, 5], radius: 1, velocity: [1, 0]}";
-    const Meeting met = meeting_in(scene_of("size: [20, 10]", gas, 30.0));
+    const PairCollision met = pair_collision_in(scene_of("size: [20, 10]", gas, 30.0));
     CHECK(met.since == relative(2.0, 1e-14));
     CHECK(met.time == relative(7.0, 1e-14));
     // They exchange velocities at 12 and 14: 0 goes back to the left wall, 1 to the right one.
@@ -173,7 +174,7 @@ TEST_CASE(
                             "{name: b, position: [12, 5], radius: 1}",
                             30.0);
     turned.run.events = {{1.0, ReverseVelocities{}}, {8.0, ReverseVelocities{}}};
-    const Meeting after = meeting_in(turned);
+    const PairCollision after = pair_collision_in(turned);
     CHECK(after.since == 1.0);
     CHECK(after.time == relative(7.0, 1e-14));
     CHECK(after.until == 8.0);
@@ -182,8 +183,8 @@ TEST_CASE(
 TEST_CASE("the pair is the first that collides, or the one asked for, in its order") {
     const Scene scene =
         scene_of("length: 20", "{position: [2, 6, 12], velocity: [1, 0, 0], radius: 0.5}", 30.0);
-    CHECK(meeting_in(scene).particle == std::array<Eigen::Index, 2>{0, 1});
-    const Meeting met = meeting_in(scene, pair_of(2, 1));
+    CHECK(pair_collision_in(scene).particle == std::array<Eigen::Index, 2>{0, 1});
+    const PairCollision met = pair_collision_in(scene, pair_of(2, 1));
     CHECK(met.particle == std::array<Eigen::Index, 2>{2, 1});
     CHECK(met.before[0][0] == 0.0);
     CHECK(met.after[0][0] == 1.0);
@@ -230,7 +231,7 @@ TEST_CASE(
                                  "0.1]}",
                                  7.6);
     const Particles particles = Simulation(scene.gas, scene.run).particles();
-    const Meeting met = meeting_in(scene);
+    const PairCollision met = pair_collision_in(scene);
     for (const Rect& area :
          {Rect{10, 20, 624, 160}, Rect{0, 0, 2000, 900}, Rect{5, 5, 400, 1200}}) {
         const CollisionStages all = collision_stages(met, particles, area, 24.0, 2);
@@ -277,7 +278,7 @@ TEST_CASE("an infinite mass is its own centre of mass and keeps its velocity") {
                                  9.0);
     const Particles particles = Simulation(scene.gas, scene.run).particles();
     const CollisionStages all =
-        collision_stages(meeting_in(scene), particles, {0, 0, 900, 300}, 20.0, 2);
+        collision_stages(pair_collision_in(scene), particles, {0, 0, 900, 300}, 20.0, 2);
     for (const CollisionStage& stage : all.stage)
         CHECK(length(stage.mass_center, stage.center[1]) < 1e-9);
     CHECK(along(all.stage[1].velocity[1]).abs().maxCoeff() < 1e-9);
@@ -288,7 +289,7 @@ TEST_CASE("points on a wire are drawn as if they had a size, their arrows beside
     const Scene scene = scene_of("length: 20", "{position: [2, 6], velocity: [1, 0]}", 9.0);
     const Particles particles = Simulation(scene.gas, scene.run).particles();
     const CollisionStages all =
-        collision_stages(meeting_in(scene), particles, {0, 0, 900, 300}, 20.0, 1);
+        collision_stages(pair_collision_in(scene), particles, {0, 0, 900, 300}, 20.0, 1);
     const CollisionStage& contact = all.stage[1];
     CHECK(contact.center[0].y == contact.center[1].y);
     CHECK(contact.center[1].x - contact.center[0].x ==
@@ -331,7 +332,7 @@ TEST_CASE("the time of the contact is written above it, as near as there is room
     const TextLog log;
     FramePainter painter(film.scene, *film.observers);
     const Rect plot = plot_area(dc);
-    const Meeting met = meeting_in(film.scene);
+    const PairCollision met = pair_collision_in(film.scene);
     const double last = met.time + 1.75 * (met.other_root() - met.time);
     const double at = plot.x + met.time / last * plot.width;
     int seen = 0;
@@ -357,7 +358,7 @@ TEST_CASE("the present moves on the curve: across with the time, up with the squ
         const Canvas& picture = painter.paint(film.frames.back());
         ground = test::pixels_of(picture);
     }
-    const Meeting met = meeting_in(film.scene);
+    const PairCollision met = pair_collision_in(film.scene);
     const double last = met.time + 1.75 * (met.other_root() - met.time);
     std::vector<std::pair<double, double>> heights;  // squared distance, pixels
     for (std::size_t i = 8; i + 12 < film.frames.size(); i += 3) {
@@ -380,7 +381,7 @@ TEST_CASE("the arrow before is drawn as long as it is") {
     const Shot film(at_thirty_degrees("theme: light, panels: [single-collision]"));
     DiskPainter disks;
     const DrawContext dc = page_of(film.scene, disks);
-    const Meeting met = meeting_in(film.scene);
+    const PairCollision met = pair_collision_in(film.scene);
     FramePainter painter(film.scene, *film.observers);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     // By the stages' own geometry, with the room that the panel leaves for words.

@@ -80,18 +80,10 @@ std::vector<WalkStep> WalkWatch::steps() const {
         fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} "
                          "and {} do not "
                          "walk on one ellipse",
-<<<<<<< HEAD
                          first_is_own ? foreign_->second.particle() : foreign_->first,
                          first_is_own ? foreign_->first : foreign_->second.particle(),
                          foreign_->time, pair[0], pair[1]),
              "`walk` is for two beads that meet only each other and walls; without it the panel "
-=======
-                         first_is_own ? foreign_->second : foreign_->first,
-                         first_is_own ? foreign_->first : foreign_->second, foreign_->time, pair[0],
-                         pair[1]),
-             "`walk` is for two beads that meet only each other and walls; without "
-             "it the panel "
->>>>>>> b126236 (panels: Show the squared distance of a pair as a plot)
              "shows their first collision");
     }
     if (count_ > most_steps)

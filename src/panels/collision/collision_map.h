@@ -1,7 +1,6 @@
-// The collision of two beads on a wire in the plane of their velocities: an
-// ellipse of constant energy, a line of constant momentum, and the two points
-// where they cross, before and after. Or all collisions of the two as a walk on
-// the ellipse.
+// The collision of two beads on a wire in the plane of their velocities: an ellipse of constant
+// energy, a line of constant momentum, and the two points where they cross, before and after. Or
+// all collisions of the two as a walk on the ellipse.
 #pragma once
 
 #include <optional>

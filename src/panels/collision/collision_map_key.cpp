@@ -9,8 +9,7 @@ namespace {
 
 constexpr double above = 2.8, below = 1.6;                         // units: title and axis
 constexpr double row = 1.5, sample = 2.0, gap = 0.5, apart = 1.4;  // units
-constexpr double thinnest = 0.8,
-                 widest = 1.6;  // of the plane beside its key, width over height
+constexpr double thinnest = 0.8, widest = 1.6;  // of the plane beside its key, width over height
 
 MapPlaces places_beside(const DrawContext& dc, const Rect& whole, const std::vector<double>& words,
                         const std::vector<double>& samples, const Eigen::Array2d& reach) {
@@ -53,8 +52,7 @@ MapPlaces places_over(const DrawContext& dc, const Rect& whole, const std::vecto
 MapPlaces map_places(const DrawContext& dc, double left, const std::vector<MapKeyEntry>& entries,
                      const Eigen::Array2d& reach) {
     const double u = dc.unit;
-    std::vector<double> words, level,
-        short_ones;  // in a column the words begin at one place
+    std::vector<double> words, level, short_ones;  // in a column the words begin at one place
     for (const MapKeyEntry& entry : entries) {
         words.push_back(gap * u + measure_text(entry.words, label_style(dc)).width);
         level.push_back(sample);

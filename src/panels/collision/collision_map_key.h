@@ -1,5 +1,5 @@
-// The key of a collision map: a sample and words for each mark, and where they
-// and the plane stand on the panel.
+// The key of a collision map: a sample and words for each mark, and where they and the plane stand
+// on the panel.
 #pragma once
 
 #include <string>
@@ -20,9 +20,8 @@ struct MapPlaces {
     std::vector<double> sample{};  ///< width of the sample of each, units
 };
 
-/// The key stands beside the plane or above it, whichever leaves the plane
-/// larger, which shows velocities up to `reach`; `left` is for the labels of
-/// its axis.
+/// The key stands beside the plane or above it, whichever leaves the plane larger, which shows
+/// velocities up to `reach`; `left` is for the labels of its axis.
 MapPlaces map_places(const DrawContext& dc, double left, const std::vector<MapKeyEntry>& entries,
                      const Eigen::Array2d& reach);
 

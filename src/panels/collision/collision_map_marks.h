@@ -1,5 +1,5 @@
-// The marks of a collision map: points, arrows and lines, as they are in the
-// plane and as samples in the key. Knows no velocities.
+// The marks of a collision map: points, arrows and lines, as they are in the plane and as samples
+// in the key. Knows no velocities.
 #pragma once
 
 #include <vector>

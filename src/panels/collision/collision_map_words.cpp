@@ -1,5 +1,4 @@
-// The words and numbers of a collision map: its names and key, its table, and
-// its account.
+// The words and numbers of a collision map: its names and key, its table, and its account.
 #include <fmt/format.h>
 
 #include <array>
@@ -161,18 +160,15 @@ std::string CollisionMapPanel::account(const PanelState& state) const {
         const std::size_t steps = steps_of(state);
         const Counts counts = counts_of(steps);
         return fmt::format(
-            "{} at energy {}: {} collisions with one another and {} "
-            "with a wall, from velocities "
+            "{} at energy {}: {} collisions with one another and {} with a wall, from velocities "
             "{} to {}.",
             pair, few_digits(motion_.energy()), grouped(counts.pair), grouped(counts.wall),
             with_and(walk_.front().velocity), with_and(walk_[steps - 1].velocity));
     }
     const std::string kept =
         motion_.has_infinite_mass()
-            ? fmt::format(
-                  "the infinite mass goes on as before, and their "
-                  "relative speed stays {}",
-                  few_digits(motion_.speed_apart()))
+            ? fmt::format("the infinite mass goes on as before, and their relative speed stays {}",
+                          few_digits(motion_.speed_apart()))
             : fmt::format("energy {} and momentum {} stay", few_digits(motion_.energy()),
                           momentum_words(motion_));
     return fmt::format("{} with velocities {} before their collision and {} after it: {}.", pair,

@@ -1,6 +1,6 @@
-// The squared distance of two particles against time: the parabola of their
-// free flight, the two times at which it is that of contact, and the first of
-// them, which counts. After it the true distance, and on it the present.
+// The squared distance of two particles against time: the parabola of their free flight, the two
+// times at which it is that of contact, and the first of them, which counts. After it the true
+// distance, and on it the present.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,8 +20,7 @@ struct ContactState : PanelState {
     std::optional<double> time;  // the present, in a film
 };
 
-constexpr double ahead = 1.25,
-                 beyond = 1.75;  // of the time between the roots, that are shown
+constexpr double ahead = 1.25, beyond = 1.75;  // of the time between the roots, that are shown
 constexpr int curve_points = 200;
 constexpr const char* passing = "if they passed through each other";
 const std::string time_column = column_name("time", reduced::time);
@@ -93,13 +92,10 @@ Line ContactTimePanel::line(const char* of, const Curve& curve, double from, dou
         times.push_back(from + (to - from) * i / curve_points);
         squares.push_back(curve(times.back()));
     }
-    Line line;
-    line.part = "curve";
-    line.of = of;
-    line.still = true;
+    Line line{{.part = "curve", .of = of, .still = true},
+              column(time_column, std::move(times)),
+              column(square_column, std::move(squares))};
     line.is_thinned = false;
-    line.x = column(time_column, std::move(times));
-    line.y = column(square_column, std::move(squares));
     line.stroke = std::move(stroke);
     line.beyond = Beyond::cut;
     return line;
@@ -126,33 +122,22 @@ void ContactTimePanel::add_lines(Plot& plot) const {
 // A point, with a line down to the time.
 void ContactTimePanel::add_point(Plot& plot, const char* of, Point at, const plot::Mark& mark,
                                  const Role& drop, bool still) const {
-    Marker line;
-    line.still = still;
-    line.value = at.x;
-    line.up_to = at.y;
-    line.stroke = {.role = drop, .width = 0.07, .dashes = {0.25}};
-    plot.layers.emplace_back(std::move(line));
-    Points point;
-    point.part = "mark";
-    point.of = of;
-    point.still = still;
-    point.x = column(time_column, {at.x});
-    point.y = column(square_column, {at.y});
+    const Stroke dashed{.role = drop, .width = 0.07, .dashes = {0.25}};
+    plot.layers.emplace_back(Marker{{.still = still}, "", at.x, at.y, dashed});
+    Points point{{.part = "mark", .of = of, .still = still},
+                 column(time_column, {at.x}),
+                 column(square_column, {at.y})};
     point.mark = mark;
     plot.layers.emplace_back(std::move(point));
 }
 
 void ContactTimePanel::add_roots(Plot& plot) const {
     if (contact_ > 0.0) {
-        Level level;
-        level.part = "level";
-        level.of = "contact";
-        level.column = square_column;
+        Level level{{.part = "level", .of = "contact", .depth = 2, .still = true},
+                    square_column,
+                    contact_,
+                    {.width = 0.08}};
         level.x_column = time_column;
-        level.value = contact_;
-        level.stroke = {.width = 0.08};
-        level.still = true;
-        level.depth = 2;
         plot.layers.emplace_back(std::move(level));
     }
     const Role muted{Role::Of::muted};
@@ -164,11 +149,7 @@ void ContactTimePanel::add_roots(Plot& plot) const {
 }
 
 Label ContactTimePanel::label(const std::string& words, std::vector<Anchor> anchors) const {
-    Label label;
-    label.still = true;
-    label.words = {words};
-    label.anchors = std::move(anchors);
-    label.role = {Role::Of::ink};
+    Label label{{.still = true}, {words}, std::move(anchors), {Role::Of::ink}};
     label.may_be_left_out = true;
     return label;
 }

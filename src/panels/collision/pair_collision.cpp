@@ -108,10 +108,11 @@ const PairCollision& PairCollisionWatch::collision() const {
                                        spec_.of[1].particle.value());
     error.message = fmt::format("{} collide from time 0 to {}, the end of the run", pair,
                                 context_.scene.run.until);
-    error.hint = spec_.of.empty() ? "give a longer run, or let particles meet"
-                                  : "give another pair in `of`, or none for the "
-                                    "first that collides, or a longer "
-                                    "run";
+    error.hint =
+        spec_.of.empty()
+            ? "give a longer run, or let particles meet"
+            : "give another pair in `of`, or none for the first that collides, or a longer "
+              "run";
     throw SceneError({error});
 }
 

@@ -1,6 +1,5 @@
-// One collision of two particles, as the simulation met it: where they are at
-// the touch, how they move before and after it, and how long they fly
-// undisturbed. Draws nothing.
+// One collision of two particles, as the simulation met it: where they are at the touch, how they
+// move before and after it, and how long they fly undisturbed. Draws nothing.
 #pragma once
 
 #include <array>
@@ -23,8 +22,7 @@ struct PairCollision {
     /// The square of the distance at a time of the flights before and after.
     double square(double at) const;
 
-    /// The same as if they passed through each other: the parabola of the flight
-    /// before.
+    /// The same as if they passed through each other: the parabola of the flight before.
     double free_square(double at) const;
 
     /// When that is the same as at the contact once more.
@@ -33,8 +31,7 @@ struct PairCollision {
     void archive(auto& archive) { archive(time, since, until, particle, place, before, after); }
 };
 
-/// The part of the change of one velocity that is along the line of centres,
-/// all of it.
+/// The part of the change of one velocity that is along the line of centres, all of it.
 inline Eigen::Array2d change(const PairCollision& pair, std::size_t k) {
     return pair.after[k] - pair.before[k];
 }
@@ -48,8 +45,8 @@ class PairCollisionWatch {
     /// First pass, every frame in order, with the collisions on the way.
     void survey(const FrameInput& input);
 
-    /// After the first pass. Throws SceneError, with the panel's place, where the
-    /// pair never collides.
+    /// After the first pass. Throws SceneError, with the panel's place, where the pair never
+    /// collides.
     const PairCollision& collision() const;
 
   private:

@@ -77,8 +77,7 @@ std::vector<WalkStep> WalkWatch::steps() const {
     };
     if (foreign_) {
         const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
-        fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} "
-                         "and {} do not "
+        fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
                          "walk on one ellipse",
                          first_is_own ? foreign_->second.particle() : foreign_->first,
                          first_is_own ? foreign_->first : foreign_->second.particle(),
@@ -87,8 +86,7 @@ std::vector<WalkStep> WalkWatch::steps() const {
              "shows their first collision");
     }
     if (count_ > most_steps)
-        fail(fmt::format("particles {} and {} meet each other and walls {} times, "
-                         "and `walk` shows "
+        fail(fmt::format("particles {} and {} meet each other and walls {} times, and `walk` shows "
                          "at most {}",
                          pair[0], pair[1], count_, most_steps),
              "give a shorter run, or masses that are less unlike");

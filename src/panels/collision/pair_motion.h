@@ -1,5 +1,5 @@
-// Two beads on a wire in the plane of their velocities: their collision as a
-// linear map, what it keeps, and all their collisions as a walk. Draws nothing.
+// Two beads on a wire in the plane of their velocities: their collision as a linear map, what it
+// keeps, and all their collisions as a walk. Draws nothing.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,8 @@
 
 namespace carom {
 
-/// A collision of two beads. Its map has the eigenvectors (1, 1), which stays:
-/// the motion of the centre of mass, and (w1, -w2) with the inverse masses w,
-/// which turns round: relative motion.
+/// A collision of two beads. Its map has the eigenvectors (1, 1), which stays: the motion of the
+/// centre of mass, and (w1, -w2) with the inverse masses w, which turns round: relative motion.
 struct PairMotion {
     Eigen::Array2d inverse_mass{1.0, 1.0};  ///< 0: infinite, one at most
     Eigen::Array2d before{0.0, 0.0}, after{0.0, 0.0};
@@ -46,9 +45,8 @@ class WalkWatch {
     /// First pass, every frame in order, with the collisions on the way.
     void survey(const FrameInput& input);
 
-    /// All steps of the run, after the first pass. Throws SceneError, with the
-    /// panel's place, where a third bead strikes one of the two, or where there
-    /// are more than `most_steps`.
+    /// All steps of the run, after the first pass. Throws SceneError, with the panel's place, where
+    /// a third bead strikes one of the two, or where there are more than `most_steps`.
     std::vector<WalkStep> steps() const;
 
     static constexpr std::size_t most_steps = 2000;

@@ -35,8 +35,7 @@ struct Cause {
     double back, on;                       // time before and after the contact
 };
 
-// How long until the centres are as far apart as is shown, in a flight of at
-// most so long.
+// How long until the centres are as far apart as is shown, in a flight of at most so long.
 double time_apart(const Vector& between, const Vector& moving, double longest) {
     const double a = moving.square().sum(), b = std::abs((between * moving).sum());
     const double c = between.square().sum() * (1.0 - apart * apart);
@@ -374,8 +373,7 @@ void SingleCollisionPanel::draw(Canvas& canvas, const DrawContext& dc,
     }
 }
 
-// Places from the centre of mass; arrows are velocities, at contact their
-// changes.
+// Places from the centre of mass; arrows are velocities, at contact their changes.
 Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
     Table table{{"part", "stage", "of", column_name("x", reduced::length),
                  column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",

@@ -1,5 +1,5 @@
-// One collision in three pictures: before, at contact, after. Where everything
-// stands, as plain geometry, apart from how it is drawn.
+// One collision in three pictures: before, at contact, after. Where everything stands, as plain
+// geometry, apart from how it is drawn.
 #pragma once
 
 #include <array>
@@ -30,9 +30,8 @@ struct CollisionStages {
     double reach = 0.0;            ///< pixels of a unit of velocity
 };
 
-/// Of a collision in an area; side by side, or in a high area one above the
-/// other. On a wire arrows stand in rows of their own, above the beads and
-/// below, which they would cover.
+/// Of a collision in an area; side by side, or in a high area one above the other. On a wire
+/// arrows stand in rows of their own, above the beads and below, which they would cover.
 CollisionStages collision_stages(const PairCollision& pair, const Particles& particles,
                                  const Rect& area, double unit, int dimension);
 

@@ -1,5 +1,5 @@
-// The plane of the velocities of two beads, where a picture shows it: by equal
-// scales on both axes, 0 in the middle. Draws nothing but lines in it.
+// The plane of the velocities of two beads, where a picture shows it: by equal scales on both axes,
+// 0 in the middle. Draws nothing but lines in it.
 #pragma once
 
 #include <span>
@@ -23,8 +23,7 @@ struct VelocityPlane {
                    double width, Color color, std::span<const double> dashes) const;
 };
 
-/// Pixels of a unit in an area that shows velocities up to `reach` and a little
-/// more.
+/// Pixels of a unit in an area that shows velocities up to `reach` and a little more.
 double scale_in(const Rect& area, const Eigen::Array2d& reach);
 
 }  // namespace carom

@@ -29,8 +29,8 @@ constexpr int tolerance =
     2;  // letters and rims may be rounded otherwise by another machine's pixman
 
 bool is_cairo_of_the_kept() { return cairo_version() < CAIRO_VERSION_ENCODE(1, 17, 4); }
-constexpr int block = 8;             // pixels
-constexpr int block_tolerance = 12;  // of a mean over a block, of 255
+constexpr int block = 16;            // pixels
+constexpr int block_tolerance = 10;  // of a mean over a block, of 255; letters alone make up to 7
 
 struct Picture {
     std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface;

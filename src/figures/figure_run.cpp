@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "panels/echo/echo_record.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/precision.h"
 #include "panels/registry.h"
 #include "util/interrupt.h"
@@ -39,6 +40,9 @@ Scene alone(Scene scene, int later) {
     scene.gas.seed = scene.seed += static_cast<std::uint64_t>(later);
     return scene;
 }
+
+// Only plots show several runs.
+PlotPanel& plot_of(const Figure& figure) { return dynamic_cast<PlotPanel&>(*figure.panel); }
 
 bool shows(const Figure& figure, double time) {
     const std::size_t next = figure.moments.size();
@@ -242,7 +246,7 @@ void FigureRun::fix_axes() {
         if (others.empty())
             figure.panel->fix_axes();
         else
-            figure.panel->settle_with(others);
+            plot_of(figure).fix_axes_of_runs(others, {});
     }
     for (const FigureSpec& spec : scene_.figures) {
         if (spec.compare.empty()) continue;
@@ -253,7 +257,7 @@ void FigureRun::fix_axes() {
             others.push_back(runs[k]->figures.front().panel.get());
             names.push_back(spec.compare[k].label);
         }
-        runs.front()->figures.front().panel->settle_beside(others, names);
+        plot_of(runs.front()->figures.front()).fix_axes_of_runs(others, names);
     }
 }
 
@@ -265,7 +269,7 @@ void FigureRun::take_means() {
             std::vector<std::shared_ptr<const PanelState>> states;
             for (std::size_t k = 0; k < seeds; ++k)
                 states.push_back(runs_[k]->figure_of(figure.spec->name).moments[i].state);
-            figure.moments[i].state = figure.panel->mean_state(states);
+            figure.moments[i].state = plot_of(figure).state_of_runs(states);
         }
     }
 }
@@ -282,9 +286,10 @@ Figure FigureRun::side_by_side(const FigureSpec& spec) {
                          moment.collisions, ""});
     }
     Figure figure = std::move(runs.front()->figures.front());
-    figure.moments.front().state = figure.panel->beside(states);
-    const std::vector<std::string> told = figure.panel->told_of_runs(*figure.moments.front().state);
-    for (std::size_t k = 0; k < sides.size(); ++k) sides[k].told = told.at(k);
+    const PlotPanel& panel = plot_of(figure);
+    figure.moments.front().state = panel.state_of_runs(states);
+    const plot::Plot plot = panel.plot(figure.moments.front().state.get());
+    for (std::size_t k = 0; k < sides.size(); ++k) sides[k].account = plot.accounts_of_runs.at(k);
     figure.sides = std::move(sides);
     return figure;
 }

@@ -30,7 +30,7 @@ struct FigureSide {
     Eigen::Index particles = 0;
     double time = 0.0;           ///< that it is seen at
     CollisionCounts collisions;  ///< until then
-    std::string told;            ///< what a caption says of it: "mean speed 1.25"
+    std::string account;         ///< what a caption says of it: "mean speed 1.25"
 };
 
 /// One figure: its panel, and a moment for each of its times.

@@ -59,7 +59,7 @@ std::string caption_of_runs(const Scene& scene, const Figure& figure) {
         std::string words =
             fmt::format("{} ({}, {} between them, {}", side.label,
                         counted(side.particles, its.gas.box.dimension == 2 ? "disk" : "bead"),
-                        counted(side.collisions.particle, "collision"), side.told);
+                        counted(side.collisions.particle, "collision"), side.account);
         if (!have_one_time(figure)) words += " at time " + plain_number(side.time);
         runs.push_back(words + ")");
     }
@@ -69,7 +69,7 @@ std::string caption_of_runs(const Scene& scene, const Figure& figure) {
 
 std::string alt_of_runs(const Scene& scene, const Figure& figure) {
     std::vector<std::string> runs;
-    for (const FigureSide& side : figure.sides) runs.push_back(side.label + ", " + side.told);
+    for (const FigureSide& side : figure.sides) runs.push_back(side.label + ", " + side.account);
     return fmt::format("{} in one panel: {}. {}", comparison_words(scene, figure),
                        fmt::join(runs, "; "), scene.description);
 }
@@ -77,14 +77,15 @@ std::string alt_of_runs(const Scene& scene, const Figure& figure) {
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
     if (!figure.sides.empty()) return caption_of_runs(scene, figure);
     const char* things = scene.gas.box.dimension == 2 ? "disks" : "beads";
+    const std::string account = figure.panel->account(*figure.moments.back().state);
     if (figure.spec->panel.seeds > 1)
         return fmt::format(
             "{} {} {}: mean of {} independent runs of {} {} each, with its standard error; reduced "
-            "units.",
+            "units.{}{}",
             sentence(scene.title), kind_words(scene, *figure.spec), time_words(*figure.spec),
-            figure.spec->panel.seeds, grouped(particles), things);
-    if (const std::string account = figure.panel->account(*figure.moments.back().state);
-        !account.empty())
+            figure.spec->panel.seeds, grouped(particles), things, account.empty() ? "" : " ",
+            account);
+    if (!account.empty())
         return fmt::format("{} {} {}", sentence(scene.title),
                            sentence(kind_words(scene, *figure.spec)), account);
     const std::int64_t collisions = figure.moments.back().collisions.particle;

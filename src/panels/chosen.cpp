@@ -77,23 +77,6 @@ plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chos
     return words;
 }
 
-std::string colored_names(const PanelContext& context, const std::vector<Chosen>& chosen,
-                          const Theme& theme, const std::string& last, NameMark mark) {
-    if (chosen.size() == 1) return escape_markup(name_of(context, chosen.front()));
-    const bool numbers =
-        std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
-    std::string words = numbers ? "particles " : "";
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-        if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
-        const std::string name =
-            numbers ? std::to_string(*chosen[k].particle) : name_of(context, chosen[k]);
-        const Color color = choice_color(context, chosen[k], k, theme);
-        words += mark == NameMark::line ? line_sample(k, color, theme) : disk_sample(color, theme);
-        words += colored(name, color, theme);
-    }
-    return words;
-}
-
 std::string single_name(const PanelContext& context, Eigen::Index particle) {
     const auto species = static_cast<std::size_t>(context.particles.species[particle]);
     if (context.scene.gas.species[species].count > 1) return "";

@@ -48,13 +48,4 @@ plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& ch
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
                     plot::Sample sample, const std::string& last = " and ");
 
-/// What stands before names in print.
-enum class NameMark { line, disk };
-
-/// Names in their colours, as markup: "light and heavy", the last joined by `last`; uncoloured
-/// where there is one.
-std::string colored_names(const PanelContext& context, const std::vector<Chosen>& chosen,
-                          const Theme& theme, const std::string& last = " and ",
-                          NameMark mark = NameMark::line);
-
 }  // namespace carom

@@ -4,29 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
 #include "draw/palette.h"
 
 namespace carom {
-
-void Panel::settle_with(const std::vector<Panel*>&) {
-    throw std::logic_error("a panel of a kind that has no means");
-}
-
-std::shared_ptr<const PanelState> Panel::mean_state(
-    const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    return states.front();
-}
-
-void Panel::settle_beside(const std::vector<Panel*>&, const std::vector<std::string>&) {
-    throw std::logic_error("a panel of a kind that cannot be compared");
-}
-
-std::shared_ptr<const PanelState> Panel::beside(
-    const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    return states.front();
-}
 
 const Theme& theme_of(ThemeName name) {
     if (name == ThemeName::light) return theme(ThemeKind::light);

@@ -70,27 +70,6 @@ class Panel {
     /// A panel that reads it has seen no first pass, and is ready for the second.
     virtual void archive(Archive&) {}
 
-    /// The same for means of several runs: of this one and of others, panels of the same kind that
-    /// saw them, which it settles too. Only for kinds that have means.
-    virtual void settle_with(const std::vector<Panel*>& others);
-
-    /// What a picture of the mean of these states shows, this panel's first, then the others'.
-    virtual std::shared_ptr<const PanelState> mean_state(
-        const std::vector<std::shared_ptr<const PanelState>>& states) const;
-
-    /// fix_axes() for several runs drawn in one picture: of this one and of others, panels of the
-    /// same kind that saw them, which it settles too. `names` are this run's and theirs. Only for
-    /// kinds that can be compared.
-    virtual void settle_beside(const std::vector<Panel*>& others,
-                               const std::vector<std::string>& names);
-
-    /// What such a picture shows: these states together, this panel's first, then the others'.
-    virtual std::shared_ptr<const PanelState> beside(
-        const std::vector<std::shared_ptr<const PanelState>>& states) const;
-
-    /// What a caption says of each run in such a picture: "mean 1.25".
-    virtual std::vector<std::string> told_of_runs(const PanelState&) const { return {}; }
-
     /// Second pass, every frame in order.
     virtual std::shared_ptr<const PanelState> state(const FrameInput& input) = 0;
 

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "panels/gas/velocity_arrows.h"
-#include "panels/plots/comparison.h"
 
 namespace carom {
 namespace {

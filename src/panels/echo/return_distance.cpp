@@ -369,15 +369,9 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
         lines.entries.push_back(
             {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law"}});
     plot.notes = {std::move(lines)};
-    if (compares()) {
-        Note key{.wraps = true};
-        for (std::size_t k = 0; k < record_.runs.size(); ++k) {
-            plot.runs.push_back(record_.runs[k].name);
-            const Stroke stroke = stroke_of_run(k);
-            key.entries.push_back({stroke, {named(record_.runs[k].name, stroke.role)}});
-        }
-        plot.notes.push_back(std::move(key));
-    }
+    std::vector<std::string> names;
+    for (const auto& one : record_.runs) names.push_back(one.name);
+    if (compares()) name_runs(plot, std::move(names));
     const std::optional<double>& lost = record_.runs.front().bits;
     if (has_law() &&
         std::ranges::all_of(record_.runs, [&](const Echo& run) { return run.bits == lost; }))

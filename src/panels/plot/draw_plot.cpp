@@ -64,11 +64,14 @@ std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc) {
     return placed;
 }
 
-// In units.
+}  // namespace
+
 double height_of(const Note& note, const DrawContext& dc) {
     if (note.entries.empty()) return note.changes ? note_height : 0.0;
     return note_height + (note.wraps ? places(note, dc).back().at.y / dc.unit : 0.0);
 }
+
+namespace {
 
 double height_of_rows(const Plot& plot, const DrawContext& dc) {
     double sum = 0.0;

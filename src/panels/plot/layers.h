@@ -52,6 +52,9 @@ void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
 
 void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark);
 
+/// The height of a note under the title, in units.
+double height_of(const Note& note, const DrawContext& dc);
+
 /// A text as markup in a theme's colours.
 std::string markup_of(const Text& text, const Theme& theme);
 

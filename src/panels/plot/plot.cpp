@@ -41,4 +41,14 @@ const Layer& common(const AnyLayer& layer) {
     return std::visit([](const auto& one) -> const Layer& { return one; }, layer);
 }
 
+void name_runs(Plot& plot, std::vector<std::string> names) {
+    Note key{.entries = {}, .wraps = true};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const Stroke stroke = stroke_of_run(k);
+        key.entries.push_back({stroke, {named(names[k], stroke.role)}});
+    }
+    plot.notes.push_back(std::move(key));
+    plot.runs = std::move(names);
+}
+
 }  // namespace carom::plot

@@ -281,4 +281,8 @@ struct Plot {
     std::vector<std::string> accounts_of_runs = {};  ///< of each run: "mean 1.25"
 };
 
+/// Names the runs that stand side by side in a plot, with a key of them: a sample of its line
+/// before each name.
+void name_runs(Plot& plot, std::vector<std::string> names);
+
 }  // namespace carom::plot

@@ -1,5 +1,7 @@
 #include "panels/plot/plot_panel.h"
 
+#include <stdexcept>
+
 #include "panels/plot/draw_plot.h"
 
 namespace carom {
@@ -16,11 +18,11 @@ Table PlotPanel::table(const PanelState& state, const Theme&) const {
     return table_of(plot(&state));
 }
 
-std::vector<std::string> PlotPanel::told_of_runs(const PanelState& state) const {
-    return plot(&state).accounts_of_runs;
+void PlotPanel::fix_axes_of_runs(const std::vector<Panel*>&, const std::vector<std::string>&) {
+    throw std::logic_error("a panel of a kind that does not show several runs so");
 }
 
-std::shared_ptr<const PanelState> PlotPanel::beside(
+std::shared_ptr<const PanelState> PlotPanel::state_of_runs(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
     auto all = std::make_shared<ShownState>();
     for (const auto& state : states)

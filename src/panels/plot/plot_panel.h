@@ -28,11 +28,16 @@ class PlotPanel : public Panel {
     Table table(const PanelState& state, const Theme& theme) const final;
     std::string finding(const PanelState& state) const final { return plot(&state).finding; }
     std::string account(const PanelState& state) const final { return plot(&state).account; }
-    std::vector<std::string> told_of_runs(const PanelState& state) const final;
 
-    /// Of states that are a ShownState; kinds with others combine these.
-    std::shared_ptr<const PanelState> beside(
-        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    /// fix_axes() for several runs that one plot shows: of this one and of others, panels of the
+    /// same kind that saw them. With the names of all runs they are side by side, with none it is
+    /// their mean. Throws std::logic_error where the kind has no such plot.
+    virtual void fix_axes_of_runs(const std::vector<Panel*>& others,
+                                  const std::vector<std::string>& names);
+
+    /// What such a plot shows: the states of all its runs together, this panel's first.
+    virtual std::shared_ptr<const PanelState> state_of_runs(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const;
 };
 
 /// Whether there are means of such records.
@@ -50,16 +55,23 @@ class RecordPanel : public PlotPanel {
         finish_record();
         make_axes();
     }
-    void settle_with(const std::vector<Panel*>& others) final {
-        if constexpr (HasMean<Record>)
-            join(others, [](std::vector<Record> records) { return mean_of(std::move(records)); });
+    void fix_axes_of_runs(const std::vector<Panel*>& others,
+                          const std::vector<std::string>& names) final {
+        finish_record();
+        std::vector<Record> records{std::move(record_)};
+        for (Panel* other : others) {
+            auto& run = dynamic_cast<RecordPanel&>(*other);
+            run.finish_record();
+            records.push_back(run.record_);
+        }
+        if (!names.empty())
+            record_ = compare(std::move(records), names);
+        else if constexpr (HasMean<Record>)
+            record_ = mean_of(std::move(records));
         else
-            Panel::settle_with(others);
-    }
-    void settle_beside(const std::vector<Panel*>& others,
-                       const std::vector<std::string>& names) final {
-        join(others,
-             [&](std::vector<Record> records) { return compare(std::move(records), names); });
+            PlotPanel::fix_axes_of_runs(others, names);
+        make_axes();
+        for (Panel* other : others) dynamic_cast<RecordPanel&>(*other).take_axes(*this);
     }
     const Record& record() const { return record_; }
 
@@ -74,21 +86,6 @@ class RecordPanel : public PlotPanel {
     virtual void take_axes(const RecordPanel& of) { (void)of; }
 
     Record record_;
-
-  private:
-    template <class Combine>
-    void join(const std::vector<Panel*>& others, const Combine& combine) {
-        finish_record();
-        std::vector<Record> records{std::move(record_)};
-        for (Panel* other : others) {
-            auto& run = dynamic_cast<RecordPanel&>(*other);
-            run.finish_record();
-            records.push_back(run.record_);
-        }
-        record_ = combine(std::move(records));
-        make_axes();
-        for (Panel* other : others) dynamic_cast<RecordPanel&>(*other).take_axes(*this);
-    }
 };
 
 }  // namespace carom

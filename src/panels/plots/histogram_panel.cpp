@@ -184,14 +184,9 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
     return state;
 }
 
-std::shared_ptr<const PanelState> HistogramPanel::mean_state(
+std::shared_ptr<const PanelState> HistogramPanel::state_of_runs(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    return state_of(mean_of(counts_of(states)));
-}
-
-std::shared_ptr<const PanelState> HistogramPanel::beside(
-    const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    return state_of(compare(counts_of(states), axes_));
+    return state_of(compares() ? compare(counts_of(states), axes_) : mean_of(counts_of(states)));
 }
 
 }  // namespace carom

@@ -46,9 +46,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void survey(const FrameInput& input) override;
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
-    std::shared_ptr<const PanelState> mean_state(
-        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
-    std::shared_ptr<const PanelState> beside(
+    std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;
 

@@ -303,15 +303,9 @@ Plot HistogramPanel::plot(const PanelState* state) const {
     add_titles(plot);
     plot.columns = {from_name(), to_name(), value_name()};
     if (axes_.runs > 1) plot.columns.emplace_back("standard error (count)");
-    if (compares()) {
-        Note key{.wraps = true};
-        for (std::size_t k = 0; k < count(); ++k) {
-            plot.runs.push_back(axes_.series[k].name);
-            const Stroke stroke = stroke_of_run(k);
-            key.entries.push_back({stroke, {named(axes_.series[k].name, stroke.role)}});
-        }
-        plot.notes.push_back(std::move(key));
-    }
+    std::vector<std::string> names;
+    for (const auto& one : axes_.series) names.push_back(one.name);
+    if (compares()) name_runs(plot, std::move(names));
     for (std::size_t k = 0; spec_.fit && k < std::min(count(), most_fit_rows); ++k)
         plot.notes.push_back(fit_note(k, now ? &now->series[k] : nullptr));
     plot.bar_notes = bar_notes(now);

@@ -113,15 +113,9 @@ void SeriesPanel::make_plot() {
         whole_.columns.push_back("standard error of " + column);
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
-    if (compares) {
-        plot::Note key{.entries = {}, .wraps = true};
-        for (std::size_t k = 0; k < record_.runs.size(); ++k) {
-            const plot::Stroke stroke = plot::stroke_of_run(k);
-            whole_.runs.push_back(record_.runs[k].name);
-            key.entries.push_back({stroke, {plot::named(record_.runs[k].name, stroke.role)}});
-        }
-        whole_.notes.push_back(std::move(key));
-    }
+    std::vector<std::string> names;
+    for (const auto& one : record_.runs) names.push_back(one.name);
+    if (compares) plot::name_runs(whole_, std::move(names));
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
     add_levels();
     add_turns();

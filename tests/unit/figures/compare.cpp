@@ -10,7 +10,7 @@
 #include "draw/style.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
-#include "panels/plots/comparison.h"
+#include "panels/plot/layers.h"
 #include "panels/plots/histogram_panel.h"
 #include "panels/plots/series_panel.h"
 #include "scene/limits.h"
@@ -76,7 +76,7 @@ TEST_CASE("runs of several seeds side by side are the runs of these seeds") {
         CHECK(side.particles == 60);
         CHECK(side.time == 3.0);
         CHECK(side.collisions.particle == one.figures()[0].moments[0].collisions.particle);
-        CHECK(side.told == "mean speed " + three_digits(shown[k].mean));
+        CHECK(side.account == "mean speed " + three_digits(shown[k].mean));
     }
 }
 
@@ -162,9 +162,9 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
         if (first != 0.0) CHECK(number((*step)[6]) < first - 15.0);
         first = number((*step)[6]);
     }
-    CHECK(figure.sides[0].told.starts_with("a radius astray after "));
-    CHECK(figure.sides[2].told.find("\u207B") != std::string::npos);  // a small power of ten
-    CHECK(figure.sides[2].told.find(" from the way out after ") != std::string::npos);
+    CHECK(figure.sides[0].account.starts_with("a radius astray after "));
+    CHECK(figure.sides[2].account.find("\u207B") != std::string::npos);  // a small power of ten
+    CHECK(figure.sides[2].account.find(" from the way out after ") != std::string::npos);
     const FigureWords words = words_of(together, figure);
     CHECK(words.caption.find("53 bits (260 disks, ") != std::string::npos);
     CHECK(words.caption.find("The growth law: distances double ") != std::string::npos);
@@ -202,9 +202,9 @@ TEST_CASE("each run may end at its own time, and is told to") {
     const FigureWords words = words_of(together, figure);
     CHECK(words.caption.starts_with(
         "A gas. Temperature of 2 runs, each at its end: long (60 disks, "));
-    CHECK(words.caption.find("temperature " + figure.sides[1].told.substr(12) + " at time 2)") !=
+    CHECK(words.caption.find("temperature " + figure.sides[1].account.substr(12) + " at time 2)") !=
           std::string::npos);
-    CHECK(figure.sides[1].told.starts_with("temperature "));
+    CHECK(figure.sides[1].account.starts_with("temperature "));
 }
 
 TEST_CASE("captions and alternative texts have the numbers of every run") {
@@ -216,9 +216,9 @@ TEST_CASE("captions and alternative texts have the numbers of every run") {
                         grouped(side.collisions.particle));
         const std::size_t begin = words.caption.find(words_of_it);
         REQUIRE(begin != std::string::npos);
-        CHECK(words.caption.find(" between them, " + side.told + ")", begin) <
+        CHECK(words.caption.find(" between them, " + side.account + ")", begin) <
               words.caption.find(')', begin));
-        CHECK(words.alt.find(side.label + ", " + side.told) != std::string::npos);
+        CHECK(words.alt.find(side.label + ", " + side.account) != std::string::npos);
     }
     CHECK(words.caption.starts_with("A gas. Speed histogram at time 3 of 3 runs: cold ("));
     CHECK(words.caption.ends_with("; reduced units."));
@@ -249,9 +249,10 @@ TEST_CASE("every run has a line of its own, by its dashes alone and by its colou
         std::set<std::vector<double>> dashes;
         std::set<std::uint32_t> inks;
         for (std::size_t k = 0; k < most_compared.count(); ++k) {
-            dashes.insert(compared_dashes(k, dc));
-            inks.insert(to_pixel(compared_color(k, colors)));
-            CHECK(contrast(compared_color(k, colors), colors.page) >= 3.0 - 1e-9);
+            const plot::Stroke stroke = plot::stroke_of_run(k);
+            dashes.insert(dashes_of(stroke, dc));
+            inks.insert(to_pixel(color_of(stroke, colors)));
+            CHECK(contrast(color_of(stroke, colors), colors.page) >= 3.0 - 1e-9);
         }
         CHECK(dashes.size() == most_compared.count());
         CHECK(inks.size() == most_compared.count());
@@ -261,10 +262,15 @@ TEST_CASE("every run has a line of its own, by its dashes alone and by its colou
 TEST_CASE("a key that is longer than a column takes several rows") {
     DiskPainter disks;
     const DrawContext dc{{0, 0, 360, 300}, 10, theme(ThemeKind::print), disks};
-    CHECK(key_rows(dc, {}) == 0);
-    CHECK(key_rows(dc, {"one", "two", "three"}) == 1);
-    CHECK(key_rows(dc, {"a name of some length", "another name like it", "and a third"}) == 2);
-    CHECK(key_rows(dc, {std::string(200, 'x'), "short"}) == 2);
+    const auto rows = [&](const std::vector<std::string>& names) {
+        plot::Plot plot;
+        name_runs(plot, names);
+        return height_of(plot.notes.front(), dc) / note_height;
+    };
+    CHECK(rows({}) == 0);
+    CHECK(rows({"one", "two", "three"}) == 1);
+    CHECK(rows({"a name of some length", "another name like it", "and a third"}) == 2);
+    CHECK(rows({std::string(200, 'x'), "short"}) == 2);
 }
 
 TEST_CASE("what cannot be compared is refused with the reason") {

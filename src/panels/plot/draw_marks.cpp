@@ -96,8 +96,10 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Level& level) {
 void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker) {
     const double x = frame.x(marker.value);
     if (!(x >= frame.area.x && x <= frame.area.right())) return;
-    const double top = marker.up_to ? frame.y(*marker.up_to, Beyond::clamped) : frame.area.y;
-    draw_straight(canvas, frame.dc, {x, top}, {x, frame.area.bottom()}, marker.stroke);
+    Point from{x, frame.area.bottom()}, to{x, frame.area.y};  // dashes begin at `from`
+    if (marker.up_to)
+        from = {x, frame.y(*marker.up_to, Beyond::clamped)}, to.y = frame.area.bottom();
+    draw_straight(canvas, frame.dc, from, to, marker.stroke);
     if (marker.label) draw_layer(canvas, frame, *marker.label);
 }
 

@@ -274,7 +274,9 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         [](const AnyLayer* layer) { return std::holds_alternative<Bars>(*layer); });
     for (const AnyLayer* layer : layers) {
         std::visit([&](const auto& one) { draw_layer(canvas, frame, one); }, *layer);
-        if (last_bars != layers.rend() && layer == *last_bars) draw_over_bars(canvas, frame, plot);
+        if (last_bars == layers.rend() || layer != *last_bars) continue;
+        draw_over_bars(canvas, frame, plot);
+        draw_counts_beyond(canvas, frame, plot);
     }
     if (!still) draw_names(canvas, frame, plot);
     draw_notes(canvas, frame, plot, part);

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "panels/plots/histogram_panel.h"
@@ -156,6 +157,7 @@ TEST_CASE("chosen particles are drawn together, each choice with its own bars an
     Stage stage(10);
     stage.particles.species.tail(3) = 1;
     stage.scene.gas.species.resize(2);
+    stage.scene.looks.resize(2);
     PanelSpec spec = four_bins(Over::Since::now);
     spec.of = {{}, {1, {}}, {{}, 0}};
     HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, speeds_with({}));
@@ -191,7 +193,9 @@ TEST_CASE("the number beyond the lower end is told beside the axis, which stays 
     const Tick tick;
     const Sample sample;
     const AdvanceResult advanced;
+    const TextLog log;
     panel.draw(canvas, dc, *panel.state({tick, sample, values, values, advanced}));
+    CHECK(std::ranges::count(log.lines, "← 1", &DrawnLine::markup) == 1);
     const std::vector<std::uint32_t> drawn = test::pixels_of(canvas);
     CHECK(drawn != ground);
     // The axis is the column with most ink.

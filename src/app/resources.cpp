@@ -1,5 +1,6 @@
 #include "app/resources.h"
 
+#include "panels/registry.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -15,6 +16,8 @@ std::filesystem::path templates_folder() {
     }
     throw SystemError("cannot find carom's templates folder near " + program.string());
 }
+
+SceneResources scene_resources() { return {templates_folder(), panel_kinds()}; }
 
 std::filesystem::path library_folder() { return templates_folder().parent_path() / "scenes"; }
 

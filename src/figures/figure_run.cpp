@@ -140,8 +140,7 @@ void FigureRun::OfSeed::begin(const RunsCallbacks& on_progress) {
     const PanelContext context{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_,
                                false};
     for (const FigureSpec* spec : specs_)
-        figures.push_back({spec, spec->panel.kind == "gas" ? make_gas_panel(context)
-                                                           : make_panel(context, spec->panel)});
+        figures.push_back({spec, make_panel(context, spec->panel)});
 }
 
 FrameInput FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,

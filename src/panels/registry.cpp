@@ -1,40 +1,101 @@
 #include "panels/registry.h"
 
-#include <array>
 #include <cassert>
 
+#include "panels/collision/collision_map_keys.h"
+#include "panels/echo/return_distance_keys.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
+#include "scene/reading/panel_reading.h"
 
 namespace carom {
 namespace {
 
-struct Entry {
-    std::string kind;
-    std::unique_ptr<Panel> (*make)(const PanelContext&, const PanelSpec&);
-};
+std::vector<Binding<PanelSpec>> reference_key() {
+    return {
+        bind_key("reference", &PanelSpec::reference_initial,
+                 one_of<bool>({{"now", false}, {"initial", true}}),
+                 "The mean speed that slow and fast are measured by: the present one, or that at "
+                 "the start.")};
+}
 
-const std::array entries{
-    Entry{"speed-histogram", make_speed_histogram},
-    Entry{"energy-histogram", make_energy_histogram},
-    Entry{"velocity-histogram", make_velocity_histogram},
-    Entry{"position-histogram", make_position_histogram},
-    Entry{"energy-by-species", make_energy_by_species},
-    Entry{"speed-classes", make_speed_classes},
-    Entry{"temperature", make_temperature},
-    Entry{"entropy", make_entropy},
-    Entry{"pressure", make_pressure},
-    Entry{"return-distance", make_return_distance},
-    Entry{"phase", make_phase},
-    Entry{"positions", make_positions},
-    Entry{"monitors", make_monitors},
-    Entry{"single-collision", make_single_collision},
-    Entry{"contact-time", make_contact_time},
-    Entry{"collision-map", make_collision_map},
-    Entry{"text", make_text},
-};
+std::vector<Binding<PanelSpec>> numbers_key() {
+    return {
+        bind_key("numbers", &PanelSpec::numbers, monitors_notation(),
+                 "Which numbers it shows; all-collisions counts those with walls too, "
+                 "return-distance is the largest of a particle from where it was on the way out.")
+            .default_text("all but all-collisions and return-distance")};
+}
+
+std::vector<Binding<PanelSpec>> words_key() {
+    return {bind_key("words", &PanelSpec::words, lines(1, most_words_letters),
+                     "What the panel says, in lines as its place allows; an empty line parts "
+                     "paragraphs.")
+                .default_text("required for a text")};
+}
+
+void check_words(PanelSpec&, const Node& node, Reading& reading) {
+    if (!node.is_mapping() || find(node, "words") == nullptr)
+        reading.errors.add(node, "a panel of kind `text` needs `words`",
+                           "for instance {kind: text, words: \"Watch the red disk.\"}");
+}
+
+std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec&) {
+    return make_gas_panel(context);
+}
+
+std::vector<PanelKind> all_kinds() {
+    using enum Ability;
+    return {
+        {.name = "speed-histogram",
+         .make = make_speed_histogram,
+         .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison}},
+        {.name = "energy-histogram",
+         .make = make_energy_histogram,
+         .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison}},
+        {.name = "velocity-histogram",
+         .make = make_velocity_histogram,
+         .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison}},
+        {.name = "position-histogram",
+         .make = make_position_histogram,
+         .abilities = {bars, of, over, component, means, comparison}},
+        {.name = "energy-by-species", .make = make_energy_by_species, .abilities = {means}},
+        {.name = "speed-classes",
+         .make = make_speed_classes,
+         .abilities = {means},
+         .keys = reference_key()},
+        {.name = "temperature", .make = make_temperature, .abilities = {of, means, comparison}},
+        {.name = "entropy", .make = make_entropy, .abilities = {means, comparison}},
+        {.name = "pressure", .make = make_pressure, .abilities = {over, means, comparison}},
+        {.name = "return-distance",
+         .make = make_return_distance,
+         .abilities = {theory, comparison},
+         .keys = return_distance_keys(),
+         .rule = check_return_distance},
+        {.name = "phase", .make = make_phase, .abilities = {of, component}},
+        {.name = "positions", .make = make_positions, .abilities = {of, two, component}},
+        {.name = "monitors", .make = make_monitors, .keys = numbers_key()},
+        {.name = "single-collision", .make = make_single_collision, .abilities = {of, pair}},
+        {.name = "contact-time", .make = make_contact_time, .abilities = {of, pair}},
+        {.name = "collision-map",
+         .make = make_collision_map,
+         .abilities = {of, pair},
+         .keys = collision_map_keys(),
+         .rule = check_collision_map},
+        {.name = "text", .make = make_text, .keys = words_key(), .rule = check_words},
+        {.name = "gas",
+         .make = make_gas,
+         .abilities = {strip},
+         .in_films_instead = "the box is in every film; the template says where"},
+    };
+}
 
 }  // namespace
+
+PanelKinds panel_kinds() {
+    static const std::vector<PanelKind> kinds = all_kinds();
+    return kinds;
+}
 
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context) {
     if (context.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(context);
@@ -42,19 +103,9 @@ std::unique_ptr<Panel> make_gas_panel(const PanelContext& context) {
 }
 
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec) {
-    for (const Entry& entry : entries)
-        if (entry.kind == spec.kind) return entry.make(context, spec);
-    assert(false && "a validated scene names only registered panels");
-    return nullptr;
-}
-
-std::span<const std::string> registered_panels() {
-    static const std::array<std::string, entries.size()> kinds = [] {
-        std::array<std::string, entries.size()> names;
-        for (std::size_t i = 0; i < entries.size(); ++i) names[i] = entries[i].kind;
-        return names;
-    }();
-    return kinds;
+    const PanelKind* kind = kind_of(panel_kinds(), spec.kind);
+    assert(kind != nullptr && "a validated scene names only kinds that there are");
+    return kind->make(context, spec);
 }
 
 }  // namespace carom

@@ -1,13 +1,20 @@
-// The panel kinds a film can show: one line each in registry.cpp.
+// The kinds of panel, all in one list. A new kind is a file that makes it and an entry in
+// registry.cpp: the keys that it takes, their check, the schema and the reference page follow from
+// the entry.
 #pragma once
 
 #include <memory>
 #include <span>
-#include <string>
 
 #include "panels/panel.h"
 
 namespace carom {
+
+struct PanelKind;  // scene/panel_kind.h
+
+/// All kinds, in the order in which messages and pages list them. The list lives as long as the
+/// program.
+std::span<const PanelKind> panel_kinds();
 
 /// Makes a panel of `spec.kind`. An unknown kind is a programmer's error: the scene has been
 /// validated.
@@ -15,9 +22,6 @@ std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& 
 
 /// The box of a plane, or the wire.
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context);
-
-/// The kinds that make_panel knows.
-std::span<const std::string> registered_panels();
 
 std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const PanelSpec& spec);
 std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec);

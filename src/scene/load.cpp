@@ -9,8 +9,7 @@
 #include "scene/overrides.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
-#include "scene/reading/gas_reading.h"
-#include "scene/reading/run_reading.h"
+#include "scene/reading/scene_reading.h"
 #include "scene/reading/template.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
@@ -70,7 +69,7 @@ Node empty_mapping(const Source& source) {
     return node;
 }
 
-/// A scene's tree with its template's, checked for form.
+/// What a scene and its template say, and where: checked for form.
 struct Tree {
     Node root;
     int dimension = 2;  ///< of the box
@@ -79,12 +78,21 @@ struct Tree {
     std::string template_name;
 };
 
-void read_template(Tree& tree, const fs::path& scene, const fs::path& templates, Sources& sources,
-                   Errors& errors) {
-    const Fields film{tree.film, section_of(scene_section(), "film")};
-    const Node* asked = film.value("template");
-    if (film.mentions("template") && film.given("template") == nullptr) return;
-    const auto file = find_template(*asked, scene, templates, errors, *tree.root.source);
+// Where the name of the film's template is written; the scene, if it is the usual one; nothing if
+// there is a mistake in it.
+std::optional<Node> template_asked(const Tree& tree) {
+    if (const Node* asked = given(tree.film, "template")) return *asked;
+    if (find(tree.film, "template") != nullptr) return std::nullopt;
+    Node usual = default_node(Film{}.template_name);
+    usual.source = tree.root.source;
+    return usual;
+}
+
+void read_template(Tree& tree, const fs::path& scene, const SceneResources& resources,
+                   Sources& sources, Errors& errors) {
+    const auto asked = template_asked(tree);
+    if (!asked) return;
+    const auto file = find_template(*asked, scene, resources.templates, errors);
     if (!file) return;
     Source& source = sources.emplace_back();
     source = {file->path.string(), {}, Origin::template_file};
@@ -100,8 +108,9 @@ void read_template(Tree& tree, const fs::path& scene, const fs::path& templates,
                                            described(tree.template_file));
         return;
     }
-    check_mapping(tree.template_file, template_section(), errors);
-    tree.film = lay_over(tree.film, tree.template_file);
+    const KeyTable<FilmDraft> table = template_table(resources.panels);
+    check_mapping(tree.template_file, table.section(), errors);
+    tree.film = lay_over(tree.film, tree.template_file, table.choices);
 }
 
 double usual_sample_every(const Scene& scene, bool has_film) {
@@ -110,47 +119,59 @@ double usual_sample_every(const Scene& scene, bool has_film) {
     return scene.run.until / steps;
 }
 
-Scene read_scene(const Tree& tree, const fs::path& templates, Wanted wanted, Errors& errors) {
-    const Fields fields{tree.root, scene_section(tree.dimension)};
-    Scene scene;
-    scene.title = fields.text("title").value_or("");
-    scene.subtitle = fields.text("subtitle").value_or("");
-    scene.seed = static_cast<std::uint64_t>(fields.integer("seed").value_or(1));
+// The gas and the run from the drafts of the scene, which they are checked with.
+void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
+    Scene& scene = draft.scene;
     scene.gas.seed = scene.seed;
-    const auto box = read_box(fields, tree.dimension, errors);
-    const std::vector<SpeciesDraft> drafts = read_species(fields, tree.dimension, errors);
-    const RunDraft run = read_run(fields, errors);
-    scene.run = run.run;
-    scene.marks = run.marks;
-    for (const CaptionDraft& draft : run.captions) scene.captions.push_back(draft.caption);
-    scene.precision_place = place_of(run.precision != nullptr ? *run.precision : tree.root);
-    for (const Node* node : run.event_nodes) scene.event_places.push_back(place_of(*node));
-    if (box) {
-        scene.gas.box = *box;
-        if (box->dimension == 1) check_wire(*box, drafts, scene.run, errors);
-        if (box->dimension == 2) check_room(*box, drafts, errors);
-        if (errors.empty()) check_jam(*box, drafts, errors);
+    scene.run = draft.run.run;
+    scene.marks = draft.run.marks;
+    for (const auto& [caption, node] : draft.run.captions) scene.captions.push_back(caption);
+    const Node* precision = draft.run.precision;
+    scene.precision_place = place_of(precision != nullptr ? *precision : root);
+    for (const Node* node : draft.run.event_nodes) scene.event_places.push_back(place_of(*node));
+    for (const SpeciesDraft& species : draft.species) {
+        scene.gas.species.push_back(species.species);
+        scene.looks.push_back(species.look);
+        scene.species_spans.push_back(place_of(*species.node));
     }
-    for (const SpeciesDraft& draft : drafts) {
-        scene.gas.species.push_back(draft.species);
-        scene.looks.push_back(draft.look);
-        scene.species_spans.push_back(place_of(*draft.node));
-    }
-    if (box) check_nudges(run, scene.gas, errors);
-    const bool has_film = fields.mentions("film");
-    if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film)) {
-        const auto layout = read_layout({tree.template_file, template_section()}, errors);
-        scene.film = read_film(
-            {tree.film, section_of(scene_section(), "film")}, fields, scene.run, scene.gas, layout,
-            [&](std::size_t panels) { return templates_with_places(templates, panels); }, errors);
-        scene.film.template_name = tree.template_name;
-        if (errors.empty()) check_captions(scene, run.captions, fields, errors);
-        if (!scene.captions.empty()) scene.film.layout = with_caption_line(scene.film.layout);
-    }
-    scene.figures = read_figures(fields, {scene.gas, scene.run}, errors);
+    if (!draft.box) return;
+    scene.gas.box = *draft.box;
+    if (draft.box->dimension == 1) check_wire(*draft.box, draft.species, scene.run, errors);
+    if (draft.box->dimension == 2) check_room(*draft.box, draft.species, errors);
+    if (errors.empty()) check_jam(*draft.box, draft.species, errors);
+    check_nudges(draft.run, scene.gas, errors);
+}
+
+void complete_film(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
+                   Reading& reading) {
+    const auto layout = read_layout(tree.template_file, reading);
+    FilmDraft film;
+    film_table(resources.panels).read(tree.film, film, reading);
+    const auto others = [&](std::size_t panels) {
+        return templates_with_places(resources.templates, panels);
+    };
+    Scene& scene = draft.scene;
+    film.template_name = tree.template_name;
+    scene.film = complete_film(film, tree.film, tree.root, layout, others, reading);
+    if (reading.errors.empty())
+        check_captions(scene, draft.run.captions, tree.root, reading.errors);
+    if (!scene.captions.empty()) scene.film.layout = with_caption_line(scene.film.layout);
+}
+
+Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wanted, Errors& errors) {
+    SceneDraft draft;
+    Scene& scene = draft.scene;
+    Reading reading{errors, scene.gas, scene.run};
+    scene_table(resources.panels, tree.dimension).read(tree.root, draft, reading);
+    complete_physics(draft, tree.root, errors);
+    const bool has_film = find(tree.root, "film") != nullptr;
+    if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film))
+        complete_film(draft, tree, resources, reading);
+    if (draft.figures != nullptr)
+        scene.figures = figures_notation(resources.panels).read(*draft.figures, reading).value();
     errors.throw_if_any();
     if (scene.run.sample_every == 0.0) scene.run.sample_every = usual_sample_every(scene, has_film);
-    scene.description = fields.text("description").value_or(describe(scene));
+    scene.description = draft.description.value_or(describe(scene));
     return scene;
 }
 
@@ -175,7 +196,7 @@ Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides
     throw SceneError({std::move(error)});
 }
 
-// Of all figures, told together.
+// Of all figures; their mistakes are reported together.
 template <typename Reload>
 void load_compared(Scene& scene, const Overrides& overrides, const Reload& reload) {
     std::vector<Diagnostic> errors;
@@ -199,7 +220,7 @@ void keep_figure(Node& root, const std::string& name) {
 }
 
 // With `figure`, as a run that this figure compares: the only one that is looked at, if it is here.
-Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
+Scene load(Sources& sources, const fs::path& path, const SceneResources& resources,
            const Overrides& overrides, Wanted wanted,
            const std::optional<std::string>& figure = {}) {
     const Source& source = sources.front();
@@ -221,11 +242,11 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
     refuse_newer_format(tree.root);
     refuse_figure_set(tree.root);
     tree.dimension = dimension_of(tree.root);
-    check_mapping(tree.root, scene_section(tree.dimension), errors);
+    check_mapping(tree.root, scene_table(resources.panels, tree.dimension).section(), errors);
     const Node* film = find(tree.root, "film");
     tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
-    read_template(tree, path, templates, sources, errors);
-    Scene scene = read_scene(tree, templates, wanted, errors);
+    read_template(tree, path, resources, sources, errors);
+    Scene scene = read_scene(tree, resources, wanted, errors);
     const Source* used = tree.template_file.source;
     scene.source = {source.name, source.text, used != nullptr ? used->text : "", {}};
     for (const auto& [key, value] : overrides.values)
@@ -234,12 +255,12 @@ Scene load(Sources& sources, const fs::path& path, const fs::path& templates,
         load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
             Sources again(1);
             again.front() = {source.name, source.text, Origin::scene};
-            return load(again, path, templates, others, wanted, name);
+            return load(again, path, resources, others, wanted, name);
         });
     return scene;
 }
 
-Scene load_file(const fs::path& path, const fs::path& templates, const Overrides& overrides,
+Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                 Wanted wanted, const std::optional<std::string>& figure) {
     const bool streamed = path == standard_input;
     const fs::path name = streamed ? "<stdin>" : path;
@@ -251,25 +272,25 @@ Scene load_file(const fs::path& path, const fs::path& templates, const Overrides
                          : file_text(path, sources.front(), errors);
     errors.throw_if_any();
     sources.front().text = std::move(text.value());
-    return load(sources, name, templates, overrides, wanted, figure);
+    return load(sources, name, resources, overrides, wanted, figure);
 }
 
 }  // namespace
 
-Scene load_run(const fs::path& path, const fs::path& templates, const Overrides& overrides) {
-    return load_file(path, templates, overrides, Wanted::film, "");
+Scene load_run(const fs::path& path, const SceneResources& resources, const Overrides& overrides) {
+    return load_file(path, resources, overrides, Wanted::film, "");
 }
 
-Scene load_scene(const fs::path& path, const fs::path& templates, const Overrides& overrides,
+Scene load_scene(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                  Wanted wanted) {
-    return load_file(path, templates, overrides, wanted, {});
+    return load_file(path, resources, overrides, wanted, {});
 }
 
-Scene load_scene_text(const std::string& text, const std::string& name, const fs::path& templates,
-                      const Overrides& overrides, Wanted wanted) {
+Scene load_scene_text(const std::string& text, const std::string& name,
+                      const SceneResources& resources, const Overrides& overrides, Wanted wanted) {
     Sources sources(1);
     sources.front() = {name, text, Origin::scene};
-    return load(sources, name, templates, overrides, wanted);
+    return load(sources, name, resources, overrides, wanted);
 }
 
 }  // namespace carom

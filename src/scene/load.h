@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/panel_kind.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -21,22 +22,27 @@ struct Overrides {
 /// time where a film is wanted, and has none where only the physics is.
 enum class Wanted { film, physics };
 
+/// What carom brings along for scenes.
+struct SceneResources {
+    std::filesystem::path templates;  ///< the folder that holds films/
+    PanelKinds panels;                ///< all kinds of panel (panels/registry.h)
+};
+
 /// The path that stands for standard input.
 inline constexpr std::string_view standard_input = "-";
 
 /// Loads and validates; of standard_input all that is there, as `<stdin>` in the working folder.
-/// `templates` is carom's own template folder (holding films/). Throws
-/// SceneError with every diagnostic of the file.
-Scene load_scene(const std::filesystem::path& path, const std::filesystem::path& templates,
+/// Throws SceneError with every diagnostic of the file.
+Scene load_scene(const std::filesystem::path& path, const SceneResources& resources,
                  const Overrides& overrides = {}, Wanted wanted = Wanted::film);
 
 /// The same without what it lists under `figures`, for figures of others that show its run.
-Scene load_run(const std::filesystem::path& path, const std::filesystem::path& templates,
+Scene load_run(const std::filesystem::path& path, const SceneResources& resources,
                const Overrides& overrides);
 
 /// The same from text; `name` stands in for the path in messages.
 Scene load_scene_text(const std::string& text, const std::string& name,
-                      const std::filesystem::path& templates, const Overrides& overrides = {},
+                      const SceneResources& resources, const Overrides& overrides = {},
                       Wanted wanted = Wanted::film);
 
 }  // namespace carom

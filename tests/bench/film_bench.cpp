@@ -49,7 +49,7 @@ Scene scene_of(int disks, double seconds) {
         "  - {{name: heavy, count: {4}, radius: 0.5, mass: 9, speed: 0.1}}\n"
         "run: {{until: 40}}\nfilm: {{seconds: {5}}}\n",
         disks, width, 0.75 * width, disks / 2, disks - disks / 2, seconds);
-    return load_scene_text(text, "bench", templates_folder());
+    return load_scene_text(text, "bench", scene_resources());
 }
 
 struct Yuv {

@@ -25,12 +25,12 @@ struct CheckArguments : SceneOptions {
 
 // A scene that says nothing of a film, and of which none can be made, is good for its physics.
 std::pair<Scene, bool> loaded(const std::string& path, const Overrides& overrides) {
-    const std::filesystem::path templates = templates_folder();
+    const SceneResources resources = scene_resources();
     try {
-        return {load_scene(path, templates, overrides, Wanted::film), true};
+        return {load_scene(path, resources, overrides, Wanted::film), true};
     } catch (const SceneError& error) {
         try {
-            return {load_scene(path, templates, overrides, Wanted::physics), false};
+            return {load_scene(path, resources, overrides, Wanted::physics), false};
         } catch (const SceneError&) {
             throw error;
         }

@@ -9,7 +9,8 @@
 
 #include "app/command.h"
 #include "app/resources.h"
-#include "scene/keys/starter.h"
+#include "panels/registry.h"
+#include "scene/starter.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -86,9 +87,10 @@ fs::path source(const std::string& from) {
 
 std::string text_for(const NewArguments& arguments, const fs::path& file) {
     const std::string schema = schema_reference(file);
-    if (arguments.from.empty()) return starter_scene(schema, file.filename().string());
-    // Its mistakes are told where they are.
-    const Scene scene = load_scene(source(arguments.from), templates_folder());
+    if (arguments.from.empty())
+        return starter_scene(panel_kinds(), schema, file.filename().string());
+    // Its mistakes are reported where they are.
+    const Scene scene = load_scene(source(arguments.from), scene_resources());
     return starter_from(scene.source.text, schema);
 }
 
@@ -119,7 +121,7 @@ void make_scene(const NewArguments& arguments) {
     std::error_code error;
     if (fs::exists(fs::symlink_status(file, error))) fail(file, EEXIST);
     const std::string text = text_for(arguments, file);
-    load_scene_text(text, file.string(), templates_folder());  // a template beside the other one
+    load_scene_text(text, file.string(), scene_resources());  // a template beside the other one
     write_new(file, text);
     if (!arguments.quiet)
         fmt::print("{0}: a scene; `carom render {0}` makes its film\n", file.string());

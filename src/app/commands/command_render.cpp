@@ -98,10 +98,10 @@ std::string timings(const RenderReport& report) {
 
 // All scenes before any work: a mistake in the last one must not cost the hours of the first.
 std::vector<Scene> load_all(const RenderArguments& arguments) {
-    const fs::path templates = templates_folder();
+    const SceneResources resources = scene_resources();
     const Overrides overrides = overrides_of(arguments);
     return all_made(arguments.scenes, [&](const std::string& name) {
-        return load_scene(name, templates, overrides);
+        return load_scene(name, resources, overrides);
     });
 }
 

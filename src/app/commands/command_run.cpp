@@ -78,7 +78,7 @@ auto telling_what_is_left(const std::optional<Output>& stream, const Work& work)
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
     const Scene scene =
-        load_scene(arguments.scene, templates_folder(), overrides_of(arguments), Wanted::physics);
+        load_scene(arguments.scene, scene_resources(), overrides_of(arguments), Wanted::physics);
     std::optional<Output> json, csv;
     std::optional<SamplesCsv> table;
     if (!arguments.json.empty()) json.emplace(arguments.json);

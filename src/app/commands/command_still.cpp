@@ -35,7 +35,7 @@ std::filesystem::path still_path(const StillArguments& arguments) {
 }
 
 void make_still(const StillArguments& arguments) {
-    const Scene scene = load_scene(arguments.scene, templates_folder(), overrides_of(arguments));
+    const Scene scene = load_scene(arguments.scene, scene_resources(), overrides_of(arguments));
     require_letters(scene);
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
         throw UsageError(

@@ -9,6 +9,7 @@
 #include "app/figures/figure_pages.h"
 #include "app/film/letters.h"
 #include "app/resources.h"
+#include "panels/registry.h"
 #include "scene/reading/figure_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -31,7 +32,7 @@ std::vector<std::string> figure_names(const Scene& scene) {
 SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
     SetPart part;
     const std::filesystem::path& path = listed_scene.path;
-    part.scene = load_scene(path, templates_folder(), overrides);
+    part.scene = load_scene(path, scene_resources(), overrides);
     require_letters(part.scene);
     part.stem = scene_stem(path.string());
     part.title = listed_scene.title.value_or(part.scene.title);
@@ -55,7 +56,7 @@ ComparedRun run_of(const SetRun& run, Overrides overrides) {
     for (const std::string& value : run.values) overrides.values.push_back(parted_change(value));
     Scene scene;
     try {
-        scene = load_run(run.path, templates_folder(), overrides);
+        scene = load_run(run.path, scene_resources(), overrides);
     } catch (const SceneError& error) {
         if (run.values.empty()) throw;
         const Diagnostic& first = error.diagnostics().front();
@@ -71,7 +72,7 @@ SetPart part_of(const std::string& path, const SetFile& set, const SetComparison
         all_made(comparison.runs, [&](const SetRun& run) { return run_of(run, overrides); });
     for (ComparedRun& run : runs) {  // its mistakes are mostly those of all: told once
         Scene scene = *run.scene;
-        scene.figures = {figure_of(comparison, scene)};
+        scene.figures = {figure_of(comparison, scene, panel_kinds())};
         run.scene = std::make_shared<Scene>(std::move(scene));
     }
     for (std::size_t k = 1; k < runs.size(); ++k)
@@ -117,7 +118,7 @@ std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
 
 SetPart part_of_scene(const std::string& path, const Overrides& overrides) {
     SetPart part;
-    part.scene = load_scene(path, templates_folder(), overrides);
+    part.scene = load_scene(path, scene_resources(), overrides);
     part.stem = scene_stem(path);
     require_letters(part.scene);
     if (part.scene.figures.empty())
@@ -144,7 +145,7 @@ std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
 FigureSet set_of_file(const std::string& path, const Overrides& overrides,
                       const std::vector<std::string>& formats,
                       const std::vector<std::string>& pages) {
-    const SetFile file = load_figure_set(path);
+    const SetFile file = load_figure_set(path, panel_kinds());
     FigureSet set{.of = std::filesystem::path(path).filename().string(),
                   .stem = scene_stem(path),
                   .folder = {},

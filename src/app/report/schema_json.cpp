@@ -6,7 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "scene/keys/keys.h"
+#include "panels/registry.h"
+#include "scene/language.h"
 #include "scene/yaml/scalar.h"
 
 namespace carom {
@@ -94,9 +95,10 @@ Json value_schema(const std::vector<Form>& forms) {
 
 Json key_schema(const Key& key) {
     Json schema = Json::object();
-    schema["description"] =
-        key.preset_note.empty() ? key.meaning : key.meaning + " Default: " + key.preset_note + ".";
-    if (!key.preset.empty()) schema["default"] = value_of(key.preset);
+    schema["description"] = key.default_text.empty()
+                                ? key.meaning
+                                : key.meaning + " Default: " + key.default_text + ".";
+    if (!key.default_value.empty()) schema["default"] = value_of(key.default_value);
     schema.update(value_schema(key.forms));
     return schema;
 }
@@ -129,7 +131,7 @@ std::vector<std::string> kinds_without(const Section& section,
 void add_kinds(Json& rules, const Section& section) {
     std::map<std::vector<std::string>, Json> refused;
     for (const Key& key : section.keys)
-        if (!key.with.empty()) refused[key.with][key.name] = false;
+        if (!key.kinds.empty()) refused[key.kinds][key.name] = false;
     for (const auto& [with, keys] : refused) {
         const std::vector<std::string> others = kinds_without(section, with);
         if (others.empty()) continue;
@@ -195,8 +197,8 @@ Json header(const char* title, const char* description) {
 // Draft 07: the newest draft that yaml-language-server, which editors read YAML with, takes whole;
 // of 2019-09 and 2020-12 it knows only parts.
 std::string scene_schema_json() {
-    Json plane = section_schema(scene_section(2));
-    part_dimensions(plane, section_schema(scene_section(1)));
+    Json plane = section_schema(scene_section(panel_kinds(), 2));
+    part_dimensions(plane, section_schema(scene_section(panel_kinds(), 1)));
     Json schema =
         header("A scene of carom", "What is in the box, what happens to it, what the viewer sees.");
     schema.update(plane);
@@ -205,7 +207,7 @@ std::string scene_schema_json() {
 
 std::string set_schema_json() {
     Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
-    schema.update(section_schema(set_section()));
+    schema.update(section_schema(set_section(panel_kinds())));
     return schema.dump(1) + "\n";
 }
 

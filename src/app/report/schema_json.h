@@ -1,4 +1,4 @@
-// The key table as a JSON Schema, for editors and for programs that write scenes.
+// The scene language as a JSON Schema, for editors and for programs that write scenes.
 #pragma once
 
 #include <string>

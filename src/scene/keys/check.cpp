@@ -295,12 +295,12 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
         const std::size_t index = section.index(node.keys[i].text);
         if (index == section.keys.size()) continue;
-        const std::vector<std::string>& with = section.keys[index].with;
-        if (with.empty() || std::find(with.begin(), with.end(), kind->text) != with.end()) continue;
+        const std::vector<std::string>& kinds = section.keys[index].kinds;
+        if (kinds.empty() || std::ranges::find(kinds, kind->text) != kinds.end()) continue;
         errors.add(node.keys[i],
                    fmt::format("`{}` has no meaning for a panel of kind `{}`", node.keys[i].text,
                                kind->text),
-                   "it goes with " + listed(with, "or", "`"));
+                   "it goes with " + listed(kinds, "or", "`"));
         node.items[i].valid = false;
     }
 }

@@ -1,5 +1,5 @@
-// Whether values have the forms that the key table allows. What they mean together is for others
-// (gas_check.h, film.h).
+// Whether values have the forms that their keys allow. What they mean is for those who read them
+// (reading/).
 #pragma once
 
 #include "scene/keys/keys.h"

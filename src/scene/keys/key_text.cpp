@@ -75,7 +75,7 @@ std::string forms_text(const Key& key) {
 }
 
 std::string example_text(const Key& key) {
-    return key.preset.empty() ? example(key.forms.front()) : key.preset;
+    return key.default_value.empty() ? example(key.forms.front()) : key.default_value;
 }
 
 }  // namespace carom

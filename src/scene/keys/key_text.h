@@ -1,5 +1,5 @@
-// The key table in words: what values a key takes, what stands in for it, and an example. For pages
-// and files made from the table.
+// Keys in words: what values a key takes, and an example. For pages and files made from the
+// bindings.
 #pragma once
 
 #include <string>

@@ -1,18 +1,15 @@
-// The key table: every key of the scene language with its forms, ranges, default, ceiling and
-// meaning. The only place where these are written down: the loader checks and reads by it, and
-// what else describes the language is made from it.
+// The scene language as data: sections of keys with their forms, ranges, defaults and meanings.
+// Made from the bindings (binding.h), which say each key once; the check, the schema, the reference
+// page and the scene to start from know keys only like this.
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/limits.h"
-#include "scene/yaml/node.h"
 
 namespace carom {
 
@@ -24,6 +21,11 @@ struct Range {
     double high = largest_quantity.value;
     std::string_view ceiling = largest_quantity.meaning;  ///< what `high` counts; may be empty
 };
+
+inline constexpr Range any_number{};
+inline constexpr Range not_negative{0.0, largest_quantity.value, largest_quantity.meaning};
+inline constexpr Range positive{smallest_quantity.value, largest_quantity.value,
+                                largest_quantity.meaning};
 
 struct Section;
 
@@ -53,9 +55,9 @@ struct Key {
     std::string meaning;  ///< one sentence, as in a reference
     std::vector<Form> forms;
     bool required = false;
-    std::string preset = {};             ///< the default as it would be written; empty: none
-    std::string preset_note = {};        ///< where the default comes from when it is no fixed value
-    std::vector<std::string> with = {};  ///< only beside these words of `kind`; empty: always
+    std::string default_value = {};       ///< as it would be written; empty: none
+    std::string default_text = {};        ///< the default in words, where it is no fixed value
+    std::vector<std::string> kinds = {};  ///< of panels that take it; empty: all
 };
 
 /// Keys that exclude one another.
@@ -75,22 +77,12 @@ struct Section {
     std::vector<Key> keys;
     std::vector<Choice> choices = {};
     std::vector<Refused> refused = {};
-    std::vector<Node> presets = {};  ///< one for each key: its default as a value, or null
 
     /// The index of a key; the number of keys if there is none of that name.
     std::size_t index(std::string_view name) const;
 };
 
-/// A whole scene with a box of one dimension or of two.
-const Section& scene_section(int dimension = 2);
-
-/// A template: the keys of `film` but `template`, and `layout`.
-const Section& template_section();
-
-/// A figure set: a file that lists scenes.
-const Section& set_section();
-
-/// The sections inside one another by the name of their key: section_of(scene_section(), "film").
+/// The sections inside one another by the name of their key: section_of(scene, "film").
 const Section& section_of(const Section& parent, std::string_view key);
 
 /// The section of a mapping among these forms, or of one in their lists; null if there is none.
@@ -99,19 +91,16 @@ const Section* section_in(const std::vector<Form>& forms);
 /// All of these sections, each as it comes.
 std::vector<const Section*> sections_in(const std::vector<Form>& forms);
 
-/// The kinds of panel that a film's `panels` may name.
-std::span<const std::string> panel_kinds();
-
-/// The version of the scene format that this program reads.
-inline constexpr int scene_format = 1;
-
 /// How a message calls a form: "a positive number", "`light`, `dark` or `print`".
 std::string phrase(const Form& form);
 
 /// A bound as a message writes it: 2000000, 1e12.
 std::string number_text(double value);
 
-/// The colour names of CSS 2.1 as #rrggbb; `name` itself if it is #rrggbb; empty otherwise.
+/// The colour names of CSS 2.1 that color_hex() knows.
+std::vector<std::string> color_names();
+
+/// The colour of a name as #rrggbb; `name` itself if it is #rrggbb; empty otherwise.
 std::string color_hex(std::string_view name);
 
 }  // namespace carom

@@ -3,171 +3,284 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "scene/mixing.h"
-#include "scene/reading/film_reading.h"
+#include "scene/reading/panel_reading.h"
 
 namespace carom {
 namespace {
 
-constexpr double column_width = 8.9, page_width = 18.3;       // cm
-constexpr double slide_width = 33.867, slide_height = 19.05;  // cm: 13 1/3 by 7 1/2 inches
+/// A figure with what only the rules between its keys need.
+struct FigureReading : FigureSpec {
+    std::optional<double> at;
+    std::vector<double> over;  ///< from and to; empty: not given
+    std::vector<double> strip;
+    const Node* scenes = nullptr;  ///< of a comparison
+};
 
-void check_time(const Node& node, double time, const Run& run, Errors& errors) {
-    if (run.until > 0.0 && time > run.until)
-        errors.add(node, fmt::format("the run ends at {}", run.until),
-                   fmt::format("expected a time from 0 to {}", run.until));
+/// Centimetres.
+struct FigureSize {
+    double width = 0.0;
+    std::optional<double> height = {};
+    bool slide = false;
+};
+
+const double column_width = FigureSpec{}.width;
+constexpr double page_width = 18.3;
+constexpr double slide_width = 33.867, slide_height = 19.05;  // 13 1/3 by 7 1/2 inches
+
+Binding<FigureSpec> size_key() {
+    const Range side{smallest_figure.value, largest_figure.value, largest_figure.meaning};
+    const auto named = one_of<FigureSize>({{"column", {.width = column_width}},
+                                           {"page", {.width = page_width}},
+                                           {"slide", {slide_width, slide_height, true}}});
+    const auto in_centimetres =
+        mapped(pair_of(side, "[width, height]"), [](const Eigen::Array2d& sides) {
+            return FigureSize{.width = sides[0], .height = sides[1]};
+        });
+    const auto fill = [](FigureSpec& figure, const FigureSize& size) {
+        figure.width = size.width;
+        figure.height = size.height;
+        figure.slide = size.slide;
+    };
+    return bind_with<FigureSpec>(
+               "size", fill, either(named, in_centimetres),
+               fmt::format("Of a text's column ({} cm wide), of its page ({} cm), of a slide "
+                           "({:.1f} cm by {:.1f} cm, with large type), or width and height in "
+                           "centimetres.",
+                           column_width, page_width, slide_width, slide_height))
+        .default_value("column");
 }
 
-std::vector<double> read_strip(const Node& list, const Run& run, Errors& errors) {
-    std::vector<double> times = numbers(list);
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        check_time(list.items[i], times[i], run, errors);
-        if (i > 0 && times[i] <= times[i - 1])
-            errors.add(list.items[i], "expected times that rise from picture to picture");
+std::vector<ComparedRun> runs_of_seeds(std::int64_t count, const Node& place,
+                                       const Reading& reading) {
+    std::vector<ComparedRun> runs;
+    const std::uint64_t first = reading.gas.seed;
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed)
+        runs.push_back(
+            {fmt::format("seed {}", seed), {fmt::format("seed={}", seed)}, place_of(place)});
+    return runs;
+}
+
+void check_labels(const std::vector<Placed<ComparedRun>>& runs, const Node&, Reading& reading) {
+    std::set<std::string> labels;
+    for (const auto& [run, node] : runs)
+        if (!labels.insert(run.label).second)
+            reading.errors.add(*node,
+                               fmt::format("there is another run with the label `{}`", run.label),
+                               "they could not be told apart");
+}
+
+Notation<std::vector<ComparedRun>> compared_runs() {
+    struct Seeds {
+        std::int64_t count = 0;
+    };
+    const KeyTable<Seeds> seeds{
+        .name = "`compare`",
+        .keys = {bind_key("seeds", &Seeds::count, whole(2, most_compared),
+                          "How many runs: of the scene's seed and those that follow it.")
+                     .required()}};
+    const KeyTable<ComparedRun> run{
+        .name = "an item of `compare`",
+        .keys = {bind_key("label", &ComparedRun::label, text(1, most_name_letters),
+                          "Its name in the figure.")
+                     .required(),
+                 bind_key("set", &ComparedRun::values, changes_notation(), meaning_of_changes)
+                     .default_text("nothing")},
+        .rule = [](ComparedRun& one, const Node& node, Reading&) { one.place = place_of(node); }};
+    const auto of_seeds = [](const Seeds& several, const Node& node, Reading& reading) {
+        return std::optional(runs_of_seeds(several.count, node, reading));
+    };
+    const auto without_nodes = [](std::vector<Placed<ComparedRun>> placed_runs) {
+        std::vector<ComparedRun> runs;
+        for (auto& [one, node] : placed_runs) runs.push_back(std::move(one));
+        return runs;
+    };
+    return either(
+        parsed(mapping(seeds, "{seeds: number}"), of_seeds),
+        mapped(checked(list_of(placed(mapping(run)), 2, most_compared, "a list of {label, set}"),
+                       check_labels),
+               without_nodes));
+}
+
+void check_time(const Node& node, double time, Reading& reading) {
+    const double until = reading.run.until;
+    if (until > 0.0 && time > until)
+        reading.errors.add(node, fmt::format("the run ends at {}", until),
+                           fmt::format("expected a time from 0 to {}", until));
+}
+
+// The times that a figure shows: one, the end of an interval, or several.
+void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
+    figure.times = {figure.at.value_or(reading.run.until)};
+    if (figure.at) check_time(*given(node, "at"), *figure.at, reading);
+    if (!figure.over.empty()) {
+        const Node& over = *given(node, "over");
+        const double from = figure.over[0], to = figure.over[1];
+        check_time(over.items[1], to, reading);
+        if (from >= to) reading.errors.add(over, "expected [from, to] with from < to for `over`");
+        figure.times = {to};
+        figure.panel.over = Over{Over::Since::window, to - from};
     }
-    return times;
-}
-
-void read_over(const Node& list, FigureSpec& figure, const Run& run, Errors& errors) {
-    const std::vector<double> ends = numbers(list);
-    check_time(list.items[1], ends[1], run, errors);
-    if (ends[0] >= ends[1]) errors.add(list, "expected [from, to] with from < to for `over`");
-    figure.times = {ends[1]};
-    figure.panel.over = Over{Over::Since::window, ends[1] - ends[0]};
-}
-
-void read_times(const Fields& fields, FigureSpec& figure, const Run& run, Errors& errors) {
-    figure.times = {run.until};
-    if (const Node* at = fields.given("at")) {
-        figure.times = {fields.number("at").value_or(0.0)};
-        check_time(*at, figure.times.front(), run, errors);
+    for (std::size_t i = 0; i < figure.strip.size(); ++i) {
+        const Node& moment = given(node, "strip")->items[i];
+        check_time(moment, figure.strip[i], reading);
+        if (i > 0 && figure.strip[i] <= figure.strip[i - 1])
+            reading.errors.add(moment, "expected times that rise from picture to picture");
     }
-    if (const Node* over = fields.given("over")) read_over(*over, figure, run, errors);
-    if (const Node* strip = fields.given("strip")) figure.times = read_strip(*strip, run, errors);
-}
-
-void read_size(const Fields& fields, FigureSpec& figure) {
-    const Node* size = fields.value("size");
-    if (size->is_list()) {
-        const Eigen::Array2d sides = pair(*size);
-        figure.width = sides[0];
-        figure.height = sides[1];
-        return;
-    }
-    figure.slide = size->text == "slide";
-    figure.width = size->text == "page" ? page_width : column_width;
-    if (!figure.slide) return;
-    figure.width = slide_width;
-    figure.height = slide_height;
+    if (!figure.strip.empty()) figure.times = figure.strip;
+    figure.panel.at = figure.times.back();
 }
 
 // A name that is a file's on every system, and part of a label in every kind of document.
-void check_name(const Node& node, const std::vector<FigureSpec>& others, const std::string& name,
-                Errors& errors) {
+void check_name(const std::string& name, const Node& node, Reading& reading) {
     const bool plain =
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
     if (!plain || name.starts_with('-'))
-        errors.add(node, "expected small letters, digits and hyphens for `name`",
-                   "it is the name of the figure's files: one-hot-particle-start");
-    if (std::ranges::find(others, name, &FigureSpec::name) != others.end())
-        errors.add(node, fmt::format("there is another figure of the name `{}`", name),
-                   "each writes files of its own: give one of them another name");
+        reading.errors.add(node, "expected small letters, digits and hyphens for `name`",
+                           "it is the name of the figure's files: one-hot-particle-start");
+}
+
+void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Reading& reading) {
+    std::set<std::string> names;
+    for (const auto& [figure, node] : figures)
+        if (const Node* name = given(*node, "name"); !names.insert(figure.name).second && name)
+            reading.errors.add(*name,
+                               fmt::format("there is another figure of the name `{}`", figure.name),
+                               "each writes files of its own: give one of them another name");
 }
 
 // Of what the test supposes, as much as is known before the run.
-void check_test(const Fields& fields, const Gas& gas, Errors& errors) {
-    const Node* asked = fields.given("test");
-    if (asked == nullptr || fields.flag("test") != true) return;
-    if (fields.mentions("over"))
-        errors.add(*asked,
-                   "`test` is for one time: over a while the same particles are counted again and "
-                   "again, and values are not independent",
-                   "give a time in `at` instead of `over`");
-    if (fields.flag("theory") == false)
-        errors.add(*asked, "`test` compares the bars with the theory, which `theory: false` hides",
-                   "leave out one of them");
-    if (const auto reason = why_no_equilibrium(gas))
-        errors.add(*asked,
-                   "there is no equilibrium that this gas could be tested against: " + *reason,
-                   "leave out `test`");
+void check_test(const FigureSpec& figure, const Node& node, Reading& reading) {
+    const Node* asked = given(node, "test");
+    if (asked == nullptr || !figure.panel.test) return;
+    if (find(node, "over") != nullptr)
+        reading.errors.add(
+            *asked,
+            "`test` is for one time: over a while the same particles are counted again and again, "
+            "and values are not independent",
+            "give a time in `at` instead of `over`");
+    if (!figure.panel.theory)
+        reading.errors.add(*asked,
+                           "`test` compares the bars with the theory, which `theory: false` hides",
+                           "leave out one of them");
+    if (const auto reason = why_no_equilibrium(reading.gas))
+        reading.errors.add(
+            *asked, "there is no equilibrium that this gas could be tested against: " + *reason,
+            "leave out `test`");
 }
 
-std::vector<ComparedRun> runs_of_seeds(const Fields& compare, const Gas& gas) {
-    std::vector<ComparedRun> runs;
-    const auto count = static_cast<std::uint64_t>(compare.integer("seeds").value_or(0));
-    for (std::uint64_t seed = gas.seed; seed < gas.seed + count; ++seed)
-        runs.push_back({fmt::format("seed {}", seed),
-                        {fmt::format("seed={}", seed)},
-                        place_of(compare.node())});
-    return runs;
+// The figure's key names runs, not what is drawn of each.
+void check_one_line(const FigureSpec& figure, const Node& node, Reading& reading) {
+    if (const Node* of = given(node, "of"); of != nullptr && figure.panel.of.size() > 1)
+        reading.errors.add(
+            *of, "a comparison shows one line of each run: `of` takes one species or particle",
+            "make a figure for each");
 }
 
-std::vector<ComparedRun> read_runs(const Node& list, const Section& section, Errors& errors) {
-    std::vector<ComparedRun> runs;
-    for (const Node& item : list.items) {
-        if (!item.valid || !item.is_mapping()) continue;
-        const Fields fields{item, section};
-        ComparedRun run{fields.text("label").value_or(""), read_changes(fields, errors),
-                        place_of(item)};
-        if (std::ranges::find(runs, run.label, &ComparedRun::label) != runs.end())
-            errors.add(item, fmt::format("there is another run with the label `{}`", run.label),
-                       "they could not be told apart");
-        runs.push_back(std::move(run));
-    }
-    return runs;
+std::vector<Binding<PanelSpec>> keys_of_runs(PanelKinds kinds) {
+    return {
+        bind_key("test", &PanelSpec::test, flag(),
+                 "Whether the caption tells how well the bars fit the theory, by Pearson's "
+                 "chi-squared test: for one time `at`, where the values are independent but for "
+                 "what is conserved, and particles of one mass.")
+            .only_with(kinds_that_can(kinds, Ability::equilibrium)),
+        bind_key("seeds", &PanelSpec::seeds, whole(1, most_seeds),
+                 "Of how many independent runs it shows the mean, with its standard error: of the "
+                 "scene's seed and those that follow it.")
+            .only_with(kinds_that_can(kinds, Ability::means))};
 }
 
-std::vector<ComparedRun> read_compare(const Fields& figure, const Gas& gas, Errors& errors) {
-    const Node* compare = figure.given("compare");
-    if (compare == nullptr) return {};
-    const Key& key = figure.section().keys.at(figure.section().index("compare"));
-    const std::vector<const Section*> sections = sections_in(key.forms);  // of seeds, of a run
-    if (compare->is_mapping()) return runs_of_seeds({*compare, *sections.front()}, gas);
-    return read_runs(*compare, *sections.back(), errors);
+std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
+    Notation<double> one_time = number(not_negative);
+    one_time.forms.front().instead_of_list =
+        "a figure has one time; `strip` shows several side by side, in a figure of kind `gas`";
+    return {
+        bind_key("at", &FigureReading::at, one_time, "The simulated time that it shows.")
+            .default_text("the end of the run"),
+        bind_key("over", &FigureReading::over, list_of(number(not_negative), 2, 2, "[from, to]"),
+                 "Instead of `at`: the time that its numbers are taken over.")
+            .only_with(kinds_that_can(kinds, Ability::over)),
+        bind_key("strip", &FigureReading::strip,
+                 list_of(number(not_negative), 2, most_strip, "a list of times"),
+                 "Instead of `at`: several times, shown side by side.")
+            .only_with(kinds_that_can(kinds, Ability::strip))};
 }
 
-// The key names runs, not what is drawn of each.
-void check_one_line(const Fields& fields, const FigureSpec& figure, Errors& errors) {
-    if (const Node* of = fields.given("of"); of != nullptr && figure.panel.of.size() > 1)
-        errors.add(*of,
-                   "a comparison shows one line of each run: `of` takes one species or particle",
-                   "make a figure for each");
+std::vector<Binding<FigureSpec>> page_keys() {
+    return {
+        size_key(),
+        bind_key("theme", &FigureSpec::theme, one_of<ThemeName>(),
+                 "The colours of the ground and of the text; `print` is black, white and greys, "
+                 "but for what the scene colours itself."),
+        bind_key("caption", &FigureSpec::caption, lines(1, most_letters),
+                 "The words under the figure.")
+            .default_text("made from what the figure shows"),
+        bind_key("alt", &FigureSpec::alt, lines(1, most_letters),
+                 "What is seen, for those who cannot see it.")
+            .default_text("made from what the figure shows")};
 }
 
-FigureSpec read_figure(const Fields& fields, const Shown& shown, Errors& errors) {
-    FigureSpec figure;
-    figure.name = fields.text("name").value_or("");
-    figure.panel = read_panel(fields, shown, errors);
-    read_times(fields, figure, shown.run, errors);
-    figure.panel.at = figure.times.back();
-    read_size(fields, figure);
-    figure.panel.seeds = static_cast<int>(fields.integer("seeds").value_or(1));
-    figure.panel.test = fields.flag("test").value_or(false);
-    check_test(fields, shown.gas, errors);
-    figure.theme = read_theme(fields.text("theme").value());
-    figure.caption = fields.text("caption");
-    figure.alt = fields.text("alt");
-    figure.compare = read_compare(fields, shown.gas, errors);
-    if (fields.mentions("compare")) check_one_line(fields, figure, errors);
-    return figure;
+void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
+    complete_panel(figure.panel, node, kinds, reading);
+    complete_times(figure, node, reading);
+    check_test(figure, node, reading);
+    if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)
+        check_one_line(figure, node, reading);
 }
+
+KeyTable<FigureReading> figure_table(PanelKinds kinds) {
+    std::vector<std::string> names;
+    for (const PanelKind& kind : kinds) names.push_back(kind.name);
+    std::vector<Binding<PanelSpec>> panel =
+        joined(panel_keys(kinds, kind_key(word(names)), {}), keys_of_runs(kinds));
+    std::vector<Binding<FigureReading>> keys{
+        bind_key("name", &FigureSpec::name, checked(text(1, most_name_letters), check_name),
+                 "The name of its files: small letters, digits and hyphens.")
+            .required()};
+    keys = joined(keys, within<FigureReading>(&FigureSpec::panel, panel));
+    keys.push_back(
+        bind_key("compare", &FigureSpec::compare, compared_runs(),
+                 "Several runs in one panel with shared axes and a key: of several seeds, "
+                 "or of the scene with other values, each with its label.")
+            .default_text("the scene's run alone")
+            .only_with(kinds_that_can(kinds, Ability::comparison)));
+    keys = joined(keys, time_keys(kinds));
+    for (const Binding<FigureSpec>& key : page_keys()) keys.push_back(key);
+    return {.name = "a figure",
+            .keys = std::move(keys),
+            .choices = {{{"at", "over", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
+            .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
+                complete_figure(figure, node, kinds, reading);
+            }};
+}
+
+// A key that only some kinds take is there if one of these can be compared.
+bool is_for_comparison(Binding<FigureReading>& key, const std::vector<std::string>& compared) {
+    if (key.key.name == "seeds" || key.key.name == "test" || key.key.name == "compare")
+        return false;
+    if (key.key.kinds.empty()) return true;
+    std::erase_if(key.key.kinds, [&](const std::string& kind) {
+        return std::ranges::find(compared, kind) == compared.end();
+    });
+    return !key.key.kinds.empty();
+}
+
+FigureSpec sliced(FigureReading figure) { return FigureSpec(std::move(figure)); }
 
 }  // namespace
 
-std::vector<std::string> read_changes(const Fields& run, Errors& errors) {
-    std::vector<std::string> changes;
-    const Node* set = run.given("set");
-    if (set == nullptr) return changes;
-    const std::vector<Node> single{*set};
-    for (const Node& one : set->is_list() ? set->items : single) {
-        const std::size_t sign = one.text.find('=');
+Notation<std::vector<std::string>> changes_notation() {
+    const auto check = [](const std::string& change, const Node& node, Reading& reading) {
+        const std::size_t sign = change.find('=');
         if (sign == 0 || sign == std::string::npos)
-            errors.add(one, fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(one.text)),
-                       "for instance gas.0.temperature=4");
-        changes.push_back(one.text);
-    }
-    return changes;
+            reading.errors.add(node,
+                               fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(change)),
+                               "for instance gas.0.temperature=4");
+    };
+    return one_or_list(checked(text(3, most_title_letters).called("KEY.PATH=VALUE"), check),
+                       most_changes, "a list of KEY.PATH=VALUE");
 }
 
 std::pair<std::string, std::string> parted_change(const std::string& change) {
@@ -175,28 +288,35 @@ std::pair<std::string, std::string> parted_change(const std::string& change) {
     return {change.substr(0, sign), sign < change.size() ? change.substr(sign + 1) : ""};
 }
 
-FigureSpec read_comparison(const Node& comparison, const Shown& shown, Errors& errors) {
-    const Fields fields{comparison, section_of(scene_section(), "figures")};
-    FigureSpec figure = read_figure(fields, shown, errors);
-    if (const Node* name = fields.given("name")) check_name(*name, {}, figure.name, errors);
-    check_one_line(fields, figure, errors);
-    return figure;
+Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes) {
+    const std::vector<std::string> compared = kinds_that_can(kinds, Ability::comparison);
+    KeyTable<FigureReading> table = figure_table(kinds);
+    table.name = "a comparison";
+    for (Binding<FigureReading> key : std::exchange(table.keys, {})) {
+        if (!is_for_comparison(key, compared)) continue;
+        const bool is_kind = key.key.name == "kind";
+        if (is_kind) key.key.forms = word(compared).forms;
+        table.keys.push_back(std::move(key));
+        if (is_kind)
+            table.keys.push_back(
+                bind_key("scenes", &FigureReading::scenes, scenes,
+                         "The scenes whose runs it shows in one panel with shared axes and a key.")
+                    .required());
+    }
+    table.choices = {{{"at", "over"}}};
+    return mapped(mapping(table), sliced);
 }
 
-std::vector<FigureSpec> read_figures(const Fields& scene, const Shown& shown, Errors& errors) {
-    std::vector<FigureSpec> figures;
-    const Node* list = scene.given("figures");
-    if (list == nullptr) return figures;
-    const Section& section = section_of(scene.section(), "figures");
-    for (const Node& item : list->items) {
-        if (!item.valid || !item.is_mapping()) continue;
-        const Fields fields{item, section};
-        FigureSpec figure = read_figure(fields, shown, errors);
-        if (const Node* name = fields.given("name"))
-            check_name(*name, figures, figure.name, errors);
-        figures.push_back(std::move(figure));
-    }
-    return figures;
+Notation<std::vector<FigureSpec>> figures_notation(PanelKinds kinds) {
+    const auto without_nodes = [](std::vector<Placed<FigureSpec>> placed_figures) {
+        std::vector<FigureSpec> figures;
+        for (auto& [figure, node] : placed_figures) figures.push_back(std::move(figure));
+        return figures;
+    };
+    return mapped(checked(list_of(placed(mapped(mapping(figure_table(kinds)), sliced)), 0,
+                                  most_figures, "a list of figures"),
+                          check_names),
+                  without_nodes);
 }
 
 }  // namespace carom

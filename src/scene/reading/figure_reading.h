@@ -1,25 +1,27 @@
-// From the checked `figures` of a scene, and the comparisons of a set, to what they are.
+// The keys of a scene's `figures`, and of the comparisons of a set, and what they mean together.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scene/keys/fields.h"
-#include "scene/reading/panel_reading.h"
+#include "scene/keys/binding.h"
+#include "scene/panel_kind.h"
 #include "scene/scene.h"
 
 namespace carom {
 
-/// The figures that `scene` lists. Names are files of their own, times lie
-/// in the run.
-std::vector<FigureSpec> read_figures(const Fields& scene, const Shown& shown, Errors& errors);
+/// The figures that a scene lists. Names are files of their own, times lie in the run.
+Notation<std::vector<FigureSpec>> figures_notation(PanelKinds kinds);
 
-/// The values of `set` in a compared run, as KEY.PATH=VALUE.
-std::vector<std::string> read_changes(const Fields& run, Errors& errors);
+/// A comparison of a set, as a figure of one of its scenes: the keys of a figure that shows several
+/// runs, with `scenes`, which are kept for others to read.
+Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes);
 
-/// A comparison of a set as a figure of one of its scenes.
-FigureSpec read_comparison(const Node& comparison, const Shown& shown, Errors& errors);
+/// What is laid over the scene of a compared run: KEY.PATH=VALUE, or a list of these.
+Notation<std::vector<std::string>> changes_notation();
+inline constexpr const char* meaning_of_changes =
+    "What its scene has otherwise: KEY.PATH=VALUE as for `--set`, or a list of these.";
 
 /// KEY.PATH=VALUE as a key path and a value.
 std::pair<std::string, std::string> parted_change(const std::string& change);

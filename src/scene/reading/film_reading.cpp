@@ -4,30 +4,163 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <tuple>
 
 #include "scene/limits.h"
 #include "scene/reading/panel_reading.h"
 #include "scene/time/captions.h"
 #include "scene/time/pace.h"
 #include "scene/time/timeline.h"
-#include "scene/yaml/scalar.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-Slot read_slot(const Node& list, const LayoutSpec& layout, Errors& errors) {
-    const std::vector<double> sides = numbers(list);
-    const Slot slot{sides[0], sides[1], sides[2], sides[3]};
-    if (slot.width <= 0.0 || slot.height <= 0.0)
-        errors.add(list, "expected [x, y, width, height] with a positive width and height");
+Notation<PictureSize> size_notation() {
+    const auto sides = [](const std::vector<std::int64_t>& pixels) {
+        return PictureSize{static_cast<int>(pixels.at(0)), static_cast<int>(pixels.at(1))};
+    };
+    return either(
+        one_of<PictureSize>(
+            {{"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}}),
+        mapped(list_of(whole(smallest_side.value, largest_side), 2, 2, "[width, height]"), sides));
+}
+
+Binding<Film> velocities_key() {
+    using Arrows = std::pair<bool, std::optional<double>>;
+    const auto fill = [](Film& film, const Arrows& arrows) {
+        std::tie(film.velocities, film.velocity_scale) = arrows;
+    };
+    const auto arrows = either(mapped(flag(),
+                                      [](bool shown) {
+                                          return Arrows{shown, {}};
+                                      }),
+                               mapped(number(positive), [](double scale) {
+                                   return Arrows{true, scale};
+                               }));
+    return bind_with<Film>("velocities", fill, arrows,
+                           "Arrows of velocity on disks and beads: whether there are any, or how "
+                           "much simulated time they look ahead, so that an arrow is velocity * "
+                           "time long.")
+        .default_value("false");
+}
+
+Notation<double> title_card_notation() {
+    constexpr double usual_seconds = 3.0;
+    Notation<double> seconds =
+        either(mapped(flag(), [](bool shown) { return shown ? usual_seconds : 0.0; }),
+               number({0.5, most_seconds.value, most_seconds.meaning}));
+    seconds.write = [](double value) { return value > 0.0 ? number_text(value) : "false"; };
+    return seconds;
+}
+
+Notation<Trails> trails_notation() {
+    const KeyTable<Trails> table{
+        .name = "`trails`",
+        .keys = {bind_key(
+                     "of", &Trails::of, chosen_notation(),
+                     "Whose: of all particles, a species, a particle by its number, or several "
+                     "of these.")
+                     .default_value("all"),
+                 bind_key("seconds", &Trails::seconds,
+                          number({0.0, most_trail_seconds.value, most_trail_seconds.meaning}),
+                          "How long they are, in seconds of film.")
+                     .default_value("1")},
+        .rule = [](Trails& trails, const Node& node, Reading&) {
+            if (find(node, "of") != nullptr && given(node, "of") == nullptr) trails.of.clear();
+        }};
+    return mapping(table, "{of: whose, seconds: how long}");
+}
+
+Notation<SlowDraft> slow_notation() {
+    return mapping(KeyTable<SlowDraft>{
+        .name = "an item of `slow`",
+        .keys = {bind_key("from", &SlowDraft::from, number(not_negative), "Its first time."),
+                 bind_key("to", &SlowDraft::to, number(positive), "Its last time, at most `until`.")
+                     .default_text("until"),
+                 bind_key("factor", &SlowDraft::factor, number({0.001, 1.0, {}}),
+                          "The film's speed there, as a part of what it is elsewhere.")
+                     .required()}});
+}
+
+// How long the film is, and of what pictures.
+std::vector<Binding<FilmDraft>> picture_keys() {
+    return {
+        bind_key("seconds", &FilmDraft::given_seconds,
+                 number({0.01, most_seconds.value, most_seconds.meaning}),
+                 "The length of the whole film, holds and pauses included."),
+        bind_key("pace", &FilmDraft::pace, number(positive),
+                 "Instead of seconds: simulated time in a second of film."),
+        bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second."),
+        bind_key("size", &Film::size, size_notation(),
+                 "The picture in pixels: a name, or width and height. H.264 and VP9 add a row or "
+                 "a column to odd ones."),
+        bind_key("theme", &Film::theme, one_of<ThemeName>(),
+                 "The colours of the ground and of the text; `print` is black, white and greys, "
+                 "but for what the scene colours itself."),
+        bind_key("ground", &Film::transparent, one_of<bool>({{"theme", false}, {"none", true}}),
+                 "What lies behind the box, the panels and the words: the theme's page, or none, "
+                 "so that a slide shows through. Choose the theme that suits the slide.")};
+}
+
+// What is drawn of the gas.
+std::vector<Binding<Film>> gas_keys() {
+    const auto palettes = word({"viridis", "cividis", "plasma", "inferno", "magma", "netlogo"});
+    return {
+        bind_key("color_by", &Film::color_by, one_of<ColorBy>(), "What the colour of a disk says."),
+        bind_key("palette", &Film::palette, palettes, "The colours from slow to fast.")
+            .default_text("the theme's"),
+        bind_key("labels", &Film::labels, one_of<Labels>(),
+                 "What is written on the disks or beads where there is room: their mass, or their "
+                 "number.")
+            .default_text("none"),
+        velocities_key(),
+        bind_key("flashes", &Film::flashes, flag(),
+                 "A short mark where two particles touch, three a second at most.")};
+}
+
+std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
+    std::vector<Binding<FilmDraft>> keys = picture_keys();
+    for (const Binding<Film>& key : gas_keys()) keys.push_back(key);
+    return joined(
+        keys,
+        {bind_key(
+             "title_card", &Film::title_card, title_card_notation(),
+             "A picture before the film with title and subtitle: whether there is one, of 3 "
+             "seconds, or its seconds. It is part of the film's `seconds`; with `pace` it comes "
+             "on top."),
+         bind_key("end_card", &Film::end_card, text(1, most_title_letters),
+                  "Words on a picture of 4 seconds after the film, which is part of its `seconds` "
+                  "too. Both cards together are a third of the film at most.")
+             .default_text("none"),
+         bind_key("trails", &Film::trails, trails_notation(),
+                  "Trails that some of the particles leave; the `trail` of a species wins.")
+             .default_text("of single disks among many"),
+         bind_key(
+             "slow", &FilmDraft::spans,
+             list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}"),
+             "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The film "
+             "eases in before the span and out after it, over half a second each (a tenth of a "
+             "film of less than five), and says ×0.1 beside the clock. With `seconds` the rest is "
+             "faster, with `pace` the film is longer.")
+             .default_text("none"),
+         bind_key(
+             "monitors", &Film::monitors, monitors_notation(),
+             "Which numbers stand in the row of monitors; all-collisions counts those with walls "
+             "too, return-distance is the largest of a particle from where it was on the way "
+             "out.")
+             .default_text("all but all-collisions and return-distance"),
+         bind_key("panels", &Film::panels, panels_notation(kinds),
+                  "What the panels show, each a kind or a mapping with options.")
+             .default_text("the template's")});
+}
+
+const std::vector<Choice> film_choices{{{"seconds", "pace"}}};
+
+bool is_inside(const Slot& slot, const LayoutSpec& layout) {
     constexpr double rounding = 1e-9;
-    if (slot.x + slot.width > layout.grid_width + rounding ||
-        slot.y + slot.height > layout.grid_height + rounding)
-        errors.add(list, fmt::format("the place reaches outside the grid of {} by {}",
-                                     layout.grid_width, layout.grid_height));
-    return slot;
+    return slot.x + slot.width <= layout.grid_width + rounding &&
+           slot.y + slot.height <= layout.grid_height + rounding;
 }
 
 void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& errors) {
@@ -39,39 +172,85 @@ void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& erro
         errors.add(line, "the place for captions leaves no room for another one");
 }
 
-PictureSize read_size(const Fields& film) {
-    static const std::map<std::string, PictureSize> named{
-        {"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}};
-    const Node& node = *film.value("size");
-    if (node.is_scalar()) return named.at(node.text);
-    const Eigen::Array2d sides = pair(node);
-    return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
+/// A layout with the nodes of its places.
+struct LayoutDraft : LayoutSpec {
+    std::optional<Eigen::Array2d> grid;
+    std::vector<Placed<Slot>> places;
+};
+
+// A place in the grid, which is looked at when the grid is known.
+template <typename Field>
+Binding<LayoutDraft> slot_key(std::string name, Field LayoutSpec::*field,
+                              const Notation<Placed<Slot>>& slot, std::string meaning) {
+    const auto fill = [field](LayoutDraft& layout, const Placed<Slot>& place) {
+        layout.*field = place.value;
+        layout.places.push_back(place);
+    };
+    return bind_with<LayoutDraft>(std::move(name), fill, slot, std::move(meaning));
 }
 
-ColorBy read_color_by(const std::string& word) {
-    static const std::map<std::string, ColorBy> ways{{"speed", ColorBy::speed},
-                                                     {"speed-class", ColorBy::speed_class},
-                                                     {"energy", ColorBy::energy},
-                                                     {"species", ColorBy::species},
-                                                     {"mass", ColorBy::mass}};
-    return ways.at(word);
+Notation<Placed<Slot>> slot_notation() {
+    const Range units{0.0, largest_grid.value, largest_grid.meaning};
+    const auto slot = [](const std::vector<double>& sides) {
+        return Slot{sides.at(0), sides.at(1), sides.at(2), sides.at(3)};
+    };
+    const auto check = [](const Slot& place, const Node& node, Reading& reading) {
+        if (place.width <= 0.0 || place.height <= 0.0)
+            reading.errors.add(node,
+                               "expected [x, y, width, height] with a positive width and height");
+    };
+    return placed(
+        checked(mapped(list_of(number(units), 4, 4, "[x, y, width, height]"), slot), check));
 }
 
-Labels read_labels(const std::optional<std::string>& word) {
-    if (!word) return Labels::none;
-    return word == "mass" ? Labels::mass : Labels::index;
+void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
+    if (!layout.grid) return;
+    layout.grid_width = (*layout.grid)[0];
+    layout.grid_height = (*layout.grid)[1];
+    for (const Placed<Slot>& place : layout.places)
+        if (!is_inside(place.value, layout))
+            reading.errors.add(*place.node,
+                               fmt::format("the place reaches outside the grid of {} by {}",
+                                           layout.grid_width, layout.grid_height));
+    if (layout.caption) check_caption_line(*given(node, "caption"), layout, reading.errors);
 }
 
-void read_velocities(const Fields& fields, Film& film) {
-    const Node& node = *fields.value("velocities");
-    const auto flag = flag_in(node);
-    film.velocities = flag.value_or(true);
-    if (!flag) film.velocity_scale = fields.number("velocities");
+KeyTable<LayoutDraft> layout_table() {
+    const Range sides{1.0, largest_grid.value, largest_grid.meaning};
+    const auto slot = slot_notation();
+    const auto panels = [](LayoutDraft& layout, const std::vector<Placed<Slot>>& places) {
+        for (const Placed<Slot>& place : places) layout.panels.push_back(place.value);
+        layout.places.insert(layout.places.end(), places.begin(), places.end());
+    };
+    return {
+        .name = "`layout`",
+        .keys = {bind_key("grid", &LayoutDraft::grid, pair_of(sides, "[width, height]"),
+                          "Width and height of the picture in units of the layout; one unit is the "
+                          "smallest size of text.")
+                     .required(),
+                 slot_key("title", &LayoutSpec::title, slot, "Where title and subtitle stand.")
+                     .required(),
+                 slot_key("gas", &LayoutSpec::gas, slot, "Where the box stands.").required(),
+                 slot_key("color_bar", &LayoutSpec::color_bar, slot,
+                          "Where the scale of the colours stands.")
+                     .required(),
+                 slot_key("caption", &LayoutSpec::caption, slot,
+                          "Where captions stand in films that have any: what reaches into this "
+                          "place makes room for them.")
+                     .default_text("the foot of the gas's place"),
+                 slot_key("monitors", &LayoutSpec::monitors, slot, "Where the numbers stand.")
+                     .default_text("none"),
+                 bind_with<LayoutDraft>(
+                     "panels", panels,
+                     list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
+                     "Where the panels stand, in their order.")
+                     .default_text("none")},
+        .rule = complete_layout};
 }
 
 // A template laid over a scene by the command line shows the first of the scene's panels.
-bool is_laid_over(const Fields& fields, const Node& panels) {
-    const Node* asked = fields.given("template");
+bool is_laid_over(const Node& film, const Node& panels) {
+    const Node* asked = given(film, "template");
     return asked != nullptr && asked->source->origin == Origin::command_line &&
            panels.source->origin == Origin::scene;
 }
@@ -82,11 +261,11 @@ std::string templates_hint(const std::vector<std::string>& names) {
                        listed(names, "and", "`") + (names.size() == 1 ? " has" : " have"));
 }
 
-void check_slots(const Fields& fields, Film& film, const TemplatesFor& templates, Errors& errors) {
-    const Node* list = fields.given("panels");
+void check_slots(const Node& node, Film& film, const TemplatesFor& templates, Errors& errors) {
+    const Node* list = given(node, "panels");
     const std::size_t slots = film.layout.panels.size();
     if (list == nullptr || list->items.size() <= slots) return;
-    if (is_laid_over(fields, *list)) {
+    if (is_laid_over(node, *list)) {
         film.panels.resize(std::min(film.panels.size(), slots));
         return;
     }
@@ -97,63 +276,37 @@ void check_slots(const Fields& fields, Film& film, const TemplatesFor& templates
                templates_hint(templates(list->items.size())));
 }
 
-void read_cards(const Fields& fields, Film& film) {
-    constexpr double usual_seconds = 3.0;
-    const bool asked = flag_in(*fields.value("title_card")).value_or(false);
-    film.title_card = fields.number("title_card").value_or(asked ? usual_seconds : 0.0);
-    film.end_card = fields.text("end_card").value_or("");
-}
+using Spans = std::vector<Placed<SlowSpan>>;
 
-Trails read_trails(const Fields& film, const Gas& gas, Errors& errors) {
-    Trails trails;
-    const auto fields = film.inner("trails");
-    if (!fields || (fields->mentions("of") && fields->given("of") == nullptr)) return trails;
-    trails.of = read_of(*fields->value("of"), gas, errors);
-    trails.seconds = fields->number("seconds").value_or(0.0);
-    return trails;
-}
-
-/// A span of slow motion and where it is written.
-struct SlowDraft {
-    SlowSpan span;
-    const Node* node;
-};
-
-void check_spans(const std::vector<SlowDraft>& drafts, const Run& run, Errors& errors) {
-    for (std::size_t i = 0; i < drafts.size(); ++i) {
-        const SlowSpan& span = drafts[i].span;
+void check_spans(const Spans& spans, const Run& run, Errors& errors) {
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        const auto& [span, node] = spans[i];
         if (span.from >= span.to)
-            errors.add(*drafts[i].node, fmt::format("expected `from` below `to`, found {} and {}",
-                                                    span.from, span.to));
+            errors.add(*node, fmt::format("expected `from` below `to`, found {} and {}", span.from,
+                                          span.to));
         else if (run.until > 0.0 && span.to > run.until)
-            errors.add(*drafts[i].node,
-                       fmt::format("slow motion from {} to {} goes beyond `until` ({})", span.from,
-                                   span.to, run.until));
-        else if (i > 0 && drafts[i - 1].span.to > span.from)
-            errors.add(
-                *drafts[i].node,
-                fmt::format("slow motion from {} to {} overlaps that from {} to {}", span.from,
-                            span.to, drafts[i - 1].span.from, drafts[i - 1].span.to));
+            errors.add(*node, fmt::format("slow motion from {} to {} goes beyond `until` ({})",
+                                          span.from, span.to, run.until));
+        else if (i > 0 && spans[i - 1].value.to > span.from)
+            errors.add(*node, fmt::format("slow motion from {} to {} overlaps that from {} to {}",
+                                          span.from, span.to, spans[i - 1].value.from,
+                                          spans[i - 1].value.to));
     }
 }
 
-std::vector<SlowDraft> read_slow(const Fields& film, const Run& run, Errors& errors) {
-    std::vector<SlowDraft> drafts;
-    const Node* list = film.given("slow");
-    if (list == nullptr) return drafts;
-    for (const Node& item : list->items) {
-        const Fields fields{item, section_of(film.section(), "slow")};
-        const auto from = fields.number("from"), factor = fields.number("factor");
-        const double to = fields.number("to").value_or(run.until);
-        if (from && factor && run.until > 0.0) drafts.push_back({{*from, to, *factor}, &item});
-    }
-    std::ranges::stable_sort(drafts, {}, [](const SlowDraft& draft) { return draft.span.from; });
-    check_spans(drafts, run, errors);
-    return drafts;
+// In order of time; those of which nothing is missing.
+Spans spans_of(const FilmDraft& draft, Reading& reading) {
+    Spans spans;
+    const double until = reading.run.until;
+    for (const auto& [span, node] : draft.spans)
+        if (span.factor && until > 0.0)
+            spans.push_back({{span.from, span.to.value_or(until), *span.factor}, node});
+    std::ranges::stable_sort(spans, {}, [](const Placed<SlowSpan>& one) { return one.value.from; });
+    check_spans(spans, reading.run, reading.errors);
+    return spans;
 }
 
-void check_easing(const Film& film, const Run& run, const std::vector<SlowDraft>& drafts,
-                  Errors& errors) {
+void check_easing(const Film& film, const Run& run, const Spans& drafts, Errors& errors) {
     const double seconds = static_cast<double>(moving_steps(film, run)) / film.fps;
     const auto shortage = easing_shortage(film.slow, run.until, seconds);
     if (!shortage) return;
@@ -181,30 +334,24 @@ void check_easing(const Film& film, const Run& run, const std::vector<SlowDraft>
             : longer + "; or put the spans farther apart");
 }
 
-double read_seconds(const Fields& fields, const Film& film, const Run& run) {
-    if (const auto seconds = fields.number("seconds")) return *seconds;
-    return seconds_at_pace(film.slow, run.until, fields.number("pace").value_or(1.0)) +
-           card_seconds(film);
-}
-
 // The place to mend a length: where it is given, or where the run's end is.
-const Node& place_of_length(const Fields& film, const Fields& scene) {
+const Node& place_of_length(const Node& film, const Node& root) {
     for (const char* key : {"seconds", "pace"})
-        if (const Node* node = film.given(key)) return *node;
-    if (const auto run = scene.inner("run"))
-        if (const Node* until = run->given("until")) return *until;
-    return film.node();
+        if (const Node* node = given(film, key)) return *node;
+    if (const Node* run = given(root, "run"); run != nullptr && run->is_mapping())
+        if (const Node* until = given(*run, "until")) return *until;
+    return film;
 }
 
-bool check_frames(const Film& film, const Fields& fields, const Fields& scene, Errors& errors) {
+bool check_frames(const Film& film, const Node& node, const Node& root, Errors& errors) {
     const double frames = std::round(film.seconds * film.fps);
     if (frames >= 2.0 && frames <= most_frames.value) return true;
-    const bool given = fields.given("seconds") != nullptr;
+    const bool has_seconds = given(node, "seconds") != nullptr;
     std::string hint =
         frames < 2.0 ? "a film has at least 2 frames"
                      : fmt::format("the ceiling is {} {}", most_frames.value, most_frames.meaning);
-    if (!given) hint += "; give `film.seconds`, or another `film.pace`";
-    errors.add(place_of_length(fields, scene),
+    if (!has_seconds) hint += "; give `film.seconds`, or another `film.pace`";
+    errors.add(place_of_length(node, root),
                fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} {}",
                            film.seconds, film.fps, frames, frames == 1.0 ? "frame" : "frames"),
                hint);
@@ -212,16 +359,17 @@ bool check_frames(const Film& film, const Fields& fields, const Fields& scene, E
 }
 
 // Each part of the run between reversals needs a frame for its end.
-void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& errors) {
+void check_legs(const Film& film, const Run& run, const Node& root, Errors& errors) {
     const int legs = branch_count(run);
     const int steps = moving_steps(film, run);
-    const auto fields = scene.inner("run");
-    if (legs <= steps || !fields || fields->given("events") == nullptr) return;
+    const Node* node = given(root, "run");
+    const Node* events = node != nullptr && node->is_mapping() ? given(*node, "events") : nullptr;
+    if (legs <= steps || events == nullptr) return;
     const int enough = (4 * (legs + 1) + 2) / 3;  // pauses leave at least 3/4 of the frames, less 1
     const double with_cards = card_seconds(film) > 0.0 ? 1.5 : 1.0;
     const double seconds = std::ceil(10.0 * with_cards * enough / film.fps) / 10.0;
     errors.add(
-        *fields->given("events"),
+        *events,
         fmt::format("{} {} the run into {} parts, a film of {} has room for {}",
                     counted(legs - 1, "reversal"), legs == 2 ? "divides" : "divide", legs,
                     counted(frame_count(film), "frame"), steps),
@@ -231,63 +379,46 @@ void check_legs(const Film& film, const Run& run, const Fields& scene, Errors& e
 
 }  // namespace
 
-ThemeName read_theme(const std::string& word) {
-    static const std::map<std::string, ThemeName> themes{
-        {"light", ThemeName::light}, {"dark", ThemeName::dark}, {"print", ThemeName::print}};
-    return themes.at(word);
+KeyTable<FilmDraft> film_table(PanelKinds kinds) {
+    std::vector<Binding<FilmDraft>> keys{
+        bind_key("template", &Film::template_name, text(1, most_title_letters),
+                 "The layout: a file in the scene's folder or in templates/films, by name.")};
+    return {.name = "`film`", .keys = joined(keys, film_keys(kinds)), .choices = film_choices};
 }
 
-std::optional<LayoutSpec> read_layout(const Fields& template_file, Errors& errors) {
-    const auto fields = template_file.inner("layout");
-    if (!fields || fields->given("grid") == nullptr) return std::nullopt;
-    LayoutSpec layout;
-    const Eigen::Array2d sides = pair(*fields->given("grid"));
-    layout.grid_width = sides[0];
-    layout.grid_height = sides[1];
-    const auto slot = [&](const char* key, Slot& place) {
-        if (const Node* node = fields->given(key)) place = read_slot(*node, layout, errors);
-    };
-    slot("title", layout.title);
-    slot("gas", layout.gas);
-    slot("color_bar", layout.color_bar);
-    if (fields->given("monitors")) slot("monitors", layout.monitors.emplace());
-    if (fields->given("caption")) slot("caption", layout.caption.emplace());
-    const Node* panels = fields->given("panels");
-    if (panels == nullptr && fields->mentions("panels")) return std::nullopt;
-    if (panels != nullptr)
-        for (const Node& item : panels->items)
-            layout.panels.push_back(read_slot(item, layout, errors));
-    if (layout.caption) check_caption_line(*fields->given("caption"), layout, errors);
-    return layout;
+KeyTable<FilmDraft> template_table(PanelKinds kinds) {
+    std::vector<Binding<FilmDraft>> keys = film_keys(kinds);
+    const auto ignore = [](FilmDraft&, const Node*) {};  // read_layout() reads it
+    keys.push_back(bind_with<FilmDraft>("layout", ignore, kept(mapping(layout_table())),
+                                        "Where things stand in a frame.")
+                       .required());
+    return {.name = "a template", .keys = std::move(keys), .choices = film_choices};
 }
 
-Film read_film(const Fields& fields, const Fields& scene, const Run& run, const Gas& gas,
-               const std::optional<LayoutSpec>& layout, const TemplatesFor& templates,
-               Errors& errors) {
-    Film film;
-    film.template_name = fields.text("template").value_or("");
+std::optional<LayoutSpec> read_layout(const Node& template_file, Reading& reading) {
+    const Node* node = given(template_file, "layout");
+    if (node == nullptr || !node->is_mapping()) return std::nullopt;
+    LayoutDraft layout;
+    layout_table().read(*node, layout, reading);
+    const bool has_panels = find(*node, "panels") == nullptr || given(*node, "panels") != nullptr;
+    return layout.grid && has_panels ? std::optional<LayoutSpec>(layout) : std::nullopt;
+}
+
+Film complete_film(const FilmDraft& draft, const Node& node, const Node& root,
+                   const std::optional<LayoutSpec>& layout, const TemplatesFor& templates,
+                   Reading& reading) {
+    Film film = draft;
+    const Run& run = reading.run;
     film.layout = layout.value_or(LayoutSpec{});
-    film.fps = static_cast<int>(fields.integer("fps").value_or(30));
-    film.size = read_size(fields);
-    film.theme = read_theme(fields.text("theme").value());
-    film.transparent = fields.text("ground").value() == "none";
-    film.color_by = read_color_by(fields.text("color_by").value());
-    film.palette = fields.text("palette");
-    film.labels = read_labels(fields.text("labels"));
-    read_velocities(fields, film);
-    film.flashes = fields.flag("flashes").value_or(false);
-    film.monitors = read_monitors(fields.given("monitors"), {gas, run}, errors);
-    read_cards(fields, film);
-    film.trails = read_trails(fields, gas, errors);
-    const std::vector<SlowDraft> slow = read_slow(fields, run, errors);
-    for (const SlowDraft& draft : slow) film.slow.push_back(draft.span);
-    film.seconds = read_seconds(fields, film, run);
-    if (film.seconds > 0.0 && check_frames(film, fields, scene, errors)) {
-        check_legs(film, run, scene, errors);
-        if (errors.empty()) check_easing(film, run, slow, errors);
+    const Spans spans = spans_of(draft, reading);
+    for (const Placed<SlowSpan>& span : spans) film.slow.push_back(span.value);
+    film.seconds = draft.given_seconds.value_or(seconds_at_pace(film.slow, run.until, draft.pace) +
+                                                card_seconds(film));
+    if (film.seconds > 0.0 && check_frames(film, node, root, reading.errors)) {
+        check_legs(film, run, root, reading.errors);
+        if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }
-    film.panels = read_panels(fields, {gas, run}, errors);
-    if (layout) check_slots(fields, film, templates, errors);
+    if (layout) check_slots(node, film, templates, reading.errors);
     return film;
 }
 

@@ -14,32 +14,241 @@
 namespace carom {
 namespace {
 
-Wall wall(const std::string& word) { return word == "periodic" ? Wall::periodic : Wall::solid; }
+/// The walls of a box by their sides.
+struct Sides {
+    Wall left = Wall::solid, right = Wall::solid, bottom = Wall::solid, top = Wall::solid;
+};
 
-Wall opposite_walls(const Fields& walls, std::string_view first, std::string_view second,
+void check_opposite(const Node& sides, Wall first, Wall second, const char* names[2],
                     Errors& errors) {
-    const std::string a = walls.text(first).value_or("solid");
-    const std::string b = walls.text(second).value_or("solid");
-    if (a != b)
-        errors.add(walls.node(), fmt::format("`{}` is {} but `{}` is {}", first, a, second, b),
+    if (first != second)
+        errors.add(sides,
+                   fmt::format("`{}` is {} but `{}` is {}", names[0], word_of(first), names[1],
+                               word_of(second)),
                    "a periodic wall leads to the opposite one: make both periodic");
-    return wall(a);
+}
+
+KeyTable<Sides> sides_table(int dimension) {
+    const Notation<Wall> side = one_of<Wall>();
+    KeyTable<Sides> table{
+        .name = "`walls`",
+        .keys = {bind_key("left", &Sides::left, side, "The wall at x = 0."),
+                 bind_key("right", &Sides::right, side,
+                          "The wall at the largest x; periodic together with the left one.")},
+        .refused = inelastic_keys(),
+        .rule = [](Sides& sides, const Node& node, Reading& reading) {
+            const char* across[] = {"left", "right"};
+            const char* up[] = {"bottom", "top"};
+            check_opposite(node, sides.left, sides.right, across, reading.errors);
+            check_opposite(node, sides.bottom, sides.top, up, reading.errors);
+        }};
+    const std::vector upright{
+        bind_key("bottom", &Sides::bottom, side, "The wall at y = 0."),
+        bind_key("top", &Sides::top, side,
+                 "The wall at y = height; periodic together with the bottom one.")};
+    for (const Binding<Sides>& one : upright) {
+        const std::string& name = one.key.name;
+        if (dimension == 2) table.keys.push_back(one);
+        if (dimension == 1)
+            table.refused.push_back(
+                {name, "a wire has no `" + name + "`", "its ends are `left` and `right`"});
+    }
+    return table;
+}
+
+using Walls = std::array<Wall, 2>;
+
+Notation<Walls> walls_notation(int dimension) {
+    const auto all = [dimension](Wall wall) {
+        return Walls{wall, dimension == 2 ? wall : Wall::solid};
+    };
+    const auto by_side = [](const Sides& sides) { return Walls{sides.left, sides.bottom}; };
+    Notation<Walls> walls =
+        either(mapped(one_of<Wall>(), all), mapped(mapping(sides_table(dimension)), by_side));
+    walls.write = [](const Walls& both) { return std::string(word_of(both[0])); };
+    return walls;
+}
+
+KeyTable<Box> box_table(int dimension) {
+    const auto of_length = [](double length) { return Eigen::Array2d(length, 0.0); };
+    return {
+        .name = "`box`",
+        .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
+                          "Width and height of the box, x from 0 to the width, y from 0 to the "
+                          "height."),
+                 bind_key("length", &Box::size, mapped(number(positive), of_length),
+                          "Instead of a size: the length of a wire, x from 0 to the length."),
+                 bind_key("walls", &Box::walls, walls_notation(dimension),
+                          "What a particle meets at the edge of the box: a wall, or the opposite "
+                          "side.")},
+        .choices = {{{"size", "length"}, true}},
+        .refused = inelastic_keys()};
+}
+
+/// Where the particles of a species begin, as it is written.
+struct PositionDraft {
+    PositionRule rule;
+    const Node* letters = nullptr;  ///< of a word that is written with disks in `within`
+};
+
+/// A species with what only the rules between its keys need.
+struct SpeciesReading : SpeciesDraft {
+    std::optional<Quantity> radius;
+    std::optional<PositionDraft> position;
+};
+
+/// A part of the box, as far as it is known.
+struct Part {
+    std::optional<Region> within;
+    const Node* letters = nullptr;
+};
+
+std::optional<Region> region_in(const std::vector<double>& ends, const Node& node,
+                                Reading& reading) {
+    if (ends.size() == 2 && ends[0] < ends[1]) return Region{{ends[0], 0.0}, {ends[1], 0.0}};
+    if (ends.size() == 4 && ends[0] < ends[2] && ends[1] < ends[3])
+        return Region{{ends[0], ends[1]}, {ends[2], ends[3]}};
+    reading.errors.add(
+        node, ends.size() == 2 ? "expected [x0, x1] with x0 < x1 for `within`"
+                               : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
+    return std::nullopt;
+}
+
+const char* corners(int dimension) { return dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]"; }
+
+KeyTable<Part> part_table(int dimension) {
+    const std::size_t count = 2 * static_cast<std::size_t>(dimension);
+    KeyTable<Part> table{
+        .name = "`position`",
+        .keys = {bind_key("within", &Part::within,
+                          parsed(list_of(number(any_number), count, count, corners(dimension)),
+                                 region_in),
+                          "A part of the box, particles wholly inside.")
+                     .required()}};
+    if (dimension == 2)
+        table.keys.push_back(
+            bind_key(
+                "text", &Part::letters, kept(text(1, most_name_letters)),
+                "A word as a pattern of disks, as large as fits into `within`: capitals, digits, "
+                ". ! ? - + = ♥ ☺. Without `count` there are as many disks as stand well apart.")
+                .default_text("random places"));
+    return table;
+}
+
+Notation<PositionDraft> position_notation(int dimension) {
+    const std::string phrase = fmt::format("{{within: {}}}{}", corners(dimension),
+                                           dimension == 2 ? " (and a `text`)" : "");
+    const auto in_part = [](const Part& part, const Node& node,
+                            Reading&) -> std::optional<PositionDraft> {
+        if (!part.within) return std::nullopt;
+        const Node* letters = find(node, "text");
+        if (letters != nullptr && part.letters == nullptr) return std::nullopt;  // it is wrong
+        return PositionDraft{WithinRegion{*part.within}, letters};
+    };
+    const auto anywhere = [](bool on_lattice) {
+        return on_lattice ? PositionDraft{LatticePlaces{}} : PositionDraft{RandomPlaces{}};
+    };
+    const auto listed = [](std::vector<Eigen::Array2d> values) {
+        return PositionDraft{Places{std::move(values)}};
+    };
+    return either(mapped(one_of<bool>({{"random", false}, {"lattice", true}}), anywhere),
+                  either(parsed(mapping(part_table(dimension), phrase), in_part),
+                         mapped(points(dimension), listed)));
+}
+
+double usual_radius(int dimension) {
+    return dimension == 1 ? 0.0 : std::get<double>(Species{}.radius);
+}
+
+std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
+    const bool wire = dimension == 1;
+    const auto mass = either(alternative<MassRule>(quantity(positive)),
+                             alternative<MassRule>(one_of<Infinite>({{"infinite", {}}})));
+    const auto density = mapped(quantity(positive), [](Quantity value) { return Density{value}; });
+    std::vector<Binding<SpeciesReading>> keys = within<SpeciesReading>(
+        &SpeciesDraft::species,
+        {bind_key("name", &Species::name, text(1, most_name_letters),
+                  "The name of the species, shown in legends.")
+             .default_text("required when there are several species"),
+         bind_key("count", &Species::count, whole(1, most_particles), "How many particles.")
+             .default_text("the number of positions listed, or of disks in a `text`")});
+    keys.push_back(
+        bind_key("radius", &SpeciesReading::radius, quantity(wire ? not_negative : positive),
+                 wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
+            .default_value(number_text(usual_radius(dimension))));
+    keys = joined(
+        keys,
+        within<SpeciesReading>(
+            &SpeciesDraft::species,
+            {bind_key("mass", &Species::mass, mass,
+                      "The mass of each particle; `infinite` is never moved by a collision."),
+             bind_key("density", &Species::mass, alternative<MassRule>(density),
+                      wire ? "Instead of a mass: mass = density * 2 radius."
+                           : "Instead of a mass: mass = density * pi * radius^2."),
+             bind_with<Species>(
+                 "speed",
+                 [](Species& species, Quantity value) {
+                     species.velocity.emplace<Speed>(std::move(value));
+                 },
+                 quantity(not_negative),
+                 fmt::format("The speed of each particle, {}.",
+                             wire ? "to the left or to the right" : "in a random direction")),
+             bind_with<Species>(
+                 "velocity",
+                 [](Species& species, std::vector<Eigen::Array2d> values) {
+                     species.velocity.emplace<Velocity>(std::move(values));
+                 },
+                 points(dimension), "One velocity for all, or a list of one for each particle."),
+             bind_with<Species>(
+                 "temperature",
+                 [](Species& species, double value) {
+                     species.velocity.emplace<Temperature>(value);
+                 },
+                 number(not_negative), "Maxwell-Boltzmann velocities at this temperature.")
+                 .default_text("at rest")}));
+    keys.push_back(bind_key("position", &SpeciesReading::position, position_notation(dimension),
+                            "Where the particles begin: anywhere, evenly spaced, in a part of the "
+                            "box, or in listed places.")
+                       .default_value("random"));
+    return keys;
+}
+
+std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
+    std::vector<Binding<SpeciesLook>> keys{
+        bind_key("color", &SpeciesLook::color, color(),
+                 "The colour of this species where species are told apart: a name or \"#rrggbb\".")
+            .default_text("chosen by the film"),
+        bind_key("fill", &SpeciesLook::fill, flag(),
+                 "Whether disks and beads are filled; rings if not."),
+        bind_key("label", &SpeciesLook::label, text(0, most_name_letters),
+                 "A word drawn beside the particles.")
+            .default_text("none"),
+        bind_key("trail", &SpeciesLook::trail,
+                 number({0.0, most_trail_seconds.value, most_trail_seconds.meaning}),
+                 "How long a trail the particles leave, in seconds of film.")
+            .default_text("by the film")};
+    if (dimension == 1)
+        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(positive),
+                                "How large the beads are drawn, pushed apart so that they seem to "
+                                "touch when they meet.")
+                           .default_text("the radius, or 0.4 of the mean spacing for points"));
+    return keys;
 }
 
 // Whether these are places, and not a word or a part of the box.
 bool is_places(const Node& position) { return position.is_list() || number_in(position); }
 
 // Lists give one value for each particle.
-void check_list_length(const Fields& item, std::string_view key, std::int64_t count, int dimension,
+void check_list_length(const Node& item, std::string_view key, std::int64_t count, int dimension,
                        Errors& errors) {
-    const Node* list = item.given(key);
+    const Node* list = given(item, key);
     if (list == nullptr) return;
     const bool vectors = key == "velocity" || key == "position";
     if (vectors && !lists_points(*list, dimension)) {
         if (key == "position" && is_places(*list) && count != 1)
-            errors.add(*list, fmt::format("one point for {}", counted(count, "particle")),
-                       fmt::format("list a point for each, or give `{{within: {}}}`",
-                                   dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]"));
+            errors.add(
+                *list, fmt::format("one point for {}", counted(count, "particle")),
+                fmt::format("list a point for each, or give `{{within: {}}}`", corners(dimension)));
         return;
     }
     if (!list->is_list()) return;
@@ -51,69 +260,27 @@ void check_list_length(const Fields& item, std::string_view key, std::int64_t co
                    "give one for each particle");
 }
 
-std::int64_t listed_positions(const Fields& item, int dimension) {
-    const Node* position = item.given("position");
-    if (position == nullptr || !is_places(*position)) return 0;
-    return lists_points(*position, dimension) ? static_cast<std::int64_t>(position->items.size())
-                                              : 1;
+bool is_known(const Node& item, std::string_view key) {
+    return given(item, key) != nullptr || find(item, key) == nullptr;
 }
 
-// The letters of a pattern, if the places are one.
-const Node* word_in(const Fields& item) {
-    const Node* position = item.given("position");
-    return position != nullptr && position->is_mapping() ? find(*position, "text") : nullptr;
-}
-
-// 0 when it is not known; `pattern` are the places of a word, if there is one.
-std::int64_t read_count(const Fields& item, int dimension, const std::optional<Places>& pattern,
-                        Errors& errors) {
-    if (const auto count = item.integer("count")) return *count;
+// Of a gas that does not say it: as many as there are places; 0 where an error leaves it open.
+std::int64_t counted_places(const SpeciesReading& draft, const Node& item,
+                            const std::optional<Places>& pattern, Errors& errors) {
     if (pattern) return static_cast<std::int64_t>(pattern->values.size());
-    const std::int64_t listed = listed_positions(item, dimension);
-    if (listed == 0 && !item.mentions("count") && word_in(item) == nullptr &&
-        (item.given("position") || !item.mentions("position")))
-        errors.add(item.node(), "an item of `gas` needs `count`, or a list of positions");
-    return listed;
+    const auto* places = draft.position ? std::get_if<Places>(&draft.position->rule) : nullptr;
+    if (places != nullptr) return static_cast<std::int64_t>(places->values.size());
+    const Node* position = given(item, "position");
+    const bool word = position != nullptr && position->is_mapping() && find(*position, "text");
+    if (find(item, "count") == nullptr && !word && is_known(item, "position"))
+        errors.add(item, "an item of `gas` needs `count`, or a list of positions");
+    return 0;
 }
 
-std::optional<Quantity> read_quantity(const Fields& item, std::string_view key, Errors& errors) {
-    const Node* node = item.value(key);
-    if (node == nullptr) return std::nullopt;
-    const Key& entry = item.section().keys.at(item.section().index(key));
-    return quantity_in(*node, entry.forms.front().range, errors);
-}
-
-MassRule read_mass(const Fields& item, Errors& errors) {
-    if (item.given("density"))
-        if (auto density = read_quantity(item, "density", errors)) return Density{*density};
-    if (item.text("mass") == "infinite") return Infinite{};
-    if (const auto mass = read_quantity(item, "mass", errors)) return *mass;
-    return Quantity{1.0};
-}
-
-VelocityRule read_velocity(const Fields& item, int dimension, Errors& errors) {
-    if (const Node* velocity = item.given("velocity"))
-        return Velocity{points(*velocity, dimension)};
-    if (const auto temperature = item.number("temperature")) return Temperature{*temperature};
-    if (const auto speed = read_quantity(item, "speed", errors)) return Speed{*speed};
-    return AtRest{};
-}
-
-std::optional<Region> region_in(const std::vector<double>& ends, const Node& within, int dimension,
-                                Errors& errors) {
-    if (dimension == 1 && ends[0] < ends[1]) return Region{{ends[0], 0.0}, {ends[1], 0.0}};
-    if (dimension == 2 && ends[0] < ends[2] && ends[1] < ends[3])
-        return Region{{ends[0], ends[1]}, {ends[2], ends[3]}};
-    errors.add(within, dimension == 1
-                           ? "expected [x0, x1] with x0 < x1 for `within`"
-                           : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
-    return std::nullopt;
-}
-
-// Nothing for a normal law, which has no largest value.
+// Nothing for a normal distribution, which has no largest value.
 std::optional<double> largest_of(const Quantity& quantity) {
     if (const auto* number = std::get_if<double>(&quantity)) return *number;
-    if (const auto* law = std::get_if<UniformLaw>(&quantity)) return law->high;
+    if (const auto* uniform = std::get_if<UniformLaw>(&quantity)) return uniform->high;
     const auto* list = std::get_if<std::vector<double>>(&quantity);
     return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
 }
@@ -134,95 +301,85 @@ bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
     return without.empty() && !shape.cells.empty();
 }
 
-// The places of a word's disks: so many across a cell that there are `count`, or as many as leave a
-// quarter of their diameter between them.
-std::optional<Places> read_word(const Fields& item, int dimension, const Quantity& radius,
-                                Errors& errors) {
-    const Node* word = dimension == 2 ? word_in(item) : nullptr;
-    const Node* within =
-        word != nullptr && word->valid ? find(*item.given("position"), "within") : nullptr;
-    if (within == nullptr || !within->valid) return std::nullopt;
-    const WordShape shape = word_shape(word->text);
+// `cells` of a word are filled cells as wide as `cell`, with room for `most` disks across.
+void report_narrow(const Node& word, double count, double radius, double cell, double room,
+                   Errors& errors) {
+    if (room == 0.0)
+        errors.add(word,
+                   fmt::format("disks of radius {} are wider than the strokes of the letters, "
+                               "which are {:.4g} wide",
+                               radius, cell),
+                   "smaller disks or a larger `within` make room");
+    else
+        errors.add(word,
+                   fmt::format("{} disks of radius {} do not fit into the letters, which have "
+                               "room for {:.0f}",
+                               count, radius, room),
+                   "fewer or smaller disks or a larger `within` make room");
+}
+
+// The places of a word's disks: so many across a cell that there are `count`, or, where that is 0,
+// as many as leave a quarter of their diameter between them.
+std::optional<Places> pattern_of(const Node& word, const Region& region, const Quantity& radius,
+                                 std::int64_t count, Errors& errors) {
+    const WordShape shape = word_shape(word.text);
     const auto largest = largest_of(radius);
-    if (!check_word(*word, shape, errors)) return std::nullopt;
+    if (!check_word(word, shape, errors)) return std::nullopt;
     if (!largest) {
-        errors.add(*word, "a `text` needs radii that have a largest one, not a normal law");
+        errors.add(word, "a `text` needs radii that have a largest one, not a normal distribution");
         return std::nullopt;
     }
-    Errors told_later;  // by read_position()
-    const auto region = region_in(numbers(*within), *within, dimension, told_later);
-    if (!region) return std::nullopt;
-    const double cell = shape.cell_in(*region);
+    const double cell = shape.cell_in(region);
     const auto cells = static_cast<double>(shape.cells.size());
     const int most = most_across(cell, *largest);
-    const auto count = item.integer("count");
-    const int across = count
-                           ? static_cast<int>(std::ceil(std::sqrt(double(*count) / cells)))
-                           : std::clamp(most_across(cell, 1.25 * *largest), 1,
-                                        static_cast<int>(std::sqrt(most_particles.value / cells)));
+    const int across =
+        count > 0 ? static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / cells)))
+                  : std::clamp(most_across(cell, 1.25 * *largest), 1,
+                               static_cast<int>(std::sqrt(most_particles.value / cells)));
     if (across > most) {
-        const double room = cells * most * most;
-        errors.add(*word,
-                   most == 0 ? fmt::format("disks of radius {} are wider than the strokes of the "
-                                           "letters, which are {:.4g} wide",
-                                           *largest, cell)
-                             : fmt::format("{} disks of radius {} do not fit into the letters, "
-                                           "which have room for {:.0f}",
-                                           *count, *largest, room),
-                   most == 0 ? "smaller disks or a larger `within` make room"
-                             : "fewer or smaller disks or a larger `within` make room");
+        report_narrow(word, static_cast<double>(count), *largest, cell, cells * most * most,
+                      errors);
         return std::nullopt;
     }
-    return Places{places_of(shape, *region, across,
-                            count.value_or(static_cast<std::int64_t>(cells) * across * across))};
+    const std::int64_t all = static_cast<std::int64_t>(cells) * across * across;
+    return Places{places_of(shape, region, across, count > 0 ? count : all)};
 }
 
-std::optional<PositionRule> read_position(const Fields& item, int dimension,
-                                          const std::optional<Places>& pattern, Errors& errors) {
-    const Node* position = item.value("position");
-    if (is_places(*position)) return Places{points(*position, dimension)};
-    if (position->text == "lattice") return LatticePlaces{};
-    if (!position->is_mapping()) return RandomPlaces{};
-    const Node* within = find(*position, "within");
-    if (within == nullptr || !within->valid) return std::nullopt;
-    const auto region = region_in(numbers(*within), *within, dimension, errors);
-    if (!region) return std::nullopt;
-    if (pattern) return *pattern;
-    if (find(*position, "text") != nullptr) return std::nullopt;
-    return WithinRegion{*region};
-}
-
-SpeciesLook read_look(const Fields& item, int dimension) {
-    SpeciesLook look;
-    if (const auto color = item.text("color")) look.color = color_hex(*color);
-    look.fill = item.flag("fill").value_or(true);
-    look.label = item.text("label").value_or("");
-    look.trail = item.number("trail");
-    if (dimension == 1) look.drawn_radius = item.number("drawn_radius");
-    return look;
-}
-
-SpeciesDraft read_item(const Fields& item, int dimension, Errors& errors) {
-    SpeciesDraft draft;
-    draft.node = &item.node();
+// What the keys of a species mean together.
+void complete_species(SpeciesReading& draft, const Node& item, int dimension, Errors& errors) {
+    draft.node = &item;
     Species& species = draft.species;
-    species.name = item.text("name").value_or("");
-    const auto radius = read_quantity(item, "radius", errors);
-    species.radius = radius.value_or(Quantity{dimension == 1 ? 0.0 : 0.5});
-    const auto pattern = read_word(item, dimension, species.radius, errors);
-    species.count = read_count(item, dimension, pattern, errors);
+    species.radius = draft.radius.value_or(Quantity{usual_radius(dimension)});
+    const Node* letters = draft.position ? draft.position->letters : nullptr;
+    std::optional<Places> pattern;
+    if (letters != nullptr)
+        pattern = pattern_of(*letters, std::get<WithinRegion>(draft.position->rule).region,
+                             species.radius, species.count, errors);
+    if (species.count == 0) species.count = counted_places(draft, item, pattern, errors);
     if (species.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
             check_list_length(item, key, species.count, dimension, errors);
-    draft.radius_known = radius.has_value() && (item.given("radius") || !item.mentions("radius"));
-    species.mass = read_mass(item, errors);
-    species.velocity = read_velocity(item, dimension, errors);
-    const auto position = read_position(item, dimension, pattern, errors);
+    draft.radius_known = draft.radius.has_value() && is_known(item, "radius");
     draft.position_known =
-        position.has_value() && (item.given("position") || !item.mentions("position"));
-    if (position) species.position = *position;
-    draft.look = read_look(item, dimension);
-    return draft;
+        draft.position.has_value() && (letters == nullptr || pattern) && is_known(item, "position");
+    if (draft.position && letters == nullptr) species.position = draft.position->rule;
+    if (pattern) species.position = *pattern;
+}
+
+KeyTable<SpeciesReading> species_table(int dimension) {
+    KeyTable<SpeciesReading> table{
+        .name = "an item of `gas`",
+        .keys = joined(matter_keys(dimension),
+                       within<SpeciesReading>(&SpeciesDraft::look, look_keys(dimension))),
+        .choices = {{{"mass", "density"}}, {{"speed", "velocity", "temperature"}}},
+        .refused = inelastic_keys(),
+        .rule = [dimension](SpeciesReading& draft, const Node& item, Reading& reading) {
+            complete_species(draft, item, dimension, reading.errors);
+        }};
+    if (dimension == 2)
+        table.refused.push_back({"drawn_radius", "`drawn_radius` is for beads on a wire (`length`)",
+                                 "disks are drawn as large as they are: give `radius`"});
+    return table;
 }
 
 void check_name(const SpeciesDraft& draft, Errors& errors) {
@@ -256,9 +413,8 @@ void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
     for (const SpeciesDraft& draft : drafts) {
         total += draft.species.count;
         if (static_cast<double>(total) <= most_particles.value) continue;
-        const Node* count = find(*draft.node, "count");
         errors.add(
-            count != nullptr ? *count : *draft.node, fmt::format("{} particles up to here", total),
+            at_key(draft, "count"), fmt::format("{} particles up to here", total),
             fmt::format("the ceiling is {} {}", most_particles.value, most_particles.meaning));
         return;
     }
@@ -266,35 +422,42 @@ void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
 
 }  // namespace
 
-std::optional<Box> read_box(const Fields& scene, int dimension, Errors& errors) {
-    const auto fields = scene.inner("box");
-    if (!fields) return std::nullopt;
-    Box box;
-    box.dimension = dimension;
-    if (const auto walls = fields->inner("walls")) {
-        box.walls[0] = opposite_walls(*walls, "left", "right", errors);
-        if (dimension == 2) box.walls[1] = opposite_walls(*walls, "bottom", "top", errors);
-    } else {
-        const Wall all = wall(fields->text("walls").value_or("solid"));
-        box.walls = {all, dimension == 2 ? all : Wall::solid};
-    }
-    const Node* extent = fields->given(dimension == 2 ? "size" : "length");
-    if (extent == nullptr) return std::nullopt;
-    box.size = points(*extent, dimension).front();
-    return box;
+std::vector<Refused> inelastic_keys() {
+    std::vector<Refused> refused;
+    for (const char* name : {"restitution", "elasticity", "elastic", "inelastic", "dissipation",
+                             "damping", "friction"})
+        refused.push_back(
+            {name,
+             fmt::format("there is no `{}`: all collisions are elastic and without friction, with "
+                         "walls too",
+                         name),
+             "energy is conserved, and every collision can be undone: leave it out"});
+    return refused;
 }
 
-std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Errors& errors) {
-    std::vector<SpeciesDraft> drafts;
-    const Node* gas = scene.given("gas");
-    if (gas == nullptr) return drafts;
-    const Section& section = section_of(scene.section(), "gas");
-    for (const Node& item : gas->items)
-        if (item.is_mapping()) drafts.push_back(read_item({item, section}, dimension, errors));
-    check_names(drafts, errors);
-    check_total(drafts, errors);
-    if (drafts.size() == 1 && drafts[0].species.name.empty()) drafts[0].species.name = "gas";
-    return drafts;
+Notation<Box> box_notation(int dimension) {
+    return parsed(mapping(box_table(dimension)),
+                  [dimension](Box box, const Node&, Reading&) -> std::optional<Box> {
+                      if (!(box.size[0] > 0.0)) return std::nullopt;
+                      box.dimension = dimension;
+                      return box;
+                  });
+}
+
+Notation<std::vector<SpeciesDraft>> gas_notation(int dimension) {
+    const auto species = mapped(mapping(species_table(dimension)),
+                                [](SpeciesReading draft) { return SpeciesDraft(draft); });
+    return mapped(
+        checked(list_of(species, 1, most_species, "a list of species"),
+                [](const std::vector<SpeciesDraft>& drafts, const Node&, Reading& reading) {
+                    check_names(drafts, reading.errors);
+                    check_total(drafts, reading.errors);
+                }),
+        [](std::vector<SpeciesDraft> drafts) {
+            if (drafts.size() == 1 && drafts[0].species.name.empty())
+                drafts[0].species.name = "gas";
+            return drafts;
+        });
 }
 
 std::optional<std::int64_t> particles_in(const Gas& gas) {

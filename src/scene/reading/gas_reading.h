@@ -1,5 +1,5 @@
-// From the checked `box` and `gas` of a scene to a Gas, and what these values mean together:
-// lengths of lists, names, places, room.
+// The keys of `box` and `gas`, and what their values mean together: lengths of lists, names,
+// places, room.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/keys/fields.h"
+#include "scene/keys/binding.h"
 #include "scene/scene.h"
 
 namespace carom {
 
 /// The box of one or two dimensions; nothing when an error leaves its size open.
-std::optional<Box> read_box(const Fields& scene, int dimension, Errors& errors);
+Notation<Box> box_notation(int dimension);
 
 /// A species and what is known of it although something in it may be wrong.
 struct SpeciesDraft {
@@ -27,7 +27,11 @@ struct SpeciesDraft {
 };
 
 /// The species in the order of the list, for a box of one or two dimensions.
-std::vector<SpeciesDraft> read_species(const Fields& scene, int dimension, Errors& errors);
+Notation<std::vector<SpeciesDraft>> gas_notation(int dimension);
+
+/// Keys that would make collisions lose energy: they are refused wherever they are likely to be
+/// tried.
+std::vector<Refused> inelastic_keys();
 
 /// How many there are in all; nothing while an error leaves the count of a species open.
 std::optional<std::int64_t> particles_in(const Gas& gas);
@@ -38,7 +42,7 @@ const Node& at_key(const SpeciesDraft& draft, std::string_view key);
 /// What a message calls a particle of the species; `particle` counts over all species.
 std::string called(const SpeciesDraft& draft, std::size_t particle);
 
-/// Of particle `i` of a species, counted from 0; 0 where a law draws it.
+/// Of particle `i` of a species, counted from 0; 0 where a distribution draws it.
 double number_of(const Quantity& quantity, std::size_t i);
 
 /// Reports what cannot be placed in a box of two dimensions: disks too large for it, too many for

@@ -1,31 +1,40 @@
-// From the checked `panels` of a film to their options, and what these mean for the gas: whether
-// there are the particles that they choose, and the components.
+// The keys of panels, which of them each kind takes, and what their values mean for the gas:
+// whether there are the particles that they choose, and the components.
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "physics/gas.h"
-#include "scene/keys/fields.h"
+#include "scene/keys/binding.h"
+#include "scene/panel_kind.h"
 #include "scene/scene.h"
 
 namespace carom {
 
-/// What panels show: a gas, and what happens to it.
-struct Shown {
-    const Gas& gas;
-    const Run& run;
-};
+/// Particles: all, a species, a number, or a list of these.
+Notation<std::vector<Chosen>> chosen_notation();
 
-/// The particles that `of` names, one or a list.
-std::vector<Chosen> read_of(const Node& of, const Gas& gas, Errors& errors);
+/// A list of numbers to show.
+Notation<std::vector<Monitor>> monitors_notation();
 
-/// The numbers that a checked list of monitors names; none for no list.
-std::vector<Monitor> read_monitors(const Node* list, const Shown& shown, Errors& errors);
+/// The panels of a film.
+Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds);
 
-/// The options that panels and figures share; `over` is left to the caller.
-PanelSpec read_panel(const Fields& fields, const Shown& shown, Errors& errors);
+/// The keys that panels and figures share; `kind` and `over` are each one's own.
+std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<PanelSpec>& kind,
+                                           const std::vector<Binding<PanelSpec>>& over);
 
-/// The panels that `film` lists.
-std::vector<PanelSpec> read_panels(const Fields& film, const Shown& shown, Errors& errors);
+/// The key `kind` that takes these words.
+Binding<PanelSpec> kind_key(const Notation<std::string>& words);
+
+/// The rules between the keys of a panel, which is a mapping or the name of a kind alone.
+void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading);
+
+/// The kinds that can do something, by name.
+std::vector<std::string> kinds_that_can(PanelKinds kinds, Ability ability);
+
+/// Reports what is wrong with return distances of this gas: that there is no reversal to measure
+/// them from, or that they would take too much memory.
+void check_reversal(const Node& place, Reading& reading);
 
 }  // namespace carom

@@ -14,83 +14,147 @@
 namespace carom {
 namespace {
 
-void read_caption(const Fields& fields, double at, RunDraft& draft, Errors& errors) {
-    const Node* seconds = fields.given("for");
-    if (const auto words = fields.text("caption"))
-        draft.captions.push_back({{at, *words, fields.number("for")}, fields.given("caption")});
-    else if (seconds != nullptr && !fields.mentions("caption"))
-        errors.add(*seconds, "`for` has no meaning without a caption", "it goes with `caption`");
+/// A nudge, as far as it is given. What is moved is kept as it is written: no double has all its
+/// digits.
+struct NudgeDraft {
+    std::optional<std::int64_t> particle;
+    std::optional<std::array<std::string, 2>> by;
+};
+
+/// An item of `events`.
+struct EventDraft {
+    double at = 0.0;
+    bool reverses = false;
+    std::optional<Perturbation> nudge;
+    std::optional<std::string> mark, caption;
+    std::optional<double> seconds;
+};
+
+/// A run with what only the rules between its keys need.
+struct RunReading : RunDraft {
+    std::vector<Placed<EventDraft>> events;
+};
+
+Notation<std::array<std::string, 2>> digits(int dimension) {
+    using Digits = std::array<std::string, 2>;
+    const auto as_written = [](const Eigen::Array2d&, const Node& node, Reading&) {
+        return std::optional(node.is_scalar() ? Digits{node.text, "0"}
+                                              : Digits{node.items[0].text, node.items[1].text});
+    };
+    if (dimension == 2) return parsed(pair_of(any_number, "[dx, dy]"), as_written);
+    return parsed(mapped(number(any_number), [](double x) { return Eigen::Array2d(x, 0.0); }),
+                  as_written);
 }
 
-void add_event(RunEvent event, const Node& node, RunDraft& draft) {
-    draft.run.events.push_back(std::move(event));
-    draft.event_nodes.push_back(&node);
+Notation<Perturbation> nudge_notation(int dimension) {
+    const KeyTable<NudgeDraft> table{
+        .name = "`nudge`",
+        .keys = {bind_key("particle", &NudgeDraft::particle, whole(0, most_particles),
+                          "The number of the particle, counted from 0 in the order in which `gas` "
+                          "lists them.")
+                     .required(),
+                 bind_key("by", &NudgeDraft::by, digits(dimension),
+                          "How far it is moved, read with all its digits: as little as 1e-300.")
+                     .required()}};
+    return parsed(
+        mapping(table, dimension == 1 ? "{particle: i, by: dx}" : "{particle: i, by: [dx, dy]}"),
+        [](const NudgeDraft& draft, const Node&, Reading&) -> std::optional<Perturbation> {
+            if (!draft.particle || !draft.by) return std::nullopt;
+            return Perturbation{*draft.particle, *draft.by};
+        });
 }
 
-// What is moved is kept as it is written: no double has all its digits.
-void read_nudge(const Fields& fields, double at, RunDraft& draft) {
-    const Node* by = fields.given("by");
-    const auto particle = fields.integer("particle");
-    if (by == nullptr || !particle) return;
-    Perturbation nudge{.particle = *particle};
-    if (by->is_scalar())
-        nudge.by[0] = by->text;
-    else
-        nudge.by = {by->items[0].text, by->items[1].text};
-    add_event({at, nudge}, fields.node(), draft);
+KeyTable<EventDraft> event_table(int dimension) {
+    return {
+        .name = "an item of `events`",
+        .keys =
+            {bind_key("at", &EventDraft::at, number(not_negative),
+                      "When, in simulated time, before `until`.")
+                 .required(),
+             bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
+                      "Turns every velocity round; a run with one reversal must last until the gas "
+                      "is home, at twice its time."),
+             bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
+                      "Moves one particle by a little, which shows how soon a reversed film goes "
+                      "another way."),
+             bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
+                      "Keeps the places that the particles have then in sight, as outlines with "
+                      "these words, until the next mark."),
+             bind_key("caption", &EventDraft::caption, text(0, most_caption_letters),
+                      "Words under the gas, one line that is shown until the next; \"\" takes them "
+                      "away."),
+             bind_key("for", &EventDraft::seconds,
+                      number({least_caption_seconds, most_seconds.value, most_seconds.meaning}),
+                      "How long the caption is shown at most, in seconds of film.")
+                 .default_text("until the next caption")},
+        .choices = {{{"reverse", "nudge", "mark", "caption"}, true}}};
 }
 
-std::optional<int> read_bits(const Fields& fields, RunDraft& draft, Errors& errors) {
-    draft.precision = fields.given("precision");
-    const std::string word = fields.text("precision").value_or("double");
-    if (word == "auto") return std::nullopt;
-    const int bits = static_cast<int>(fields.number("precision").value_or(bits_of_double));
-    if (bits > bits_of_double && bits < least_bits)
-        errors.add(*draft.precision,
-                   fmt::format("expected `double`, `auto` or a whole number from {} to {} for "
-                               "`precision`, found {}",
-                               least_bits, most_bits, described(*draft.precision)),
-                   fmt::format("{} bits are a double", bits_of_double));
-    return bits;
+Notation<std::optional<int>> bits_notation() {
+    using Bits = std::optional<int>;
+    const Notation<Bits> words = one_of<Bits>({{"double", Bits(bits_of_double)}, {"auto", Bits()}});
+    const auto check = [](const Bits& bits, const Node& node, Reading& reading) {
+        if (bits > bits_of_double && bits < least_bits)
+            reading.errors.add(
+                node,
+                fmt::format("expected `double`, `auto` or a whole number from {} to {} for "
+                            "`precision`, found {}",
+                            least_bits, most_bits, described(node)),
+                fmt::format("{} bits are a double", bits_of_double));
+    };
+    const auto number =
+        whole(bits_of_double, most_precise)
+            .called(fmt::format("a whole number from {} to {}", least_bits, most_bits));
+    return checked(
+        either(words,
+               mapped(number, [](std::int64_t bits) { return Bits(static_cast<int>(bits)); })),
+        check);
 }
 
-void read_event(const Fields& fields, RunDraft& draft, Errors& errors) {
-    const auto at = fields.number("at");
-    if (!at) return;
-    const Node& place = *fields.given("at");
-    const double until = draft.run.until;
-    const bool reverses = fields.given("reverse") != nullptr;
-    if (until > 0.0 && *at >= until)
+void check_time(const EventDraft& event, const Node& place, double until, Errors& errors) {
+    if (until > 0.0 && event.at >= until)
         errors.add(place,
                    fmt::format("expected a time {} and below `until` ({}) for `at`, found {}",
-                               reverses ? "above 0" : "from 0 on", until, described(place)),
+                               event.reverses ? "above 0" : "from 0 on", until, described(place)),
                    "the film ends at `until`: what happens then or later is never shown");
-    else if (reverses && *at == 0.0)
+    else if (event.reverses && event.at == 0.0)
         errors.add(place, "expected a positive number for `at` of a reversal, found `0`",
                    "nothing has happened yet that could be undone");
-    if (reverses) add_event({*at, ReverseVelocities{}}, *fields.given("reverse"), draft);
-    if (const auto nudge = fields.inner("nudge")) read_nudge(*nudge, *at, draft);
-    if (const auto words = fields.text("mark")) draft.marks.push_back({*at, *words});
-    read_caption(fields, *at, draft, errors);
 }
 
-double read_sample_every(const Fields& fields, const Run& run, Errors& errors) {
-    const Node* node = fields.given("sample_every");
-    if (node == nullptr) return 0.0;
-    const double every = fields.number("sample_every").value_or(0.0);
-    const double samples = run.until / every;
-    if (samples > most_samples.value)
+// One event at its time: of the run, or of the film.
+void add_event(const EventDraft& event, const Node& node, RunDraft& draft, Errors& errors) {
+    const auto add = [&](RunEvent one, const Node& place) {
+        draft.run.events.push_back(std::move(one));
+        draft.event_nodes.push_back(&place);
+    };
+    const Node* at = given(node, "at");
+    if (at == nullptr) return;
+    check_time(event, *at, draft.run.until, errors);
+    if (event.reverses) add({event.at, ReverseVelocities{}}, *given(node, "reverse"));
+    if (event.nudge) add({event.at, *event.nudge}, *given(node, "nudge"));
+    if (event.mark) draft.marks.push_back({event.at, *event.mark});
+    if (event.caption)
+        draft.captions.push_back(
+            {{event.at, *event.caption, event.seconds}, given(node, "caption")});
+    else if (event.seconds && find(node, "caption") == nullptr)
+        errors.add(*given(node, "for"), "`for` has no meaning without a caption",
+                   "it goes with `caption`");
+}
+
+void check_samples(const Run& run, const Node* node, Errors& errors) {
+    const double samples = run.until / run.sample_every;
+    if (node != nullptr && samples > most_samples.value)
         errors.add(
             *node,
-            fmt::format("a run until {} sampled every {} has {:.6g} samples", run.until, every,
-                        samples),
+            fmt::format("a run until {} sampled every {} has {:.6g} samples", run.until,
+                        run.sample_every, samples),
             fmt::format("the ceiling is {:.0f} {}", most_samples.value, most_samples.meaning));
-    return every;
 }
 
-bool is_overridden(const Fields& scene, const char* section, const char* key) {
-    const auto fields = scene.inner(section);
-    const Node* node = fields ? fields->given(key) : nullptr;
+bool is_overridden(const Node& root, const char* section, const char* key) {
+    const Node* mapping = given(root, section);
+    const Node* node = mapping != nullptr && mapping->is_mapping() ? given(*mapping, key) : nullptr;
     return node != nullptr && node->source->origin == Origin::command_line;
 }
 
@@ -123,9 +187,54 @@ void sort_events(RunDraft& draft) {
         draft.run.events[k] = before.run.events[order[k]];
         draft.event_nodes[k] = before.event_nodes[order[k]];
     }
+    std::ranges::stable_sort(draft.marks, {}, &Mark::at);
+    std::ranges::stable_sort(draft.captions, {},
+                             [](const Placed<Caption>& one) { return one.value.at; });
+}
+
+KeyTable<RunReading> run_table(int dimension) {
+    std::vector<Binding<RunReading>> keys = within<RunReading>(
+        &RunDraft::run,
+        {bind_key("until", &Run::until, number(positive), "The end of the run, in simulated time.")
+             .required(),
+         bind_key("equilibrate", &Run::equilibrate, number(not_negative),
+                  "Simulated time before time 0, neither shown nor counted."),
+         bind_key("sample_every", &Run::sample_every, number(positive),
+                  "Simulated time between two samples of the statistics: at 0, at its "
+                  "multiples, and at the end.")
+             .default_text("until / (frames - 1) with a film, until / 1000 without"),
+         bind_key("precision", &Run::bits, bits_notation(),
+                  "What the run calculates with: doubles, which have 53 bits; numbers of so "
+                  "many bits; or as many as it takes to come home after every reversal, which "
+                  "is tried out."),
+         bind_key("tolerance", &Run::tolerance, number({1e-300, 1.0, "radius away from home"}),
+                  "How near its place `precision: auto` must bring every particle home, in "
+                  "units of the smallest radius; on a wire of points, of the length for each of "
+                  "them.")});
+    keys.push_back(bind_key("events", &RunReading::events,
+                            list_of(placed(mapping(event_table(dimension))), 0, most_events,
+                                    "a list of events"),
+                            "What happens on the way, a list of {at: time, action}.")
+                       .default_text("none"));
+    return {.name = "`run`",
+            .keys = std::move(keys),
+            .refused = inelastic_keys(),
+            .rule = [](RunReading& draft, const Node& node, Reading& reading) {
+                draft.precision = given(node, "precision");
+                check_samples(draft.run, given(node, "sample_every"), reading.errors);
+                for (const Placed<EventDraft>& event : draft.events)
+                    add_event(event.value, *event.node, draft, reading.errors);
+                sort_events(draft);
+                check_way_home(draft, reading.errors);
+            }};
 }
 
 }  // namespace
+
+Notation<RunDraft> run_notation(int dimension) {
+    return mapped(mapping(run_table(dimension)),
+                  [](RunReading draft) { return RunDraft(std::move(draft)); });
+}
 
 void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors) {
     const auto count = particles_in(gas);
@@ -159,33 +268,11 @@ void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors) {
     }
 }
 
-RunDraft read_run(const Fields& scene, Errors& errors) {
-    RunDraft draft;
-    const auto fields = scene.inner("run");
-    if (!fields) return draft;
-    Run& run = draft.run;
-    run.until = fields->number("until").value_or(0.0);
-    run.equilibrate = fields->number("equilibrate").value_or(0.0);
-    run.bits = read_bits(*fields, draft, errors);
-    run.tolerance = fields->number("tolerance").value_or(run.tolerance);
-    run.sample_every = read_sample_every(*fields, run, errors);
-    if (const Node* events = fields->given("events"))
-        for (const Node& item : events->items)
-            if (item.is_mapping())
-                read_event({item, section_of(fields->section(), "events")}, draft, errors);
-    sort_events(draft);
-    check_way_home(draft, errors);
-    std::ranges::stable_sort(draft.marks, {}, &Mark::at);
-    std::ranges::stable_sort(draft.captions, {},
-                             [](const CaptionDraft& one) { return one.caption.at; });
-    return draft;
-}
-
-void check_captions(const Scene& scene, const std::vector<CaptionDraft>& drafts,
-                    const Fields& fields, Errors& errors) {
+void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& drafts,
+                    const Node& root, Errors& errors) {
     for (const auto& [section, key] :
          {std::pair{"run", "until"}, {"film", "seconds"}, {"film", "pace"}})
-        if (is_overridden(fields, section, key)) return;
+        if (is_overridden(root, section, key)) return;
     const std::vector<CaptionSpan> spans = caption_schedule(scene);
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const CaptionSpan& span = spans[i];
@@ -198,7 +285,7 @@ void check_captions(const Scene& scene, const std::vector<CaptionDraft>& drafts,
                         "expected at least {}",
                         span.end - span.start,
                         i + 1 < spans.size()
-                            ? fmt::format("the next one at time {}", drafts[i + 1].caption.at)
+                            ? fmt::format("the next one at time {}", drafts[i + 1].value.at)
                             : "the film ends",
                         least_caption_seconds),
             "a longer film (`film.seconds`) gives it more time, and so does an earlier `at`, or a "

@@ -1,37 +1,33 @@
-// From the checked `run` of a scene to values: its times, what happens to the gas, and what is said
-// and marked in the film on the way.
+// The keys of `run`: its times, what happens to the gas, and what is said and marked in the film on
+// the way.
 #pragma once
 
 #include <vector>
 
-#include "scene/keys/fields.h"
+#include "scene/keys/binding.h"
 #include "scene/scene.h"
 
 namespace carom {
 
-/// A caption and where it is written.
-struct CaptionDraft {
-    Caption caption;
-    const Node* node;
-};
-
 /// All that `run` says. Refers to the scene's nodes.
 struct RunDraft {
     Run run;
-    std::vector<const Node*> event_nodes;  ///< of each of run.events
-    const Node* precision = nullptr;       ///< where it is given
-    std::vector<Mark> marks;               ///< in order of time; equal times in the order listed
-    std::vector<CaptionDraft> captions;    ///< in order of time; equal times in the order listed
+    std::vector<const Node*> event_nodes;   ///< of each of run.events
+    const Node* precision = nullptr;        ///< where it is given
+    std::vector<Mark> marks;                ///< in order of time; equal times in the order listed
+    std::vector<Placed<Caption>> captions;  ///< in order of time; equal times in the order listed
 };
 
-RunDraft read_run(const Fields& scene, Errors& errors);
+/// The run of a box of one or two dimensions.
+Notation<RunDraft> run_notation(int dimension);
 
 /// Whether nudges have their particles, and numbers of so few bits room for them.
 void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors);
 
-/// Whether each of the captions stays long enough to be read, in a complete scene with a film that
-/// is as long as its file says: one that the command line makes shorter shows what it can.
-void check_captions(const Scene& scene, const std::vector<CaptionDraft>& drafts,
-                    const Fields& fields, Errors& errors);
+/// Whether each of the captions stays long enough to be read, in a complete scene, of which `root`
+/// is the mapping, with a film that is as long as its file says: one that the command line makes
+/// shorter shows what it can.
+void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& drafts,
+                    const Node& root, Errors& errors);
 
 }  // namespace carom

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "scene/keys/check.h"
-#include "scene/keys/fields.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
@@ -72,57 +71,79 @@ fs::path scene_path(const Node& written, const fs::path& set, Errors& errors) {
     return path.lexically_normal();
 }
 
-SetScene read_scene(const Node& item, const fs::path& set, Errors& errors) {
-    SetScene scene;
-    scene.place = place_of(item);
-    if (item.is_scalar()) {
-        scene.path = scene_path(item, set, errors);
-        return scene;
-    }
-    const Section& section = section_of(set_section(), "scenes");
-    const Fields fields{item, section};
-    if (const Node* path = fields.given("scene")) {
-        scene.path = scene_path(*path, set, errors);
-        scene.place = place_of(*path);
-    }
-    scene.title = fields.text("title");
-    scene.description = fields.text("description");
-    if (const Node* figures = fields.given("figures"))
-        for (const Node& name : figures->items)
-            scene.figures.emplace_back(name.text, place_of(name));
-    return scene;
+const char* const meaning_of_scene =
+    "The scene's file, relative to the set; it may lie in the folder above the set's.";
+
+// The path of a scene, from the working folder.
+Notation<fs::path> path_notation(const fs::path& set) {
+    return parsed(text(1, most_title_letters),
+                  [set](const std::string&, const Node& node, Reading& reading) {
+                      return std::optional(scene_path(node, set, reading.errors));
+                  });
 }
 
-SetRun read_run(const Node& item, const Section& section, const fs::path& set, Errors& errors) {
-    if (item.is_scalar()) return {scene_path(item, set, errors), place_of(item), {}, {}};
-    const Fields fields{item, section};
-    SetRun run{{}, place_of(item), fields.text("label"), read_changes(fields, errors)};
-    if (const Node* path = fields.given("scene")) run.path = scene_path(*path, set, errors);
-    return run;
+Notation<SetScene> scene_notation(const fs::path& set) {
+    const Notation<fs::path> file = path_notation(set);
+    const auto alone = [](const fs::path& path, const Node& node, Reading&) {
+        return std::optional(SetScene{.path = path, .place = place_of(node)});
+    };
+    const auto name = parsed(text(1, most_name_letters),
+                             [](const std::string& figure, const Node& node, Reading&) {
+                                 return std::optional(std::pair(figure, place_of(node)));
+                             });
+    const KeyTable<SetScene> table{
+        .name = "an item of `scenes`",
+        .keys = {bind_key("scene", &SetScene::path, file, meaning_of_scene).required(),
+                 bind_key("title", &SetScene::title, text(1, most_title_letters),
+                          "Its title in the set.")
+                     .default_text("the scene's"),
+                 bind_key("description", &SetScene::description, lines(1, most_letters),
+                          "The words under it.")
+                     .default_text("the scene's"),
+                 bind_key("figures", &SetScene::figures,
+                          list_of(name, 1, most_figures, "a list of names"),
+                          "The names of the figures that are shown, in this order.")
+                     .default_text("all of the scene")},
+        .rule = [](SetScene& scene, const Node& node, Reading&) {
+            const Node* path = given(node, "scene");
+            scene.place = place_of(path != nullptr ? *path : node);
+        }};
+    return either(parsed(file.called("the path of a scene"), alone), mapping(table));
 }
 
-std::vector<SetComparison> read_comparisons(const Fields& set, const fs::path& path,
-                                            const std::shared_ptr<const Source>& source,
-                                            Errors& errors) {
-    std::vector<SetComparison> comparisons;
-    const Node* list = set.given("comparisons");
-    if (list == nullptr) return comparisons;
-    const Section& section = section_of(set_section(), "comparisons");
-    for (const Node& item : list->items) {
-        if (!item.valid || !item.is_mapping()) continue;
-        SetComparison comparison{source, item, {}};
-        if (const Node* scenes = Fields{item, section}.given("scenes"))
-            for (const Node& one : scenes->items)
-                if (one.valid)
-                    comparison.runs.push_back(
-                        read_run(one, section_of(section, "scenes"), path, errors));
-        comparisons.push_back(std::move(comparison));
-    }
-    return comparisons;
+// The scenes of a comparison.
+Notation<std::vector<SetRun>> runs_notation(const fs::path& set) {
+    const Notation<fs::path> file = path_notation(set);
+    const auto alone = [](const fs::path& path, const Node& node, Reading&) {
+        return std::optional(SetRun{.path = path, .place = place_of(node)});
+    };
+    const KeyTable<SetRun> table{
+        .name = "an item of a comparison's `scenes`",
+        .keys = {bind_key("scene", &SetRun::path, file, meaning_of_scene).required(),
+                 bind_key("label", &SetRun::label, text(1, most_name_letters),
+                          "Its name in the figure.")
+                     .default_text("the scene's title"),
+                 bind_key("set", &SetRun::values, changes_notation(), meaning_of_changes)
+                     .default_text("nothing")},
+        .rule = [](SetRun& run, const Node& node, Reading&) { run.place = place_of(node); }};
+    return list_of(either(parsed(file.called("the path of a scene"), alone), mapping(table)), 2,
+                   most_compared, "a list of scenes");
 }
 
-std::string template_of(const Node& written, const fs::path& set, Errors& errors) {
-    const std::string& name = written.text;
+// Only its scenes are read: what else it says is read as a figure of each of them.
+Notation<SetComparison> set_comparison_notation(PanelKinds kinds, const fs::path& set) {
+    const auto runs = runs_notation(set);
+    return parsed(kept(comparison_notation(kinds, kept(runs))),
+                  [runs](const Node* node, const Node&, Reading& reading) {
+                      SetComparison comparison{.source = {}, .node = *node, .runs = {}};
+                      if (const Node* scenes = given(*node, "scenes"))
+                          comparison.runs = runs.read(*scenes, reading).value_or(comparison.runs);
+                      return std::optional(std::move(comparison));
+                  });
+}
+
+std::string template_of(const std::string& name, const Node& written, const fs::path& set,
+                        Errors& errors) {
     if (std::ranges::find(page_names, name) != page_names.end()) return name;
     const std::string ending = fs::path(name).extension().string();
     const bool page = ending == ".md" || ending == ".html" || ending == ".tex";
@@ -135,6 +156,41 @@ std::string template_of(const Node& written, const fs::path& set, Errors& errors
 
 }  // namespace
 
+KeyTable<SetFile> set_table(PanelKinds kinds, const fs::path& path) {
+    const auto page =
+        parsed(text(1, most_title_letters),
+               [path](const std::string& name, const Node& node, Reading& reading) {
+                   return std::optional(template_of(name, node, path, reading.errors));
+               });
+    const auto pages = either(mapped(page, [](std::string one) { return std::vector{one}; }),
+                              list_of(page, 1, page_names.size(), "a list of templates"));
+    const auto formats = list_of(word({"svg", "pdf", "png", "csv"}), 1, 4, "a list of formats");
+    return {
+        .name = "a figure set",
+        .keys = {
+            bind_key("title", &SetFile::title, text(1, most_title_letters),
+                     "The title of its pages.")
+                .required(),
+            bind_key("description", &SetFile::description, lines(1, most_letters),
+                     "What the set shows, in words.")
+                .default_text("none"),
+            bind_key("scenes", &SetFile::scenes,
+                     list_of(scene_notation(path), 1, most_set_scenes, "a list of scenes"),
+                     "The scenes whose figures it holds, in the order of the pages' sections.")
+                .required(),
+            bind_key("comparisons", &SetFile::comparisons,
+                     list_of(set_comparison_notation(kinds, path), 1, most_figures,
+                             "a list of comparisons"),
+                     "Figures of several scenes in one panel, in the last section of the pages.")
+                .default_text("none"),
+            bind_key("template", &SetFile::templates, pages,
+                     "The pages: `markdown`, `html`, `latex`, or a template beside the set, a "
+                     "file that ends in .md, .html or .tex; or a list of these.")
+                .default_value("html"),
+            bind_key("formats", &SetFile::formats, formats, "The kinds of files of its figures.")
+                .default_text("all")}};
+}
+
 bool is_figure_set(const fs::path& path) {
     Errors errors;
     Source source;
@@ -143,41 +199,34 @@ bool is_figure_set(const fs::path& path) {
            find(*root, "box") == nullptr;
 }
 
-FigureSpec figure_of(const SetComparison& comparison, const Scene& scene) {
+FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds) {
     Errors errors;
-    FigureSpec figure = read_comparison(comparison.node, {scene.gas, scene.run}, errors);
+    Reading reading{errors, scene.gas, scene.run};
+    const auto scenes = kept(runs_notation({}));
+    const auto figure = comparison_notation(kinds, scenes).read(comparison.node, reading);
     errors.throw_if_any();
-    return figure;
+    return figure.value();
 }
 
-SetFile load_figure_set(const fs::path& path) {
+SetFile load_figure_set(const fs::path& path, PanelKinds kinds) {
     Errors errors;
-    const auto kept = std::make_shared<Source>();
-    Source& source = *kept;
-    auto root = tree_of(path, source, errors);
+    const auto source = std::make_shared<Source>();
+    auto root = tree_of(path, *source, errors);
     if (root && !root->is_mapping())
-        errors.add(source, root->kind == Node::Kind::null ? "the set is empty"
-                                                          : "expected a set (a mapping with "
-                                                            "`title` and `scenes`)");
+        errors.add(*source, root->kind == Node::Kind::null ? "the set is empty"
+                                                           : "expected a set (a mapping with "
+                                                             "`title` and `scenes`)");
     errors.throw_if_any();
-    check_mapping(root.value(), set_section(), errors);
-    const Fields fields{*root, set_section()};
+    const KeyTable<SetFile> table = set_table(kinds, path);
+    check_mapping(root.value(), table.section(), errors);
     SetFile set;
-    set.title = fields.text("title").value_or("");
-    set.description = fields.text("description").value_or("");
-    set.text = source.text;
-    set.comparisons = read_comparisons(fields, path, kept, errors);
-    if (const Node* scenes = fields.given("scenes"))
-        for (const Node& item : scenes->items)
-            if (item.valid) set.scenes.push_back(read_scene(item, path, errors));
-    if (const Node* asked = fields.value("template")) {
-        if (asked->is_scalar()) set.templates.push_back(template_of(*asked, path, errors));
-        for (const Node& one : asked->items)
-            set.templates.push_back(template_of(one, path, errors));
-    }
-    if (const Node* formats = fields.given("formats"))
-        for (const Node& one : formats->items) set.formats.push_back(one.text);
+    const Gas no_gas;
+    const Run no_run;
+    Reading reading{errors, no_gas, no_run};
+    table.read(*root, set, reading);
     errors.throw_if_any();
+    set.text = source->text;
+    for (SetComparison& comparison : set.comparisons) comparison.source = source;
     return set;
 }
 

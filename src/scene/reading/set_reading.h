@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene/keys/binding.h"
+#include "scene/panel_kind.h"
 #include "scene/scene.h"
 #include "scene/yaml/node.h"
 #include "util/diagnostics.h"
@@ -18,16 +20,16 @@ namespace carom {
 struct SetScene {
     std::filesystem::path path;  ///< from the working folder
     Diagnostic place;
-    std::optional<std::string> title, description;            ///< none: the scene's
-    std::vector<std::pair<std::string, Diagnostic>> figures;  ///< names; none: all
+    std::optional<std::string> title = {}, description = {};       ///< none: the scene's
+    std::vector<std::pair<std::string, Diagnostic>> figures = {};  ///< names; none: all
 };
 
 /// A scene whose run a comparison shows.
 struct SetRun {
     std::filesystem::path path;  ///< from the working folder
     Diagnostic place;
-    std::optional<std::string> label;  ///< none: the scene's title
-    std::vector<std::string> values;   ///< laid over the scene, as KEY.PATH=VALUE
+    std::optional<std::string> label = {};  ///< none: the scene's title
+    std::vector<std::string> values = {};   ///< laid over the scene, as KEY.PATH=VALUE
 };
 
 /// A figure of several scenes; what else it says is read with each of them.
@@ -50,10 +52,14 @@ struct SetFile {
 /// Whether a file lists `scenes`, as no scene does. False when it cannot be read.
 bool is_figure_set(const std::filesystem::path& path);
 
-/// Loads and validates. Throws SceneError with every diagnostic of the file.
-SetFile load_figure_set(const std::filesystem::path& path);
+/// Loads and validates a set, with comparisons of these kinds of panel. Throws SceneError with
+/// every diagnostic of the file.
+SetFile load_figure_set(const std::filesystem::path& path, PanelKinds kinds);
 
 /// A comparison as a figure of one of its scenes. Throws SceneError.
-FigureSpec figure_of(const SetComparison& comparison, const Scene& scene);
+FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds);
+
+/// The keys of the set that lies at `path`.
+KeyTable<SetFile> set_table(PanelKinds kinds, const std::filesystem::path& path);
 
 }  // namespace carom

@@ -73,31 +73,24 @@ std::size_t panel_places(const fs::path& file) {
     return panels && panels->is_list() ? panels->items.size() : 0;
 }
 
-bool excludes(const Section& section, const Node& film, const std::string& key) {
-    return std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
-        const auto& names = choice.names;
-        return std::find(names.begin(), names.end(), key) != names.end() &&
-               std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return find(film, name) != nullptr; });
+bool is_excluded(const std::string& key, const Node& film, const std::vector<Choice>& choices) {
+    const auto is_given = [&](const std::string& name) { return find(film, name) != nullptr; };
+    return std::ranges::any_of(choices, [&](const Choice& choice) {
+        return std::ranges::find(choice.names, key) != choice.names.end() &&
+               std::ranges::any_of(choice.names, is_given);
     });
 }
 
 }  // namespace
 
 std::optional<TemplateFile> find_template(const Node& asked, const fs::path& scene,
-                                          const fs::path& templates, Errors& errors,
-                                          const Source& fallback) {
-    Node place = asked;
-    if (asked.source->origin == Origin::preset) {
-        place.source = &fallback;
-        place.offset = 0;
-    }
+                                          const fs::path& templates, Errors& errors) {
     const std::string& name = asked.text;
     const bool typed = asked.source->origin == Origin::command_line;
     if (typed && (name.find('/') != std::string::npos || name.ends_with(".yaml")))
         return TemplateFile{fs::path{name}.stem().string(), name};
     if (!is_plain_name(name)) {
-        errors.add(place, fmt::format("expected the name of a template, found {}", in_quotes(name)),
+        errors.add(asked, fmt::format("expected the name of a template, found {}", in_quotes(name)),
                    "a template is a file in the scene's folder or in templates/films, without "
                    "folder and extension");
         return std::nullopt;
@@ -107,14 +100,14 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
         if (stays_inside(beside, folder_of(scene)))
             return TemplateFile{name, scene.parent_path() / (name + ".yaml")};
         errors.add(
-            place,
+            asked,
             fmt::format("the template {} is a link out of the scene's folder", in_quotes(name)),
             "copy the file it leads to into the folder");
         return std::nullopt;
     }
     const fs::path own = templates / "films" / (name + ".yaml");
     if (is_there(own)) return TemplateFile{name, own};
-    report_unknown(place, templates / "films", errors);
+    report_unknown(asked, templates / "films", errors);
     return std::nullopt;
 }
 
@@ -130,12 +123,12 @@ std::vector<std::string> templates_with_places(const fs::path& templates, std::s
     return names;
 }
 
-Node lay_over(const Node& film, const Node& template_file) {
-    const Section& section = section_of(scene_section(), "film");
+Node lay_over(const Node& film, const Node& template_file, const std::vector<Choice>& choices) {
     Node merged = film;
     for (std::size_t i = 0; i < template_file.keys.size(); ++i) {
         const std::string& key = template_file.keys[i].text;
-        if (key == "layout" || find(film, key) != nullptr || excludes(section, film, key)) continue;
+        if (key == "layout" || find(film, key) != nullptr || is_excluded(key, film, choices))
+            continue;
         merged.keys.push_back(template_file.keys[i]);
         merged.items.push_back(template_file.items[i]);
     }

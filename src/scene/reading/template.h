@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/keys/fields.h"
+#include "scene/keys/keys.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
@@ -18,19 +18,18 @@ struct TemplateFile {
     std::filesystem::path path;
 };
 
-/// Looks for the template that `film` asks for: in the scene's folder, then in `templates`/films.
-/// `asked` is where the name is written, or its default. Reports an unknown one with those there
-/// are; nothing then.
+/// Looks for a template: in the scene's folder, then in `templates`/films. `asked` is where its
+/// name is written. Reports an unknown one with those there are; nothing then.
 std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
-                                          const std::filesystem::path& templates, Errors& errors,
-                                          const Source& fallback);
+                                          const std::filesystem::path& templates, Errors& errors);
 
 /// The names of the templates in `templates`/films with places for at least `panels` panels, those
 /// with the fewest first.
 std::vector<std::string> templates_with_places(const std::filesystem::path& templates,
                                                std::size_t panels);
 
-/// `film` with what only the template says added to it, but its layout.
-Node lay_over(const Node& film, const Node& template_file);
+/// `film` with what only the template says added to it, but its layout and what one of `choices`
+/// excludes.
+Node lay_over(const Node& film, const Node& template_file, const std::vector<Choice>& choices);
 
 }  // namespace carom

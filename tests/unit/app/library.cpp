@@ -15,6 +15,7 @@
 #include "scene/load.h"
 #include "support/process.h"
 #include "support/relative.h"
+#include "support/resources.h"
 #include "support/test_root.h"
 
 using namespace carom;
@@ -26,7 +27,7 @@ namespace {
 const fs::path root = carom::test::checkout();
 
 Scene scene(const std::string& name, const Overrides& overrides = {}) {
-    return load_scene(root / "scenes" / (name + ".yaml"), root / "templates", overrides);
+    return load_scene(root / "scenes" / (name + ".yaml"), test::resources(), overrides);
 }
 
 CollisionCounts collisions_in(const Scene& loaded) {
@@ -42,8 +43,8 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
     CHECK(files.size() >= 17);
     for (const fs::path& file : files) {
         CAPTURE(file.string());
-        const Scene loaded = load_scene(file, root / "templates",
-                                        {{{"film.size", "[320, 180]"}, {"film.fps", "5"}}});
+        const Scene loaded =
+            load_scene(file, test::resources(), {{{"film.size", "[320, 180]"}, {"film.fps", "5"}}});
         CHECK(loaded.description.size() > 80);
         CHECK(loaded.subtitle.size() > 20);
         CHECK_NOTHROW(require_letters(loaded));

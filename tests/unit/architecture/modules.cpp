@@ -45,7 +45,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
-      {"limits.h", "mixing.h", "scene.h"}}},
+      {"limits.h", "mixing.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
      {{"plot", "gas", "line", "plots", "echo", "collision", "words", "panels"},
       {"chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},

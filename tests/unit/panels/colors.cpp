@@ -12,6 +12,7 @@
 #include "support/files.h"
 #include "support/first_frame.h"
 #include "support/pixels.h"
+#include "support/resources.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 #include "support/test_root.h"
@@ -243,7 +244,7 @@ TEST_CASE("a print of a scene that names no colours has none") {
     for (const std::filesystem::path& file : yaml_files(root / "scenes")) {
         CAPTURE(file.stem().string());
         Scene scene =
-            load_scene(file, root / "templates", {{{"film.theme", "print"}, {"film.fps", "1"}}});
+            load_scene(file, test::resources(), {{{"film.theme", "print"}, {"film.fps", "1"}}});
         const bool has_own =
             scene.film.palette || std::ranges::any_of(scene.looks, [](const SpeciesLook& look) {
                 return look.color.has_value();

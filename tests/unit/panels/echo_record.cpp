@@ -11,6 +11,7 @@
 
 #include "scene/load.h"
 #include "support/relative.h"
+#include "support/resources.h"
 #include "support/shot.h"
 #include "support/test_root.h"
 
@@ -27,7 +28,7 @@ Scene lanes(const std::string& events, double until, const std::string& run = ""
         "run: {until: " +
             std::to_string(until) + run + ", events: [" + events +
             "]}\nfilm: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
-        "test", carom::test::checkout().string() + "/templates");
+        "test", test::resources());
 }
 
 std::string reversal(double at) { return "{at: " + std::to_string(at) + ", reverse: velocities}"; }
@@ -100,7 +101,7 @@ TEST_CASE("a film's last distance is that of the run from its start") {
         "title: T\nbox: {size: [12, 12], walls: periodic}\ngas: [{count: 30, radius: 0.5, speed: "
         "1}]\nrun: {until: 8, events: [" +
             reversal(4.0) + "]}\nfilm: {seconds: 1, fps: 8, size: [640, 360]}\n",
-        "test", carom::test::checkout().string() + "/templates");
+        "test", test::resources());
     Simulation run(scene.gas, scene.run);
     const Sample start = run.sample();
     run.advance_to(8.0);
@@ -152,7 +153,7 @@ Scene echo(const std::string& keys, const std::string& panel) {
         "title: T\nbox: {size: [20, 12.566]}\ngas: [{count: 64, radius: 0.5, speed: 1}]\n"
         "run: {until: 40, " +
             keys + "}\nfilm: {seconds: 4, fps: 20, size: [640, 360], panels: [" + panel + "]}\n",
-        "test", carom::test::checkout().string() + "/templates");
+        "test", test::resources());
 }
 
 Table table_of(const test::Shot& film) {
@@ -241,7 +242,7 @@ TEST_CASE("without a law for the gas there is no curve") {
             "title: T\nbox: " + box + "\ngas: [" + gas +
                 "]\nrun: {until: 8, precision: 128, events: [{at: 4, reverse: velocities}]}\n"
                 "film: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
-            "test", carom::test::checkout().string() + "/templates"));
+            "test", test::resources()));
         return rows_of(table_of(film), "curve", "growth law").size();
     };
     CHECK(law("{size: [12, 12]}", "{count: 20, radius: 0.5, speed: 1}") > 5);
@@ -268,9 +269,9 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
 }
 
 TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
-    const Scene scene = load_scene(carom::test::checkout().string() + "/scenes/time-reversal.yaml",
-                                   carom::test::checkout().string() + "/templates",
-                                   {{{"film.template", "square"}, {"film.fps", "5"}}});
+    const Scene scene =
+        load_scene(carom::test::checkout().string() + "/scenes/time-reversal.yaml",
+                   test::resources(), {{{"film.template", "square"}, {"film.fps", "5"}}});
     const test::Shot film(scene);
     const TextLog log;
     FramePainter painter(film.scene, *film.observers);

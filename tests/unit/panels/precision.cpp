@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "support/resources.h"
 #include "support/shot.h"
-#include "support/test_root.h"
 
 using namespace carom;
 
@@ -25,7 +25,7 @@ Scene reversed_gas(const std::string& precision) {
             precision +
             ", events: [{at: 30, reverse: velocities}]}\n"
             "film: {seconds: 4, size: [320, 180], template: minimal}\n",
-        "test", carom::test::checkout() / "templates");
+        "test", test::resources());
 }
 
 // The part of the picture where the gas is.
@@ -76,7 +76,7 @@ TEST_CASE("what no bits can do is refused where it is written") {
         const Scene scene =
             load_scene_text("title: A gas\nbox: {size: [60, 60]}\ngas: [{count: 16, speed: 1}]\n" +
                                 run + "film: {seconds: 9}\n",
-                            "test", carom::test::checkout() / "templates");
+                            "test", test::resources());
         try {
             StartedScene started = start_scene(scene);
             with_places_of_errors(scene, [&] { started.simulation.advance_to(scene.run.until); });

@@ -9,6 +9,7 @@
 #include "scene/load.h"
 #include "support/files.h"
 #include "support/pixels.h"
+#include "support/resources.h"
 #include "support/shot.h"
 #include "support/test_root.h"
 
@@ -69,9 +70,9 @@ TEST_CASE(
                                  {"film.theme", theme},
                                  {"film.fps", "1"}}};
             // Many bits take long, and change no words but their number.
-            if (load_scene(file, root / "templates").run.bits != bits_of_double)
+            if (load_scene(file, test::resources()).run.bits != bits_of_double)
                 overrides.values.emplace_back("run.precision", "128");
-            const test::Shot film(load_scene(file, root / "templates", overrides));
+            const test::Shot film(load_scene(file, test::resources(), overrides));
             const double unit = Grid(film.scene.film.layout, film.scene.film.size).unit();
             TextLog log;  // the ground, which the painter draws once, and what changes on it
             FramePainter painter(film.scene, *film.observers);
@@ -96,7 +97,7 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
     const auto remark = [](const std::string& gas) {
         const test::Shot film(load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: " + gas +
                                                   "\nrun: {until: 1}\nfilm: {seconds: 0.1}\n",
-                                              "test", root / "templates"));
+                                              "test", test::resources()));
         FramePainter painter(film.scene, *film.observers);
         const TextLog log;
         painter.paint(film.frames.front());
@@ -118,7 +119,7 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
     const auto words = [](const std::string& rest, const std::string& panels) {
         const test::Shot film(load_scene_text(
             "title: T\n" + rest + "\nfilm: {seconds: 4, panels: [" + panels + "]}\n", "test",
-            root / "templates"));
+            test::resources()));
         const TextLog log;
         FramePainter painter(film.scene, *film.observers);
         painter.paint(film.frames.back());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/registry.h"
 #include "scene/load.h"
 #include "support/files.h"
 #include "support/test_root.h"
@@ -16,7 +17,7 @@ namespace {
 
 std::string message_of(const fs::path& scene) {
     try {
-        carom::load_scene(scene, "templates");
+        carom::load_scene(scene, {"templates", carom::panel_kinds()});
     } catch (const carom::SceneError& error) {
         return std::string{error.what()} + "\n";
     }

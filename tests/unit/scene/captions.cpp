@@ -8,14 +8,14 @@
 #include <string>
 
 #include "scene/time/timeline.h"
+#include "support/resources.h"
 #include "support/scene_text.h"
-#include "support/test_root.h"
 
 using namespace carom;
 
 namespace {
 
-const std::filesystem::path templates = carom::test::checkout() / "templates";
+const std::filesystem::path templates = test::resources().templates;
 
 Scene film(const std::string& events, const std::string& film = "seconds: 20",
            const Overrides& overrides = {}) {

@@ -1,4 +1,5 @@
-// The key table itself: that what it says is sound.
+// The bindings of all keys: that what they say is sound, and that a binding is all there is to say
+// of a key.
 #include "scene/keys/keys.h"
 
 #include <doctest/doctest.h>
@@ -6,8 +7,13 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "panels/registry.h"
+#include "scene/keys/binding.h"
 #include "scene/keys/check.h"
+#include "scene/language.h"
+#include "scene/yaml/yaml.h"
 
 using namespace carom;
 
@@ -35,9 +41,10 @@ void visit_keys(const Visit& visit) {
     const auto each = [&](const Section& section) {
         for (std::size_t i = 0; i < section.keys.size(); ++i) visit(section, i);
     };
-    for (const int dimension : {1, 2}) visit_sections(scene_section(dimension), each);
-    visit_sections(template_section(), each);
-    visit_sections(set_section(), each);
+    for (const int dimension : {1, 2})
+        visit_sections(scene_section(panel_kinds(), dimension), each);
+    visit_sections(template_section(panel_kinds()), each);
+    visit_sections(set_section(panel_kinds()), each);
 }
 
 bool passes(const Key& key, Node value) {
@@ -67,12 +74,11 @@ TEST_CASE("every default has a form that its key allows") {
         const Key& key = section.keys[i];
         CAPTURE(section.name);
         CAPTURE(key.name);
-        REQUIRE(section.presets.size() == section.keys.size());
-        if (key.preset.empty()) return;
+        if (key.default_value.empty()) return;
         ++defaults;
         CHECK(!key.required);
-        CHECK(section.presets[i].text == key.preset);
-        CHECK(passes(key, section.presets[i]));
+        CHECK(key.default_text.empty());
+        CHECK(passes(key, default_node(key.default_value)));
     });
     CHECK(defaults > 15);
 }
@@ -97,16 +103,16 @@ TEST_CASE("the names of a section are unique, and its choices name its keys") {
         for (const Choice& choice : section.choices)
             for (const std::string& name : choice.names) CHECK(names.count(name) == 1);
     };
-    for (const int dimension : {1, 2}) visit_sections(scene_section(dimension), check);
-    visit_sections(template_section(), check);
+    for (const int dimension : {1, 2})
+        visit_sections(scene_section(panel_kinds(), dimension), check);
+    visit_sections(template_section(panel_kinds()), check);
 }
 
 TEST_CASE("a key that goes with some kinds only names kinds that there are") {
-    std::vector<std::string> kinds{panel_kinds().begin(), panel_kinds().end()};
-    kinds.emplace_back("gas");  // of figures
+    std::set<std::string> kinds;
+    for (const PanelKind& kind : panel_kinds()) CHECK(kinds.insert(kind.name).second);
     visit_keys([&](const Section& section, std::size_t i) {
-        for (const std::string& kind : section.keys[i].with)
-            CHECK(std::find(kinds.begin(), kinds.end(), kind) != kinds.end());
+        for (const std::string& kind : section.keys[i].kinds) CHECK(kinds.contains(kind));
     });
 }
 
@@ -117,4 +123,50 @@ TEST_CASE("colours by name are those of CSS") {
     CHECK(color_hex("#12aBc") == "");
     CHECK(color_hex("#12aBcg") == "");
     CHECK(color_hex("beige") == "");
+}
+
+namespace {
+
+struct Lamp {
+    int watts = 60;
+    bool lit = false;
+    std::optional<double> seconds;
+};
+
+KeyTable<Lamp> lamp_table() {
+    return {.name = "a lamp",
+            .keys = {bind_key("watts", &Lamp::watts, whole(1, most_seeds), "Its power."),
+                     bind_key("lit", &Lamp::lit, one_of<bool>({{"on", true}, {"off", false}}),
+                              "Whether it shines."),
+                     bind_key("seconds", &Lamp::seconds, number(positive), "How long.")
+                         .default_text("for ever")}};
+}
+
+}  // namespace
+
+TEST_CASE("a binding says a key once: its default is the field's, its words are the schema's") {
+    const Section section = lamp_table().section();
+    REQUIRE(section.keys.size() == 3);
+    CHECK(section.keys[0].default_value == "60");
+    CHECK(section.keys[1].default_value == "off");
+    CHECK(section.keys[1].forms[0].words == std::vector<std::string>{"on", "off"});
+    CHECK(section.keys[2].default_value.empty());
+    CHECK(section.keys[2].default_text == "for ever");
+}
+
+TEST_CASE("a table reads what is given and valid, and leaves the defaults of the rest") {
+    const Source source{"test", "{watts: 40, lit: maybe}", Origin::scene};
+    Errors errors;
+    auto root = read_yaml(source, errors);
+    REQUIRE(root.has_value());
+    check_mapping(*root, lamp_table().section(), errors);
+    CHECK_FALSE(errors.empty());  // of `lit`
+    Lamp lamp;
+    const Gas gas;
+    const Run run;
+    Reading reading{errors, gas, run};
+    lamp_table().read(*root, lamp, reading);
+    CHECK(lamp.watts == 40);
+    CHECK_FALSE(lamp.lit);
+    CHECK_FALSE(lamp.seconds.has_value());
 }

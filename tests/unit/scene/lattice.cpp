@@ -8,7 +8,7 @@
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "scene/load.h"
-#include "support/test_root.h"
+#include "support/resources.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -17,7 +17,7 @@ namespace {
 
 std::string refusal(const std::string& text) {
     try {
-        load_scene_text(text, "test", carom::test::checkout() / "templates", {}, Wanted::physics);
+        load_scene_text(text, "test", test::resources(), {}, Wanted::physics);
     } catch (const SceneError& error) {
         return error.what();
     }

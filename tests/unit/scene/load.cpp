@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/files.h"
+#include "support/resources.h"
 #include "support/test_root.h"
 
 using namespace carom;
@@ -19,7 +20,7 @@ namespace {
 const fs::path root = carom::test::checkout();
 
 Scene load(const std::string& text, const Overrides& overrides = {}) {
-    return load_scene_text(text, "test.yaml", root / "templates", overrides);
+    return load_scene_text(text, "test.yaml", test::resources(), overrides);
 }
 
 std::string scene_with(const std::string& gas, const std::string& rest = "run: {until: 10}\n") {
@@ -42,7 +43,7 @@ const std::string small_layout =
 }  // namespace
 
 TEST_CASE("the first scene of the book") {
-    const Scene scene = load_scene(root / "scenes/one-hot-particle.yaml", root / "templates");
+    const Scene scene = load_scene(root / "scenes/one-hot-particle.yaml", test::resources());
     CHECK(scene.title == "One hot particle among cold ones");
     CHECK(scene.seed == 77);
     CHECK(scene.gas.seed == 77);
@@ -80,7 +81,7 @@ TEST_CASE("the first scene of the book") {
 TEST_CASE("every scene of the library loads") {
     for (const fs::path& file : test::yaml_files(root / "scenes")) {
         CAPTURE(file.string());
-        CHECK_NOTHROW(load_scene(file, root / "templates"));
+        CHECK_NOTHROW(load_scene(file, test::resources()));
     }
 }
 
@@ -213,7 +214,7 @@ TEST_CASE("a panel's particles are chosen by all, species and number") {
 
 TEST_CASE("the statistics are sampled as often as asked, or as the film has frames") {
     const auto every = [](const std::string& rest, Wanted wanted) {
-        return load_scene_text(scene_with("{count: 20}", rest), "test.yaml", root / "templates", {},
+        return load_scene_text(scene_with("{count: 20}", rest), "test.yaml", test::resources(), {},
                                wanted)
             .run.sample_every;
     };
@@ -227,9 +228,9 @@ TEST_CASE("the statistics are sampled as often as asked, or as the film has fram
 TEST_CASE("only where a film is wanted must a run without one fit into a film") {
     const std::string text = scene_with("{count: 20}", "run: {until: 1e9}\n");
     CHECK(message(text, {}).find("frames of a film") != std::string::npos);
-    CHECK(load_scene_text(text, "test.yaml", root / "templates", {}, Wanted::physics)
+    CHECK(load_scene_text(text, "test.yaml", test::resources(), {}, Wanted::physics)
               .run.sample_every == 1e6);
-    CHECK_THROWS_AS(load_scene_text(text + "film: {pace: 1}\n", "test.yaml", root / "templates", {},
+    CHECK_THROWS_AS(load_scene_text(text + "film: {pace: 1}\n", "test.yaml", test::resources(), {},
                                     Wanted::physics),
                     SceneError);
 }
@@ -297,7 +298,7 @@ TEST_CASE("a template is looked for beside the scene, then in carom's own folder
     folder.write("small.yaml", "fps: 12\npace: 2\npanels: [energy-histogram]\n" + small_layout);
     const std::string text =
         scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: small}\n");
-    const Scene scene = load_scene(folder.write("scene.yaml", text), root / "templates");
+    const Scene scene = load_scene(folder.write("scene.yaml", text), test::resources());
     CHECK(scene.film.template_name == "small");
     CHECK(scene.film.fps == 12);
     CHECK(scene.film.seconds == 5.0);
@@ -309,7 +310,7 @@ TEST_CASE("a template is looked for beside the scene, then in carom's own folder
     const std::string longer =
         scene_with("{count: 20}",
                    "run: {until: 10}\nfilm: {template: small, seconds: 3, fps: 24, panels: []}\n");
-    const Scene own = load_scene(folder.write("scene.yaml", longer), root / "templates");
+    const Scene own = load_scene(folder.write("scene.yaml", longer), test::resources());
     CHECK(own.film.seconds == 3.0);
     CHECK(own.film.fps == 24);
     CHECK(own.film.panels.empty());
@@ -322,7 +323,7 @@ TEST_CASE("a template is looked for beside the scene, then in carom's own folder
 TEST_CASE("a scene may be called like its template") {
     const TemporaryFolder folder;
     const fs::path path = folder.write("lecture.yaml", scene_with("{count: 20}"));
-    CHECK(load_scene(path, root / "templates").film.layout.panels.size() == 3);
+    CHECK(load_scene(path, test::resources()).film.layout.panels.size() == 3);
 }
 
 TEST_CASE("a template that links out of the scene's folder is refused") {
@@ -334,7 +335,7 @@ TEST_CASE("a template that links out of the scene's folder is refused") {
     std::ofstream{inner / "scene.yaml"}
         << scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: linked}\n");
     try {
-        load_scene(inner / "scene.yaml", root / "templates");
+        load_scene(inner / "scene.yaml", test::resources());
         FAIL("the scene was loaded");
     } catch (const SceneError& error) {
         CHECK(error.diagnostics().at(0).message ==
@@ -349,8 +350,8 @@ TEST_CASE("a scene's pace wins over its template's seconds") {
                  scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: slow, pace: 2}\n"));
     folder.write("other.yaml",
                  scene_with("{count: 20}", "run: {until: 10}\nfilm: {template: slow}\n"));
-    CHECK(load_scene(folder.path() / "scene.yaml", root / "templates").film.seconds == 5.0);
-    CHECK(load_scene(folder.path() / "other.yaml", root / "templates").film.seconds == 20.0);
+    CHECK(load_scene(folder.path() / "scene.yaml", test::resources()).film.seconds == 5.0);
+    CHECK(load_scene(folder.path() / "other.yaml", test::resources()).film.seconds == 20.0);
 }
 
 TEST_CASE("a template may ask for curves that not every gas has") {
@@ -358,12 +359,12 @@ TEST_CASE("a template may ask for curves that not every gas has") {
     folder.write("curves.yaml", "panels: [{kind: speed-histogram, theory: true}]\n" + small_layout);
     folder.write("scene.yaml",
                  scene_with("{count: 1}", "run: {until: 10}\nfilm: {template: curves}\n"));
-    CHECK(load_scene(folder.path() / "scene.yaml", root / "templates").film.panels.size() == 1);
+    CHECK(load_scene(folder.path() / "scene.yaml", test::resources()).film.panels.size() == 1);
 }
 
 TEST_CASE("a template laid over a scene shows as many of its panels as it has places") {
     const auto loaded = [](const std::string& text, const Overrides& overrides) {
-        return load_scene_text(text, "test", root / "templates", overrides);
+        return load_scene_text(text, "test", test::resources(), overrides);
     };
     const std::string three = scene_with(
         "{count: 20}",
@@ -414,7 +415,7 @@ TEST_CASE("rings, labels and monitors are read") {
         scene_with("{count: 20, fill: false}",
                    "run: {until: 10}\nfilm: {labels: index, monitors: [all-collisions, time], "
                    "panels: [{kind: monitors, numbers: [fast]}]}\n"),
-        "test", root / "templates");
+        "test", test::resources());
     CHECK_FALSE(scene.looks[0].fill);
     CHECK(scene.film.labels == Labels::index);
     CHECK(scene.film.monitors == std::vector{Monitor::all_collisions, Monitor::time});

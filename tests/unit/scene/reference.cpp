@@ -1,5 +1,5 @@
 // What is made from the key table: the reference page, and the scene to start from.
-#include "scene/keys/reference.h"
+#include "scene/reference.h"
 
 #include <doctest/doctest.h>
 
@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "panels/registry.h"
 #include "scene/keys/key_text.h"
-#include "scene/keys/starter.h"
+#include "scene/language.h"
 #include "scene/load.h"
+#include "scene/starter.h"
 #include "support/files.h"
 #include "support/test_root.h"
 
@@ -26,7 +28,7 @@ namespace {
 Scene loaded(const std::string& text) {
     fs::current_path(carom::test::checkout());
     try {
-        return load_scene_text(text, "starter.yaml", "templates");
+        return load_scene_text(text, "starter.yaml", {"templates", panel_kinds()});
     } catch (const SceneError& error) {
         FAIL_CHECK(error.what());
         return {};
@@ -50,7 +52,7 @@ std::string joined(const std::vector<std::string>& lines) {
 const std::regex hidden_key(R"(( *)# ([a-z_]+): ([^ ].*))");
 
 bool is_key(const std::string& name) {
-    const Section& scene = scene_section(2);
+    static const Section scene = scene_section(panel_kinds(), 2);
     for (const Section* section : {&scene, &section_of(scene, "box"), &section_of(scene, "gas"),
                                    &section_of(scene, "run"), &section_of(scene, "film")})
         if (section->index(name) < section->keys.size()) return true;
@@ -62,27 +64,30 @@ bool is_key(const std::string& name) {
 TEST_CASE("the reference page is current") {
     fs::current_path(carom::test::checkout());
     const fs::path page = "docs/scene-reference.md";
-    if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(page) << scene_reference();
-    const bool current = contents(page) == scene_reference();
+    if (std::getenv("CAROM_UPDATE_DOCS") != nullptr)
+        std::ofstream(page) << scene_reference(panel_kinds());
+    const bool current = contents(page) == scene_reference(panel_kinds());
     INFO("make it anew with ./dev docs");
     CHECK(current);
 }
 
 TEST_CASE("the reference page tells every key, and its example is valid") {
-    const std::string page = scene_reference();
-    for (const int dimension : {1, 2})
+    const std::string page = scene_reference(panel_kinds());
+    for (const int dimension : {1, 2}) {
+        const Section scene = scene_section(panel_kinds(), dimension);
         for (const char* name : {"box", "gas", "run", "film"})
-            for (const Key& key : section_of(scene_section(dimension), name).keys) {
+            for (const Key& key : section_of(scene, name).keys) {
                 CAPTURE(key.name);
                 CHECK(page.find("| `" + key.name + "` | " + key.meaning) != std::string::npos);
             }
+    }
     CHECK(page.find("```yaml\n" + reference_example() + "```") != std::string::npos);
     CHECK(loaded(reference_example()).film.panels.size() == 2);
     CHECK(page.find("(limits.md)") != std::string::npos);
 }
 
 TEST_CASE("the page tells what a wire has otherwise") {
-    const std::string page = scene_reference();
+    const std::string page = scene_reference(panel_kinds());
     const std::size_t species = page.find("## An item of `gas`");
     REQUIRE(species != std::string::npos);
     const std::string part = page.substr(species, page.find("\n## ", species) - species);
@@ -97,7 +102,7 @@ TEST_CASE("the page tells what a wire has otherwise") {
 }
 
 TEST_CASE("the scene to start from is valid, and means what it says") {
-    const std::string text = starter_scene("scene.schema.json", "mine.yaml");
+    const std::string text = starter_scene(panel_kinds(), "scene.schema.json", "mine.yaml");
     CHECK(text.starts_with("# yaml-language-server: $schema=scene.schema.json\n"));
     CHECK(text.find("`carom render mine.yaml`") != std::string::npos);
     for (const std::string& line : lines_of(text)) {
@@ -112,7 +117,7 @@ TEST_CASE("the scene to start from is valid, and means what it says") {
 
 // Each alone: some exclude one another, or the keys that are given.
 TEST_CASE("what stands behind a # in the scene to start from can be taken as it stands") {
-    const std::vector<std::string> lines = lines_of(starter_scene("s", "mine.yaml"));
+    const std::vector<std::string> lines = lines_of(starter_scene(panel_kinds(), "s", "mine.yaml"));
     const std::vector<std::string> excluded{"length", "density",     "velocity",
                                             "pace",   "temperature", "events"};
     int taken = 0;

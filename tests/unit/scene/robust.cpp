@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "scene/load.h"
-#include "support/test_root.h"
+#include "support/resources.h"
 #include "util/random.h"
 
 using namespace carom;
 
 namespace {
-
-const std::string templates = carom::test::checkout().string() + "/templates";
 
 const std::string good =
     "title: \"A gas\"\nseed: 7\nbox: {size: [64, 48], walls: solid}\n"
@@ -29,7 +27,7 @@ const std::string good =
 // True when it loads; a SceneError is the only other end.
 bool loads(const std::string& text) {
     try {
-        load_scene_text(text, "test.yaml", templates);
+        load_scene_text(text, "test.yaml", test::resources());
         return true;
     } catch (const SceneError& error) {
         CHECK(!error.diagnostics().empty());

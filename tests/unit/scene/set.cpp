@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "panels/registry.h"
 #include "scene/reading/set_reading.h"
 #include "support/files.h"
 #include "support/test_root.h"
@@ -30,7 +31,7 @@ struct Example {
         fs::current_path(folder.path());
         std::string text;
         try {
-            load_figure_set("sets/set.yaml");
+            load_figure_set("sets/set.yaml", panel_kinds());
         } catch (const SceneError& error) {
             text = error.what();
         }
@@ -47,7 +48,7 @@ TEST_CASE("a set lists scenes, in its folder and in the one above") {
         "  - {scene: beside.yaml, title: Other, figures: [b, a]}\n"
         "template: [html, mine.md]\nformats: [png, svg]\n");
     CHECK(is_figure_set(example.path));
-    const SetFile set = load_figure_set(example.path);
+    const SetFile set = load_figure_set(example.path, panel_kinds());
     CHECK(set.title == "T");
     CHECK(set.description.empty());
     REQUIRE(set.scenes.size() == 2);
@@ -65,7 +66,8 @@ TEST_CASE("a set lists scenes, in its folder and in the one above") {
 
 TEST_CASE("a set has a page in HTML, unless it says otherwise") {
     const Example example("title: T\nscenes: [beside.yaml]\n");
-    CHECK(load_figure_set(example.path).templates == std::vector<std::string>{"html"});
+    CHECK(load_figure_set(example.path, panel_kinds()).templates ==
+          std::vector<std::string>{"html"});
 }
 
 TEST_CASE("a scene is no set, nor is what cannot be read") {
@@ -141,4 +143,13 @@ TEST_CASE("a scene that is not there is told with its place in the set") {
           "    7 |   - {name: c, kind: entropy, scenes: [beside.yaml, none.yaml]}\n"
           "      |                                                    ^^^^^^^^^\n"
           "  hint: paths are relative to the set");
+}
+
+TEST_CASE("a comparison has no keys of kinds that cannot be compared") {
+    const std::string message =
+        Example(
+            "title: T\nscenes: [beside.yaml]\ncomparisons:\n"
+            "  - {name: a, kind: temperature, scenes: [beside.yaml, ../scene.yaml], walk: true}\n")
+            .message();
+    CHECK(message.find("`walk` is not a key of a comparison") != std::string::npos);
 }

@@ -1,4 +1,4 @@
-#include "scene/keys/starter.h"
+#include "scene/starter.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/keys/key_text.h"
+#include "scene/language.h"
 
 namespace carom {
 namespace {
@@ -40,8 +41,7 @@ std::string comment(const std::string& words, const std::string& indent) {
 
 std::string words_of(const Key& key) {
     std::string words = key.meaning;
-    if (!key.required && key.preset.empty() && !key.preset_note.empty())
-        words += " Default: " + key.preset_note + ".";
+    if (!key.default_text.empty()) words += " Default: " + key.default_text + ".";
     return words + " Values: " + forms_text(key) + ".";
 }
 
@@ -82,12 +82,12 @@ std::string species_lines(const Section& item) {
 
 }  // namespace
 
-std::string starter_scene(const std::string& schema, const std::string& name) {
-    const Section& scene = scene_section(2);
+std::string starter_scene(PanelKinds kinds, const std::string& schema, const std::string& name) {
+    const Section scene = scene_section(kinds, 2);
     const auto inner = [&](const char* key) -> const Section& { return section_of(scene, key); };
     std::string text = first_line(schema);
     text +=
-        comment(fmt::format("A scene: `carom render {0}` makes its film, `carom check {0}` tells "
+        comment(fmt::format("A scene: `carom render {0}` makes its film, `carom check {0}` says "
                             "whether it is valid, and what it is.",
                             name),
                 "");

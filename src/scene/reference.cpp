@@ -1,4 +1,4 @@
-#include "scene/keys/reference.h"
+#include "scene/reference.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "scene/keys/key_text.h"
+#include "scene/language.h"
 #include "util/text.h"
 
 namespace carom {
@@ -14,9 +15,9 @@ namespace {
 
 constexpr const char* opening = R"(# The scene language
 
-<!-- Made from the key table, src/scene/keys.cpp, by `./dev docs`: change that, not this. -->
+<!-- Made by `./dev docs` from the bindings of the keys, src/scene/reading/ and src/panels/registry.cpp: change these, not this. -->
 
-A scene is one YAML file: what is in the box, what happens to it, what the viewer sees. Every key, with what it may be and what stands in for it when it is not given.
+A scene is one YAML file: what is in the box, what happens to it, what the viewer sees. Every key, with its values and its default.
 
 )";
 
@@ -35,12 +36,12 @@ film:
 )";
 
 constexpr const char* rules =
-    R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, told with its place and all others of the file.
+    R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, which is reported with its place and all others of the file.
 - Quantities are in reduced units: a length, a mass and a time of your choice, Boltzmann's constant 1.
 - A number is written in decimal (`0.5`, `1e9`), without quotes. Texts need quotes where YAML would read something else, such as `": "` or `#`.
-- A box with `size` is a plane that holds disks, one with `length` is a wire that holds beads. Where keys differ on a wire, a second table says so.
+- A box with `size` is a plane that holds disks, one with `length` is a wire that holds beads. Where keys differ on a wire, a second table lists them.
 - An editor with a YAML language server completes and checks all this: `carom schema > scene.schema.json`, and as the first line of a scene `# yaml-language-server: $schema=scene.schema.json`. `carom new` writes that line.
-- `carom check SCENE` tells whether a scene is valid.
+- `carom check SCENE` says whether a scene is valid.
 
 )";
 
@@ -63,22 +64,22 @@ bool is_one_of_needed(const Section& section, const std::string& name) {
     });
 }
 
-std::string stand_in(const Section& section, const Key& key) {
+std::string default_of(const Section& section, const Key& key) {
     const bool alone =
         std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
             return choice.required && choice.names == std::vector<std::string>{key.name};
         });
     if (key.required || alone) return "required";
-    if (!key.preset.empty()) return "`" + key.preset + "`";
-    if (!key.preset_note.empty()) return key.preset_note;
+    if (!key.default_value.empty()) return "`" + key.default_value + "`";
+    if (!key.default_text.empty()) return key.default_text;
     return is_one_of_needed(section, key.name) ? "see below" : "none";
 }
 
 std::string row(const Section& section, const Key& key) {
     std::string meaning = key.meaning;
-    if (!key.with.empty()) meaning += " Goes with " + listed(key.with, "and", "`") + ".";
+    if (!key.kinds.empty()) meaning += " Goes with " + listed(key.kinds, "and", "`") + ".";
     return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(forms_text(key)),
-                       cell(stand_in(section, key)));
+                       cell(default_of(section, key)));
 }
 
 std::string table(const std::string& rows) {
@@ -120,7 +121,7 @@ class Page {
 
     // A section of the plane beside that of the wire, then those inside it; each name once.
     void add(const Section& plane, const Section& wire) {
-        if (!told_.insert(plane.name).second) return;
+        if (!shown_.insert(plane.name).second) return;
         std::string rows;
         for (const Key& key : plane.keys) rows += row(plane, key);
         text_ += fmt::format("## {}\n\n", capital(plane.name)) + table(rows) + choices(plane) +
@@ -140,25 +141,27 @@ class Page {
 
   private:
     std::string text_;
-    std::set<std::string> told_;
+    std::set<std::string> shown_;
 };
 
 }  // namespace
 
 std::string reference_example() { return example; }
 
-std::string scene_reference() {
+std::string scene_reference(PanelKinds kinds) {
     Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules);
-    page.add(scene_section(2), scene_section(1));
+    page.add(scene_section(kinds, 2), scene_section(kinds, 1));
     page.add(
         "A film template, a file in `templates/films/` or beside the scene, has the keys of "
         "`film` but `template`, and a `layout`:\n\n");
-    const Section& layout = section_of(template_section(), "layout");
+    const Section film_template = template_section(kinds);
+    const Section& layout = section_of(film_template, "layout");
     page.add(layout, layout);
     page.add(
         "A figure set, a file given to `carom figures`, lists scenes whose figures belong "
         "together ([figures.md](figures.md)):\n\n");
-    page.add(set_section(), set_section());
+    const Section set = set_section(kinds);
+    page.add(set, set);
     page.add(
         "## Ceilings\n\nWhat is over a ceiling is refused before memory is taken: "
         "[limits.md](limits.md) lists them all.\n");

@@ -1,0 +1,82 @@
+#include "panels/collision/collision_map_keys.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace carom {
+namespace {
+
+GivenPair& given_pair(PanelSpec& panel) {
+    return panel.given ? *panel.given : panel.given.emplace();
+}
+
+// The plane of two velocities is all there is on a wire only.
+void check_wire(const Node& kind, Reading& reading) {
+    if (reading.gas.box.dimension == 2)
+        reading.errors.add(kind,
+                           "`collision-map` shows beads on a wire, and this gas is in a plane",
+                           "disks have two components of velocity each: use `single-collision`, "
+                           "or give the box a `length` instead of a `size`");
+}
+
+// What is given twice, or by halves only.
+void check_given(const Node& node, Errors& errors) {
+    const bool both = find(node, "masses") != nullptr && find(node, "velocities") != nullptr;
+    for (const char* key : {"masses", "velocities"})
+        if (const Node* alone = given(node, key); alone != nullptr && !both)
+            errors.add(*alone, "`masses` and `velocities` of a pair go together",
+                       "for instance {kind: collision-map, masses: [1, 3], velocities: [1, 0]}; "
+                       "without them it shows a pair of the scene");
+    for (const char* of_the_run : {"of", "walk"})
+        if (const Node* other = given(node, of_the_run); other != nullptr && both)
+            errors.add(
+                *other,
+                fmt::format("`{}` is of beads of the scene, `masses` are of others", of_the_run),
+                "leave out one of them");
+}
+
+}  // namespace
+
+std::vector<Binding<PanelSpec>> collision_map_keys() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto mass = either(number(positive), one_of<double>({{"infinite", infinity}}));
+    const auto fill_masses = [](PanelSpec& panel, const std::vector<double>& masses) {
+        given_pair(panel).inverse_mass = {1.0 / masses.at(0), 1.0 / masses.at(1)};
+    };
+    const auto fill_velocities = [](PanelSpec& panel, const Eigen::Array2d& velocity) {
+        given_pair(panel).velocity = velocity;
+    };
+    return {bind_with<PanelSpec>("masses", fill_masses, list_of(mass, 2, 2, "[mass, mass]"),
+                                 "Two masses of a pair that need not be in the scene, with their "
+                                 "`velocities`; one of them may be `infinite`.")
+                .default_text("those of the pair in the scene"),
+            bind_with<PanelSpec>("velocities", fill_velocities,
+                                 pair_of(any_number, "[velocity, velocity]"),
+                                 "The velocities before the collision of the given `masses`.")
+                .default_text("those of the pair in the scene"),
+            bind_key("walk", &PanelSpec::walk, flag(),
+                 "All collisions of the pair so far, with each other and with walls, as a walk on "
+                 "the ellipse of their energy; otherwise their first."),
+            bind_key("scaled", &PanelSpec::scaled, flag(),
+                 "Axes of the velocity times the root of the mass: the ellipse is a circle, a "
+                 "collision mirrors it.")
+                .default_text("that of `walk`")};
+}
+
+void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_wire(node.is_mapping() ? *given(node, "kind") : node, reading);
+    check_given(node, reading.errors);
+    const Node *masses = given(node, "masses"), *velocities = given(node, "velocities");
+    if (masses == nullptr || velocities == nullptr) {
+        panel.given.reset();
+        return;
+    }
+    if (!(panel.given->inverse_mass.sum() > 0.0))
+        reading.errors.add(*masses, "two infinite masses do not collide",
+                           "give one that can be moved");
+    if (panel.given->velocity[0] == panel.given->velocity[1])
+        reading.errors.add(*velocities, "two beads of equal velocities never meet");
+}
+
+}  // namespace carom

@@ -1,0 +1,188 @@
+// Bindings: all that there is to say of a key of the scene language, in one entry. A binding has
+// the key's name, the field that it fills, how its value is written, what it means, and its
+// default.
+//
+//     bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second.")
+//
+// The default is the value that the field has in a value of its type that nothing was read into;
+// where there is no such value, the binding says it. Reading, the check, the schema, the reference
+// page and the scene to start from are made from tables of bindings. Rules between several keys are
+// functions that a table names.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "scene/keys/notation.h"
+
+namespace carom {
+
+/// A key and the field of T that it fills.
+template <typename T>
+struct Binding {
+    Key key;
+    std::function<void(T&, const Node&, Reading&)> read;
+    bool reads_default = false;  ///< whether the default is read where the key is not given
+
+    /// The same field in what is derived from T.
+    template <std::derived_from<T> Derived>
+    operator Binding<Derived>() const {
+        return {key, read, reads_default};
+    }
+
+    /// A key that must be there.
+    Binding required() const {
+        Binding binding = *this;
+        binding.key.required = true;
+        binding.key.default_value.clear();
+        return binding;
+    }
+
+    /// A default that the field does not have of itself, as it would be written.
+    Binding default_value(std::string written) const {
+        Binding binding = *this;
+        binding.key.default_value = std::move(written);
+        binding.reads_default = true;
+        return binding;
+    }
+
+    /// A default that is no fixed value, in words.
+    Binding default_text(std::string words) const {
+        Binding binding = *this;
+        binding.key.default_value.clear();
+        binding.key.default_text = std::move(words);
+        return binding;
+    }
+
+    /// A key that only some kinds of panel take.
+    Binding only_with(std::vector<std::string> kinds) const {
+        Binding binding = *this;
+        binding.key.kinds = std::move(kinds);
+        return binding;
+    }
+};
+
+namespace binding {
+
+// What the field holds where nothing was read, as it would be written.
+template <typename V, typename Field>
+std::string initial_text(const Notation<V>& notation, const Field& initial) {
+    if constexpr (std::is_same_v<V, Field>)
+        return notation.write(initial);
+    else if constexpr (std::is_same_v<std::optional<V>, Field>)
+        return initial ? notation.write(*initial) : "";
+    else if constexpr (std::is_arithmetic_v<Field>)
+        return notation.write(static_cast<V>(initial));
+    else
+        return "";
+}
+
+template <typename V, typename Field>
+void assign(Field& field, V value) {
+    if constexpr (std::is_arithmetic_v<V> && std::is_arithmetic_v<Field>)
+        field = static_cast<Field>(value);
+    else if constexpr (std::is_same_v<std::int64_t, V> && std::is_same_v<std::optional<int>, Field>)
+        field = static_cast<int>(value);
+    else
+        field = std::move(value);
+}
+
+}  // namespace binding
+
+/// A key that fills a field, with the field's initial value as its default.
+template <typename T, typename Field, typename V>
+Binding<T> bind_key(std::string name, Field T::*field, const Notation<V>& notation,
+                    std::string meaning) {
+    Key key{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms};
+    key.default_value = binding::initial_text(notation, T{}.*field);
+    return {std::move(key), [field, notation](T& into, const Node& node, Reading& reading) {
+                if (auto value = notation.read(node, reading))
+                    binding::assign(into.*field, std::move(*value));
+            }};
+}
+
+/// A key that fills several fields: `fill(T&, value)`.
+template <typename T, typename V, typename Fill>
+Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
+                     std::string meaning) {
+    return {{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms},
+            [fill, notation](T& into, const Node& node, Reading& reading) {
+                if (auto value = notation.read(node, reading)) fill(into, std::move(*value));
+            }};
+}
+
+/// Bindings of a part as bindings of the whole that has it as a member, itself or in its base.
+template <typename Whole, typename Part, typename Base>
+std::vector<Binding<Whole>> within(Part Base::*part,
+                                   const std::type_identity_t<std::vector<Binding<Part>>>& keys) {
+    std::vector<Binding<Whole>> all;
+    for (const Binding<Part>& one : keys)
+        all.push_back({one.key,
+                       [part, read = one.read](Whole& into, const Node& node, Reading& reading) {
+                           read(into.*part, node, reading);
+                       },
+                       one.reads_default});
+    return all;
+}
+
+/// Bindings one after another.
+template <typename T>
+std::vector<Binding<T>> joined(std::vector<Binding<T>> first,
+                               const std::vector<std::type_identity_t<Binding<T>>>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+/// A default as a node.
+Node default_node(const std::string& written);
+
+/// The keys of one mapping, which are read into a T.
+template <typename T>
+struct KeyTable {
+    std::string name;  ///< as in "an item of `gas`"
+    std::vector<Binding<T>> keys;
+    std::vector<Choice> choices = {};
+    std::vector<Refused> refused = {};
+
+    /// Rules between several keys, after all have been read.
+    std::function<void(T&, const Node&, Reading&)> rule = {};
+
+    Section section() const {
+        Section section{.name = name, .keys = {}, .choices = choices, .refused = refused};
+        for (const Binding<T>& binding : keys) section.keys.push_back(binding.key);
+        return section;
+    }
+
+    /// Reads a checked mapping into `value`; what is wrong or not there keeps its default.
+    void read(const Node& mapping, T& value, Reading& reading) const {
+        for (const Binding<T>& binding : keys) {
+            if (const Node* node = given(mapping, binding.key.name))
+                binding.read(value, *node, reading);
+            else if (binding.reads_default)
+                binding.read(value, default_node(binding.key.default_value), reading);
+        }
+        if (rule) rule(value, mapping, reading);
+    }
+};
+
+/// A mapping as a value: of a table's keys.
+template <typename T>
+Notation<T> mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
+    const auto table = std::make_shared<const KeyTable<T>>(std::move(keys));
+    return {{{.shape = Shape::mapping,
+              .section = std::make_shared<const Section>(table->section()),
+              .phrase = std::move(phrase)}},
+            [table](const Node& node, Reading& reading) -> std::optional<T> {
+                if (!node.is_mapping()) return std::nullopt;
+                std::optional<T> value(std::in_place);
+                table->read(node, *value, reading);
+                return value;
+            }};
+}
+
+}  // namespace carom

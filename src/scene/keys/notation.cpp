@@ -1,0 +1,169 @@
+#include "scene/keys/notation.h"
+
+#include <fmt/format.h>
+
+#include "scene/keys/binding.h"
+#include "scene/yaml/scalar.h"
+
+namespace carom {
+namespace {
+
+const Source& default_source() {
+    static const Source source{"default", "", Origin::preset};
+    return source;
+}
+
+std::string without_space_at_end(const std::string& text) {
+    return text.substr(0, text.find_last_not_of(" \t\n") + 1);
+}
+
+Notation<std::string> text_form(bool lines, std::size_t shortest, Limit most) {
+    return {{{.shape = Shape::text,
+              .lines = lines,
+              .shortest = shortest,
+              .longest = most.count(),
+              .ceiling = most.meaning}},
+            [](const Node& node, Reading&) -> std::optional<std::string> {
+                if (!node.is_scalar()) return std::nullopt;
+                return without_space_at_end(node.text);
+            },
+            [](const std::string& text) { return text; }};
+}
+
+/// A distribution, as far as it is given.
+struct Distribution {
+    std::optional<Quantity> value;
+};
+
+KeyTable<Distribution> distribution(Range range) {
+    const auto ordered = [](const Eigen::Array2d& ends, const Node& list,
+                            Reading& reading) -> std::optional<Quantity> {
+        if (ends[0] <= ends[1]) return UniformLaw{ends[0], ends[1]};
+        reading.errors.add(
+            list,
+            fmt::format("expected [low, high] for `uniform`, found {} above {}", ends[0], ends[1]));
+        return std::nullopt;
+    };
+    const auto positive_mean = [range](const Eigen::Array2d& parameters, const Node& list,
+                                       Reading& reading) -> std::optional<Quantity> {
+        if (parameters[0] >= range.low) return NormalLaw{parameters[0], parameters[1]};
+        reading.errors.add(list.items[0],
+                           fmt::format("expected a positive mean for `normal`, found {}",
+                                       in_quotes(list.items[0].text)));
+        return std::nullopt;
+    };
+    const Range spread{0.0, range.high, range.ceiling};
+    return {.name = "a distribution",
+            .keys = {bind_key("uniform", &Distribution::value,
+                              parsed(pair_of(range, "[low, high]"), ordered),
+                              "Evenly spread between two numbers."),
+                     bind_key("normal", &Distribution::value,
+                              parsed(pair_of(spread, "[mean, deviation]"), positive_mean),
+                              "A normal distribution with this mean and standard deviation.")},
+            .choices = {{{"uniform", "normal"}, true}}};
+}
+
+}  // namespace
+
+Notation<double> number(Range range) {
+    return {{{.shape = Shape::number, .range = range}},
+            [](const Node& node, Reading&) { return number_in(node); },
+            [](double value) { return number_text(value); }};
+}
+
+Notation<std::int64_t> whole(double low, Limit most) {
+    return {{{.shape = Shape::integer, .range = {low, most.value, most.meaning}}},
+            [](const Node& node, Reading&) -> std::optional<std::int64_t> {
+                const auto value = number_in(node);
+                if (!value) return std::nullopt;
+                return static_cast<std::int64_t>(*value);
+            },
+            [](std::int64_t value) { return std::to_string(value); }};
+}
+
+Notation<bool> flag() {
+    return {{{.shape = Shape::flag}},
+            [](const Node& node, Reading&) { return flag_in(node); },
+            [](bool value) { return std::string(value ? "true" : "false"); }};
+}
+
+Notation<std::string> color() {
+    return {{{.shape = Shape::color, .words = color_names()}},
+            [](const Node& node, Reading&) { return std::optional(color_hex(node.text)); }};
+}
+
+Notation<std::string> text(std::size_t shortest, Limit most) {
+    return text_form(false, shortest, most);
+}
+
+Notation<std::string> lines(std::size_t shortest, Limit most) {
+    return text_form(true, shortest, most);
+}
+
+Notation<std::string> word(const std::vector<std::string>& words) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const std::string& one : words) pairs.emplace_back(one, one);
+    return one_of(std::move(pairs));
+}
+
+Form notation::list_form(std::vector<Form> items, std::size_t shortest, std::size_t longest,
+                         std::string_view ceiling, std::string phrase) {
+    return {.shape = Shape::list,
+            .items = std::move(items),
+            .shortest = shortest,
+            .longest = longest,
+            .ceiling = ceiling,
+            .phrase = std::move(phrase)};
+}
+
+Notation<Eigen::Array2d> pair_of(Range range, std::string phrase) {
+    return mapped(list_of(number(range), 2, 2, std::move(phrase)),
+                  [](const std::vector<double>& values) {
+                      return Eigen::Array2d(values.at(0), values.at(1));
+                  });
+}
+
+Notation<std::vector<Eigen::Array2d>> points(int dimension) {
+    if (dimension == 1)
+        return one_or_list(
+            mapped(number(any_number), [](double x) { return Eigen::Array2d(x, 0.0); }),
+            most_particles, "a list of numbers");
+    const Notation<Eigen::Array2d> one = pair_of(any_number, "[x, y]");
+    const auto several = list_of(one, 1, most_particles, "a list of [x, y]");
+    return {{one.forms.front(), several.forms.front()},
+            [one, several](const Node& node,
+                           Reading& reading) -> std::optional<std::vector<Eigen::Array2d>> {
+                if (lists_points(node, 2)) return several.read(node, reading);
+                if (!node.is_list()) return std::nullopt;
+                return std::vector{one.read(node, reading).value()};
+            }};
+}
+
+bool lists_points(const Node& node, int dimension) {
+    return node.is_list() && (dimension == 1 || node.items.front().is_list());
+}
+
+Notation<Quantity> quantity(Range range) {
+    const Notation<Quantity> drawn = parsed(
+        mapping(distribution(range), "{uniform: [low, high]} or {normal: [mean, deviation]}"),
+        [](const Distribution& one, const Node&, Reading&) { return one.value; });
+    return either(alternative<Quantity>(number(range)),
+                  either(alternative<Quantity>(
+                             list_of(number(range), 1, most_particles, "a list of numbers")),
+                         drawn));
+}
+
+const Node* given(const Node& mapping, std::string_view key) {
+    const Node* node = find(mapping, key);
+    return node != nullptr && node->valid && node->kind != Node::Kind::null ? node : nullptr;
+}
+
+Node default_node(const std::string& written) {
+    Node node;
+    node.source = &default_source();
+    node.kind = Node::Kind::scalar;
+    node.text = written;
+    return node;
+}
+
+}  // namespace carom

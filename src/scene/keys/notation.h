@@ -1,0 +1,251 @@
+// How values are written in a scene. A notation says it once for all: the forms that a value may
+// take (for messages, schema and reference), how a checked node becomes the value, and how a value
+// is written again (for defaults). Larger notations are put together from smaller ones.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/run.h"
+#include "scene/keys/keys.h"
+#include "scene/words.h"
+#include "scene/yaml/node.h"
+
+namespace carom {
+
+/// What reading a value may look at beside its node: where mistakes are reported, and what has been
+/// read of the scene so far.
+struct Reading {
+    Errors& errors;
+    const Gas& gas;
+    const Run& run;
+};
+
+/// How a value of type V is written.
+template <typename V>
+struct Notation {
+    std::vector<Form> forms;
+
+    /// The value of a node that has one of the forms; nothing if it has none of them, or if the
+    /// value is wrong in itself, which is reported.
+    std::function<std::optional<V>(const Node&, Reading&)> read;
+
+    /// A value as a scene would write it; empty if it would be written as no single word or number.
+    std::function<std::string(const V&)> write = [](const V&) { return std::string{}; };
+
+    /// The same where messages call its first form by a phrase.
+    Notation called(std::string phrase) const {
+        Notation notation = *this;
+        notation.forms.front().phrase = std::move(phrase);
+        return notation;
+    }
+};
+
+Notation<double> number(Range range);
+
+/// A whole number from `low` up to the ceiling.
+Notation<std::int64_t> whole(double low, Limit most);
+
+Notation<bool> flag();
+
+/// A colour as #rrggbb.
+Notation<std::string> color();
+
+/// One line, of at least `shortest` characters, without space at its end.
+Notation<std::string> text(std::size_t shortest, Limit most);
+
+/// The same with line breaks.
+Notation<std::string> lines(std::size_t shortest, Limit most);
+
+/// Words, each of which stands for a value.
+template <typename V>
+Notation<V> one_of(std::vector<std::pair<std::string, V>> words) {
+    Form form{.shape = Shape::word};
+    for (const auto& [word, value] : words) form.words.push_back(word);
+    const auto read = [words](const Node& node, Reading&) -> std::optional<V> {
+        for (const auto& [word, value] : words)
+            if (node.is_scalar() && node.text == word) return value;
+        return std::nullopt;
+    };
+    if constexpr (std::equality_comparable<V>) {
+        return {{std::move(form)}, read, [words](const V& value) {
+                    for (const auto& [word, its] : words)
+                        if (its == value) return word;
+                    return std::string{};
+                }};
+    } else {
+        return {{std::move(form)}, read};
+    }
+}
+
+/// The words of an enum.
+template <typename E>
+Notation<E> one_of() {
+    std::vector<std::pair<std::string, E>> words;
+    for (const EnumWord<E>& entry : EnumWords<E>::table)
+        words.emplace_back(entry.word, entry.value);
+    return one_of<E>(std::move(words));
+}
+
+/// Words that stand for themselves.
+Notation<std::string> word(const std::vector<std::string>& words);
+
+/// The value of a notation turned into another by `convert(value)`.
+template <typename V, typename Convert>
+auto mapped(Notation<V> from, Convert convert) {
+    using W = std::invoke_result_t<Convert, V>;
+    return Notation<W>{from.forms,
+                       [from, convert](const Node& node, Reading& reading) -> std::optional<W> {
+                           auto value = from.read(node, reading);
+                           if (!value) return std::nullopt;
+                           return std::optional<W>(std::in_place, convert(std::move(*value)));
+                       }};
+}
+
+/// The same where `parse(value, node, reading)` may find a mistake, which it reports: it gives an
+/// optional.
+template <typename V, typename Parse>
+auto parsed(Notation<V> from, Parse parse) {
+    using Result = std::invoke_result_t<Parse, V, const Node&, Reading&>;
+    return Notation<typename Result::value_type>{
+        from.forms, [from, parse](const Node& node, Reading& reading) -> Result {
+            auto value = from.read(node, reading);
+            if (!value) return std::nullopt;
+            return parse(std::move(*value), node, reading);
+        }};
+}
+
+/// The same value after `check(value, node, reading)`, which reports what is wrong with it.
+template <typename V, typename Check>
+Notation<V> checked(Notation<V> notation, Check check) {
+    const auto read = notation.read;
+    notation.read = [read, check](const Node& node, Reading& reading) {
+        auto value = read(node, reading);
+        if (value) check(*value, node, reading);
+        return value;
+    };
+    return notation;
+}
+
+/// One alternative of a variant.
+template <typename Variant, typename V>
+Notation<Variant> alternative(Notation<V> notation) {
+    return {notation.forms,
+            [read = notation.read](const Node& node, Reading& reading) {
+                auto value = read(node, reading);
+                std::optional<Variant> whole;
+                if (value) whole.emplace(std::in_place_type<V>, std::move(*value));
+                return whole;
+            },
+            [write = notation.write](const Variant& value) {
+                const V* its = std::get_if<V>(&value);
+                return its != nullptr ? write(*its) : std::string{};
+            }};
+}
+
+/// Either of two notations; which, the forms tell.
+template <typename V>
+Notation<V> either(Notation<V> first, Notation<V> second) {
+    std::vector<Form> forms = first.forms;
+    forms.insert(forms.end(), second.forms.begin(), second.forms.end());
+    return {std::move(forms),
+            [first, second](const Node& node, Reading& reading) {
+                auto value = first.read(node, reading);
+                return value ? value : second.read(node, reading);
+            },
+            [first, second](const V& value) {
+                const std::string written = first.write(value);
+                return written.empty() ? second.write(value) : written;
+            }};
+}
+
+namespace notation {
+
+Form list_form(std::vector<Form> items, std::size_t shortest, std::size_t longest,
+               std::string_view ceiling, std::string phrase);
+
+template <typename V>
+Notation<std::vector<V>> list(Notation<V> item, Form form) {
+    return {{std::move(form)},
+            [item](const Node& node, Reading& reading) -> std::optional<std::vector<V>> {
+                if (!node.is_list()) return std::nullopt;
+                std::vector<V> values;
+                values.reserve(node.items.size());
+                for (const Node& one : node.items)
+                    if (one.valid)
+                        if (auto value = item.read(one, reading))
+                            values.push_back(std::move(*value));
+                return values;
+            }};
+}
+
+}  // namespace notation
+
+/// A list of a fixed or bounded length; `phrase` is how a message calls it. Items with mistakes,
+/// which are reported, are left out.
+template <typename V>
+Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, std::size_t longest,
+                                 std::string phrase) {
+    return notation::list(item, notation::list_form(item.forms, shortest, longest, {}, phrase));
+}
+
+template <typename V>
+Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, Limit most,
+                                 std::string phrase) {
+    return notation::list(
+        item, notation::list_form(item.forms, shortest, most.count(), most.meaning, phrase));
+}
+
+/// One value or a list of several.
+template <typename V>
+Notation<std::vector<V>> one_or_list(Notation<V> one, Limit most, std::string phrase) {
+    return either(mapped(one, [](V value) { return std::vector<V>{std::move(value)}; }),
+                  list_of(one, 1, most, std::move(phrase)));
+}
+
+/// A list of two numbers.
+Notation<Eigen::Array2d> pair_of(Range range, std::string phrase);
+
+/// One place or velocity, or a list of one for each particle: [x, y] in two dimensions, a number in
+/// one.
+Notation<std::vector<Eigen::Array2d>> points(int dimension);
+
+/// Whether a checked node lists several points, and is not one itself.
+bool lists_points(const Node& node, int dimension);
+
+/// NUMBER of the scene language: a number for all, a list of one for each particle, or a
+/// distribution to draw from.
+Notation<Quantity> quantity(Range range);
+
+/// A value together with its node, for what is checked later. Nodes outlive the reading.
+template <typename V>
+struct Placed {
+    V value;
+    const Node* node;
+};
+
+template <typename V>
+Notation<Placed<V>> placed(Notation<V> notation) {
+    return parsed(notation, [](V value, const Node& node, Reading&) {
+        return std::optional(Placed<V>{std::move(value), &node});
+    });
+}
+
+/// The node alone, to be read later.
+template <typename V>
+Notation<const Node*> kept(const Notation<V>& notation) {
+    return {notation.forms, [](const Node& node, Reading&) { return std::optional(&node); }};
+}
+
+/// The value of a key as written, if it is valid; null if it is not there, or wrong.
+const Node* given(const Node& mapping, std::string_view key);
+
+}  // namespace carom

@@ -1,0 +1,34 @@
+// The keys of a whole scene: the notations of its parts put together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/keys/binding.h"
+#include "scene/panel_kind.h"
+#include "scene/reading/gas_reading.h"
+#include "scene/reading/run_reading.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// The version of the scene format that this program reads.
+inline constexpr int scene_format = 1;
+
+/// A scene as it is written. Refers to its nodes.
+struct SceneDraft {
+    Scene scene;  ///< title, subtitle and seed
+    int format = scene_format;
+    std::optional<std::string> description;
+    std::optional<Box> box;
+    std::vector<SpeciesDraft> species;
+    RunDraft run;
+    const Node* film = nullptr;     ///< to be read over its template
+    const Node* figures = nullptr;  ///< to be read when the gas and the run are known
+};
+
+/// A scene with a box of one dimension or of two.
+KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension);
+
+}  // namespace carom

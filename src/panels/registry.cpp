@@ -12,25 +12,23 @@ namespace carom {
 namespace {
 
 std::vector<Binding<PanelSpec>> reference_key() {
-    return {
-        bind_key("reference", &PanelSpec::reference_initial,
-                 one_of<bool>({{"now", false}, {"initial", true}}),
-                 "The mean speed that slow and fast are measured by: the present one, or that at "
-                 "the start.")};
+    return {bind_key("reference", &PanelSpec::reference_initial,
+                     one_of<bool>({{"now", false}, {"initial", true}}),
+                     "The mean speed that defines slow and fast: at present, or at the start.")};
 }
 
 std::vector<Binding<PanelSpec>> numbers_key() {
     return {
-        bind_key("numbers", &PanelSpec::numbers, monitors_notation(),
-                 "Which numbers it shows; all-collisions counts those with walls too, "
-                 "return-distance is the largest of a particle from where it was on the way out.")
+        bind_key(
+            "numbers", &PanelSpec::numbers, monitors_notation(),
+            "The numbers that it shows; all-collisions includes those with walls, return-distance "
+            "is the largest distance of a particle from where it was on the way out.")
             .default_text("all but all-collisions and return-distance")};
 }
 
 std::vector<Binding<PanelSpec>> words_key() {
     return {bind_key("words", &PanelSpec::words, lines(1, most_words_letters),
-                     "What the panel says, in lines as its place allows; an empty line parts "
-                     "paragraphs.")
+                     "The text of the panel; an empty line separates paragraphs.")
                 .default_text("required for a text")};
 }
 

@@ -1,5 +1,5 @@
-// The ceilings of the scene language, all of them. Scenes come from strangers: what is over a
-// ceiling is refused with the number and the ceiling, before memory is taken.
+// All limits of the scene language. A scene may come from a stranger: what exceeds a limit is
+// refused with the number and the limit, before memory is taken.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// A ceiling (or a floor) and what it counts.
+/// An upper (or lower) limit and what it counts.
 struct Limit {
     double value;
     std::string_view meaning;
@@ -16,22 +16,22 @@ struct Limit {
 };
 
 inline constexpr Limit most_file_bytes{4 << 20, "bytes in a scene or template file"};
-inline constexpr Limit most_nesting{24, "lists and mappings inside one another"};
-inline constexpr Limit most_values{500'000, "values in a file, its aliases written out"};
+inline constexpr Limit most_nesting{24, "levels of nested lists and mappings"};
+inline constexpr Limit most_values{500'000, "values in a file, with its aliases expanded"};
 inline constexpr Limit most_letters{4'000, "characters in a description"};
 inline constexpr Limit most_title_letters{200, "characters in a title"};
 inline constexpr Limit most_caption_letters{60, "characters in a caption, which is one line"};
-inline constexpr Limit most_words_letters{600, "characters in the words of a panel"};
+inline constexpr Limit most_words_letters{600, "characters in the text of a panel"};
 inline constexpr Limit most_name_letters{40, "characters in a name or label"};
 inline constexpr Limit most_overrides{1'000, "values set on the command line"};
 inline constexpr Limit most_errors_shown{50, "errors shown in one run"};
 
 inline constexpr Limit largest_quantity{1e12, "of any length, mass, speed or time"};
 inline constexpr Limit smallest_quantity{1e-12, "of a length, mass or time that must be positive"};
-inline constexpr Limit most_seeds{64, "runs of which a figure shows the mean"};
+inline constexpr Limit most_seeds{64, "runs averaged in a figure"};
 inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exact in every reader"};
 inline constexpr Limit most_particles{2'000'000, "particles in all"};
-inline constexpr Limit most_returning{300'000, "particles whose way home is measured"};
+inline constexpr Limit most_returning{300'000, "particles whose return distance is measured"};
 inline constexpr Limit most_species{200, "species"};
 inline constexpr Limit most_events{1'000, "events of a run"};
 inline constexpr Limit most_precise{16'384, "bits of a number: 4,900 decimal digits"};

@@ -101,9 +101,8 @@ void apply_overrides(const Overrides& overrides, Node& scene, Sources& sources, 
     constexpr std::string_view option = "--set ";
     if (overrides.values.size() > most_overrides.count()) {
         sources.push_back({"--set", "", Origin::command_line});
-        errors.add(
-            sources.back(), fmt::format("{} values are set", overrides.values.size()),
-            fmt::format("the ceiling is {} {}", most_overrides.value, most_overrides.meaning));
+        errors.add(sources.back(), fmt::format("{} values are set", overrides.values.size()),
+                   fmt::format("the limit is {} {}", most_overrides.value, most_overrides.meaning));
         return;
     }
     for (const auto& [path, value] : overrides.values) {

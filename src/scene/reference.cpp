@@ -36,7 +36,7 @@ film:
 )";
 
 constexpr const char* rules =
-    R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, which is reported with its place and all others of the file.
+    R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, reported with its place, together with all others of the file.
 - Quantities are in reduced units: a length, a mass and a time of your choice, Boltzmann's constant 1.
 - A number is written in decimal (`0.5`, `1e9`), without quotes. Texts need quotes where YAML would read something else, such as `": "` or `#`.
 - A box with `size` is a plane that holds disks, one with `length` is a wire that holds beads. Where keys differ on a wire, a second table lists them.
@@ -77,7 +77,7 @@ std::string default_of(const Section& section, const Key& key) {
 
 std::string row(const Section& section, const Key& key) {
     std::string meaning = key.meaning;
-    if (!key.kinds.empty()) meaning += " Goes with " + listed(key.kinds, "and", "`") + ".";
+    if (!key.kinds.empty()) meaning += " Applies to " + listed(key.kinds, "and", "`") + ".";
     return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(forms_text(key)),
                        cell(default_of(section, key)));
 }
@@ -153,7 +153,7 @@ std::string scene_reference(PanelKinds kinds) {
     page.add(scene_section(kinds, 2), scene_section(kinds, 1));
     page.add(
         "A film template, a file in `templates/films/` or beside the scene, has the keys of "
-        "`film` but `template`, and a `layout`:\n\n");
+        "`film` except `template`, and a `layout`:\n\n");
     const Section film_template = template_section(kinds);
     const Section& layout = section_of(film_template, "layout");
     page.add(layout, layout);
@@ -163,8 +163,8 @@ std::string scene_reference(PanelKinds kinds) {
     const Section set = set_section(kinds);
     page.add(set, set);
     page.add(
-        "## Ceilings\n\nWhat is over a ceiling is refused before memory is taken: "
-        "[limits.md](limits.md) lists them all.\n");
+        "## Limits\n\nWhat exceeds a limit is refused before memory is taken: "
+        "[limits.md](limits.md) lists all limits.\n");
     return page.text();
 }
 

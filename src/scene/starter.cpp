@@ -92,9 +92,7 @@ std::string starter_scene(PanelKinds kinds, const std::string& schema, const std
                             name),
                 "");
     text += comment(
-        "Take the # away from a key to use it: what stands there is its default, or "
-        "an example.",
-        "");
+        "Remove the # in front of a key to use it. Its value is the default, or an example.", "");
     text += top_lines(scene);
     text += heading(scene, "box") + section_lines(inner("box"), {{"size", "[64, 48]"}}, "  ");
     text += heading(scene, "gas") + species_lines(inner("gas"));

@@ -169,7 +169,7 @@ TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2
               "lecture\n"));
     CHECK(has(table.out, "quality standard; half or twice as much is possible)\n"));
     CHECK(has(table.out, scenes[2] + ": not valid, 2 errors\n"));
-    CHECK(has(table.err, "box_both.yaml:2:21: error: `size` and `length` exclude one another"));
+    CHECK(has(table.err, "box_both.yaml:2:21: error: `size` and `length` cannot be combined"));
     CHECK(has(table.err, "run_times.yaml:5:14: error: "));
     const Outcome machine = run({program, "check", scenes[0], scenes[1], scenes[2], "--json"});
     CHECK(machine.exit_code == 2);
@@ -181,7 +181,7 @@ TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2
                                            {"line", 2},
                                            {"column", 21},
                                            {"length", 6},
-                                           {"message", "`size` and `length` exclude one another"},
+                                           {"message", "`size` and `length` cannot be combined"},
                                            {"hint", "keep one of them"}}});
     CHECK(list.at(1).at("valid") == true);
     CHECK(list.at(2).at("errors").size() == 2);

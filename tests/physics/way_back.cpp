@@ -159,7 +159,7 @@ TEST_CASE("what cannot come home is refused with what to change") {
         message = error.what();
         hint = error.hint();
     }
-    CHECK(message.find("the ceiling is 16384") != std::string::npos);
+    CHECK(message.find("the limit is 16384") != std::string::npos);
     CHECK(message.find("collisions of each particle") != std::string::npos);
     CHECK(hint.find("a reversal") != std::string::npos);
 }

@@ -25,14 +25,14 @@ void check_given(const Node& node, Errors& errors) {
     const bool both = find(node, "masses") != nullptr && find(node, "velocities") != nullptr;
     for (const char* key : {"masses", "velocities"})
         if (const Node* alone = given(node, key); alone != nullptr && !both)
-            errors.add(*alone, "`masses` and `velocities` of a pair go together",
+            errors.add(*alone, "`masses` and `velocities` of a pair must be given together",
                        "for instance {kind: collision-map, masses: [1, 3], velocities: [1, 0]}; "
                        "without them it shows a pair of the scene");
     for (const char* of_the_run : {"of", "walk"})
         if (const Node* other = given(node, of_the_run); other != nullptr && both)
             errors.add(
                 *other,
-                fmt::format("`{}` is of beads of the scene, `masses` are of others", of_the_run),
+                fmt::format("`{}` names beads of the scene, `masses` other ones", of_the_run),
                 "leave out one of them");
 }
 
@@ -56,11 +56,11 @@ std::vector<Binding<PanelSpec>> collision_map_keys() {
                                  "The velocities before the collision of the given `masses`.")
                 .default_text("those of the pair in the scene"),
             bind_key("walk", &PanelSpec::walk, flag(),
-                 "All collisions of the pair so far, with each other and with walls, as a walk on "
-                 "the ellipse of their energy; otherwise their first."),
+                     "All collisions of the pair so far, with each other and with walls, as a walk "
+                     "on the ellipse of their energy; otherwise only the first."),
             bind_key("scaled", &PanelSpec::scaled, flag(),
-                 "Axes of the velocity times the root of the mass: the ellipse is a circle, a "
-                 "collision mirrors it.")
+                     "Axes of velocity times the square root of the mass: the ellipse becomes a "
+                     "circle, a collision a reflection.")
                 .default_text("that of `walk`")};
 }
 
@@ -74,9 +74,9 @@ void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading) {
     }
     if (!(panel.given->inverse_mass.sum() > 0.0))
         reading.errors.add(*masses, "two infinite masses do not collide",
-                           "give one that can be moved");
+                           "give at least one finite mass");
     if (panel.given->velocity[0] == panel.given->velocity[1])
-        reading.errors.add(*velocities, "two beads of equal velocities never meet");
+        reading.errors.add(*velocities, "two beads of equal velocities never collide");
 }
 
 }  // namespace carom

@@ -110,7 +110,7 @@ const PairCollision& PairCollisionWatch::collision() const {
                                 context_.scene.run.until);
     error.hint =
         spec_.of.empty()
-            ? "give a longer run, or let particles meet"
+            ? "give a longer run, or let particles collide"
             : "give another pair in `of`, or none for the first that collides, or a longer "
               "run";
     throw SceneError({error});

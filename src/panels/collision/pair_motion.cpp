@@ -82,14 +82,16 @@ std::vector<WalkStep> WalkWatch::steps() const {
                          first_is_own ? foreign_->second.particle() : foreign_->first,
                          first_is_own ? foreign_->first : foreign_->second.particle(),
                          foreign_->time, pair[0], pair[1]),
-             "`walk` is for two beads that meet only each other and walls; without it the panel "
+             "`walk` is for two beads that collide only with each other and with walls; without it "
+             "the panel "
              "shows their first collision");
     }
     if (count_ > most_steps)
-        fail(fmt::format("particles {} and {} meet each other and walls {} times, and `walk` shows "
+        fail(fmt::format("particles {} and {} collide with each other and with walls {} times, but "
+                         "`walk` shows "
                          "at most {}",
                          pair[0], pair[1], count_, most_steps),
-             "give a shorter run, or masses that are less unlike");
+             "give a shorter run, or more similar masses");
     steps.push_back({.velocity = {start_[pair[0]], start_[pair[1]]}});
     std::size_t next = 0;
     const auto go_on_until = [&](double time) {

@@ -26,24 +26,25 @@ bool are_equal(const Gas& gas) {
 }
 
 void check_growth_law(const Node& asked, const Gas& gas, Errors& errors) {
-    const std::string hint = "leave out `theory`, and the curve is drawn where there is one";
+    const std::string hint = "leave out `theory`; the curve is then drawn where there is one";
     if (gas.box.dimension == 1)
-        errors.add(asked, "there is no growth law for beads on a wire: neighbours part too slowly",
+        errors.add(asked,
+                   "no growth law is known for beads on a wire, where errors grow far more slowly",
                    hint);
     else if (!are_equal(gas))
-        errors.add(asked,
-                   "there is no growth law for this gas: it is known for disks of one radius and "
-                   "one finite mass",
-                   hint);
+        errors.add(
+            asked,
+            "no growth law is known for this gas, only for disks of one radius and one finite mass",
+            hint);
 }
 
 }  // namespace
 
 std::vector<Binding<PanelSpec>> return_distance_keys() {
     return {bind_key("against", &PanelSpec::against_collisions,
-                 one_of<bool>({{"time", false}, {"collisions", true}}),
-                 "What they are drawn against: the time since the reversal, or the collisions of "
-                 "each particle since then, on average.")};
+                     one_of<bool>({{"time", false}, {"collisions", true}}),
+                     "The horizontal axis: the time since the reversal, or the collisions of each "
+                     "particle since then, on average.")};
 }
 
 void check_return_distance(PanelSpec& panel, const Node& node, Reading& reading) {

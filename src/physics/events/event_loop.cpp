@@ -361,7 +361,7 @@ void EventLoop<Dimension, Scalar>::refuse_to_stall() {
     if (++at_one_instant_ <= bound) return;
     throw std::runtime_error(
         fmt::format("{} collide without end at t = {:g}: they fill the box along a line, or are "
-                    "crushed between infinite or far heavier masses",
+                    "squeezed between infinite or far heavier masses",
                     Dimension == 1 ? "beads" : "disks", clock_.absolute(now_)));
 }
 

@@ -217,27 +217,27 @@ class PrecisionSearch {
     }
     [[noreturn]] void refuse_so_many(double bits) const {
         throw PrecisionError(
-            fmt::format("to bring the gas home {} takes some {:.0f} bits; the ceiling is {}",
-                        after_how_many(), bits, most_bits),
-            fmt::format(
-                "a reversal {:.3g} time units after the one before, or after the start, needs "
-                "fewer; so do disks that fill more of the box",
-                longest_ * most_bits / bits));
+            fmt::format("a return {} takes some {:.0f} bits; the limit is {}", after_how_many(),
+                        bits, most_bits),
+            fmt::format("reverse {:.3g} time units or less after the previous reversal or the "
+                        "start, or let disks fill more of the box",
+                        longest_ * most_bits / bits));
     }
     [[noreturn]] void refuse_at_ceiling() const {
         throw PrecisionError(
-            fmt::format("even {} bits, the ceiling, do not bring the gas home {}", most_bits,
+            fmt::format("even {} bits, the limit, do not return the gas to its start {}", most_bits,
                         after_how_many()),
-            fmt::format("a reversal less than {:.3g} time units after the one before, or after the "
-                        "start, needs fewer",
-                        longest_));
+            fmt::format(
+                "reverse less than {:.3g} time units after the previous reversal or the start",
+                longest_));
     }
     [[noreturn]] void refuse_for_no_reason_known(int bits) const {
         throw PrecisionError(
-            fmt::format("even {} bits do not bring the gas home {}, where far fewer should", bits,
-                        after_how_many()),
-            "three particles that meet at one instant, as in symmetric starts, have no way back "
-            "that is the only one; another `seed`, or places a little off, avoid that");
+            fmt::format(
+                "even {} bits do not return the gas to its start {}, although far fewer should",
+                bits, after_how_many()),
+            "when three particles collide at one instant, as in symmetric starts, the way back is "
+            "not unique; use another `seed`, or move particles a little");
     }
 
     const Gas& gas_;

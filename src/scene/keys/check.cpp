@@ -72,8 +72,7 @@ void check_number(Node& node, double value, const Form& form, const std::vector<
     if (in_range(value, form)) return;
     std::string hint;
     if (value > form.range.high && !form.range.ceiling.empty())
-        hint =
-            fmt::format("the ceiling is {} {}", number_text(form.range.high), form.range.ceiling);
+        hint = fmt::format("the limit is {} {}", number_text(form.range.high), form.range.ceiling);
     else if (value > 0.0 && value < form.range.low && form.range.low == smallest_quantity.value)
         hint = fmt::format("the smallest is {}", smallest_quantity.value);
     mismatch(node, forms, hint, context);
@@ -95,7 +94,7 @@ void check_text(Node& node, const Form& form, Context context) {
     const int length = code_points(node.text);
     if (static_cast<std::size_t>(length) > form.longest)
         return refuse(node, fmt::format("{} has {} characters", context.what, length),
-                      fmt::format("the ceiling is {} {}", form.longest, form.ceiling),
+                      fmt::format("the limit is {} {}", form.longest, form.ceiling),
                       context.errors);
     const std::size_t end = node.text.find_last_not_of(" \t\n") + 1;
     if (end == 0 && form.shortest > 0) return mismatch(node, {form}, "", context);
@@ -106,7 +105,7 @@ void check_text(Node& node, const Form& form, Context context) {
             return refuse(node, fmt::format("{} is one line, found several", context.what), "",
                           context.errors);
         if (is_control(letter) && letter != "\n")
-            return refuse(node, fmt::format("{} holds a control character", context.what), "",
+            return refuse(node, fmt::format("{} contains a control character", context.what), "",
                           context.errors);
         i = next;
     }
@@ -181,7 +180,7 @@ void check_length(Node& node, const Form& form, const std::vector<Form>& forms, 
     if (length >= form.shortest && length <= form.longest) return;
     std::string hint;
     if (length > form.longest && !form.ceiling.empty())
-        hint = fmt::format("the ceiling is {} {}", form.longest, form.ceiling);
+        hint = fmt::format("the limit is {} {}", form.longest, form.ceiling);
     mismatch(node, forms, hint, context);
 }
 
@@ -233,7 +232,7 @@ void unknown_key(const Node& key, const Section& section, Errors& errors) {
     const auto near = nearest_spelling(key.text, names);
     std::string hint = near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section);
     if (key.text.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
-        hint = "a comma parts keys; numbers have a point: 0.5";
+        hint = "a comma separates keys; write decimals with a point: 0.5";
     errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name), hint);
 }
 
@@ -258,7 +257,7 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
         } else {
             if (origin == kept->source->origin)
                 errors.add(node.keys[i],
-                           fmt::format("{} exclude one another", listed(choice.names, "and", "`")),
+                           fmt::format("{} cannot be combined", listed(choice.names, "and", "`")),
                            "keep one of them");
             value.valid = false;
         }
@@ -298,9 +297,9 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
         const std::vector<std::string>& kinds = section.keys[index].kinds;
         if (kinds.empty() || std::ranges::find(kinds, kind->text) != kinds.end()) continue;
         errors.add(node.keys[i],
-                   fmt::format("`{}` has no meaning for a panel of kind `{}`", node.keys[i].text,
+                   fmt::format("`{}` does not apply to a panel of kind `{}`", node.keys[i].text,
                                kind->text),
-                   "it goes with " + listed(kinds, "or", "`"));
+                   "it applies to " + listed(kinds, "or", "`"));
         node.items[i].valid = false;
     }
 }

@@ -60,7 +60,7 @@ struct Key {
     std::vector<std::string> kinds = {};  ///< of panels that take it; empty: all
 };
 
-/// Keys that exclude one another.
+/// Keys that cannot be combined.
 struct Choice {
     std::vector<std::string> names;
     bool required = false;  ///< one of them must be there

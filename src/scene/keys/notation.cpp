@@ -56,7 +56,7 @@ KeyTable<Distribution> distribution(Range range) {
     return {.name = "a distribution",
             .keys = {bind_key("uniform", &Distribution::value,
                               parsed(pair_of(range, "[low, high]"), ordered),
-                              "Evenly spread between two numbers."),
+                              "A uniform distribution between two numbers."),
                      bind_key("normal", &Distribution::value,
                               parsed(pair_of(spread, "[mean, deviation]"), positive_mean),
                               "A normal distribution with this mean and standard deviation.")},

@@ -46,7 +46,7 @@ Binding<FigureSpec> size_key() {
     };
     return bind_with<FigureSpec>(
                "size", fill, either(named, in_centimetres),
-               fmt::format("Of a text's column ({} cm wide), of its page ({} cm), of a slide "
+               fmt::format("The size of a text column ({} cm wide), a page ({} cm) or a slide "
                            "({:.1f} cm by {:.1f} cm, with large type), or width and height in "
                            "centimetres.",
                            column_width, page_width, slide_width, slide_height))
@@ -79,7 +79,7 @@ Notation<std::vector<ComparedRun>> compared_runs() {
     const KeyTable<Seeds> seeds{
         .name = "`compare`",
         .keys = {bind_key("seeds", &Seeds::count, whole(2, most_compared),
-                          "How many runs: of the scene's seed and those that follow it.")
+                          "How many runs: with the scene's seed and those that follow it.")
                      .required()}};
     const KeyTable<ComparedRun> run{
         .name = "an item of `compare`",
@@ -127,7 +127,7 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
         const Node& moment = given(node, "strip")->items[i];
         check_time(moment, figure.strip[i], reading);
         if (i > 0 && figure.strip[i] <= figure.strip[i - 1])
-            reading.errors.add(moment, "expected times that rise from picture to picture");
+            reading.errors.add(moment, "expected increasing times");
     }
     if (!figure.strip.empty()) figure.times = figure.strip;
     figure.panel.at = figure.times.back();
@@ -138,7 +138,7 @@ void check_name(const std::string& name, const Node& node, Reading& reading) {
     const bool plain =
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
     if (!plain || name.starts_with('-'))
-        reading.errors.add(node, "expected small letters, digits and hyphens for `name`",
+        reading.errors.add(node, "expected lower-case letters, digits and hyphens for `name`",
                            "it is the name of the figure's files: one-hot-particle-start");
 }
 
@@ -147,8 +147,8 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
     for (const auto& [figure, node] : figures)
         if (const Node* name = given(*node, "name"); !names.insert(figure.name).second && name)
             reading.errors.add(*name,
-                               fmt::format("there is another figure of the name `{}`", figure.name),
-                               "each writes files of its own: give one of them another name");
+                               fmt::format("there is another figure named `{}`", figure.name),
+                               "each figure writes its own files: give one of them another name");
 }
 
 // Of what the test supposes, as much as is known before the run.
@@ -156,40 +156,36 @@ void check_test(const FigureSpec& figure, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
     if (asked == nullptr || !figure.panel.test) return;
     if (find(node, "over") != nullptr)
-        reading.errors.add(
-            *asked,
-            "`test` is for one time: over a while the same particles are counted again and again, "
-            "and values are not independent",
-            "give a time in `at` instead of `over`");
+        reading.errors.add(*asked,
+                           "`test` applies to one time: over a longer time the same particles are "
+                           "counted repeatedly, and values are not independent",
+                           "give a time in `at` instead of `over`");
     if (!figure.panel.theory)
         reading.errors.add(*asked,
                            "`test` compares the bars with the theory, which `theory: false` hides",
                            "leave out one of them");
     if (const auto reason = why_no_equilibrium(reading.gas))
-        reading.errors.add(
-            *asked, "there is no equilibrium that this gas could be tested against: " + *reason,
-            "leave out `test`");
+        reading.errors.add(*asked, "this gas has no equilibrium to be tested against: " + *reason,
+                           "leave out `test`");
 }
 
 // The figure's key names runs, not what is drawn of each.
 void check_one_line(const FigureSpec& figure, const Node& node, Reading& reading) {
     if (const Node* of = given(node, "of"); of != nullptr && figure.panel.of.size() > 1)
         reading.errors.add(
-            *of, "a comparison shows one line of each run: `of` takes one species or particle",
+            *of, "a comparison shows one line for each run: `of` takes one species or particle",
             "make a figure for each");
 }
 
 std::vector<Binding<PanelSpec>> keys_of_runs(PanelKinds kinds) {
-    return {
-        bind_key("test", &PanelSpec::test, flag(),
-                 "Whether the caption tells how well the bars fit the theory, by Pearson's "
-                 "chi-squared test: for one time `at`, where the values are independent but for "
-                 "what is conserved, and particles of one mass.")
-            .only_with(kinds_that_can(kinds, Ability::equilibrium)),
-        bind_key("seeds", &PanelSpec::seeds, whole(1, most_seeds),
-                 "Of how many independent runs it shows the mean, with its standard error: of the "
-                 "scene's seed and those that follow it.")
-            .only_with(kinds_that_can(kinds, Ability::means))};
+    return {bind_key("test", &PanelSpec::test, flag(),
+                     "Whether the caption says how well the bars fit the theory, by Pearson's "
+                     "chi-squared test, for one time `at` and particles of one mass.")
+                .only_with(kinds_that_can(kinds, Ability::equilibrium)),
+            bind_key("seeds", &PanelSpec::seeds, whole(1, most_seeds),
+                     "The number of independent runs of which it shows the mean, with its standard "
+                     "error: with the scene's seed and those that follow it.")
+                .only_with(kinds_that_can(kinds, Ability::means))};
 }
 
 std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
@@ -200,7 +196,7 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
         bind_key("at", &FigureReading::at, one_time, "The simulated time that it shows.")
             .default_text("the end of the run"),
         bind_key("over", &FigureReading::over, list_of(number(not_negative), 2, 2, "[from, to]"),
-                 "Instead of `at`: the time that its numbers are taken over.")
+                 "Instead of `at`: the time over which its values are taken.")
             .only_with(kinds_that_can(kinds, Ability::over)),
         bind_key("strip", &FigureReading::strip,
                  list_of(number(not_negative), 2, most_strip, "a list of times"),
@@ -209,17 +205,16 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
 }
 
 std::vector<Binding<FigureSpec>> page_keys() {
-    return {
-        size_key(),
-        bind_key("theme", &FigureSpec::theme, one_of<ThemeName>(),
-                 "The colours of the ground and of the text; `print` is black, white and greys, "
-                 "but for what the scene colours itself."),
-        bind_key("caption", &FigureSpec::caption, lines(1, most_letters),
-                 "The words under the figure.")
-            .default_text("made from what the figure shows"),
-        bind_key("alt", &FigureSpec::alt, lines(1, most_letters),
-                 "What is seen, for those who cannot see it.")
-            .default_text("made from what the figure shows")};
+    return {size_key(),
+            bind_key("theme", &FigureSpec::theme, one_of<ThemeName>(),
+                     "The colours of background and text; `print` is black, white and greys, "
+                     "except for colours that the scene gives."),
+            bind_key("caption", &FigureSpec::caption, lines(1, most_letters),
+                     "The words under the figure.")
+                .default_text("made from what the figure shows"),
+            bind_key("alt", &FigureSpec::alt, lines(1, most_letters),
+                     "A description for those who cannot see it.")
+                .default_text("made from what the figure shows")};
 }
 
 void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
@@ -237,15 +232,14 @@ KeyTable<FigureReading> figure_table(PanelKinds kinds) {
         joined(panel_keys(kinds, kind_key(word(names)), {}), keys_of_runs(kinds));
     std::vector<Binding<FigureReading>> keys{
         bind_key("name", &FigureSpec::name, checked(text(1, most_name_letters), check_name),
-                 "The name of its files: small letters, digits and hyphens.")
+                 "The name of its files: lower-case letters, digits and hyphens.")
             .required()};
     keys = joined(keys, within<FigureReading>(&FigureSpec::panel, panel));
-    keys.push_back(
-        bind_key("compare", &FigureSpec::compare, compared_runs(),
-                 "Several runs in one panel with shared axes and a key: of several seeds, "
-                 "or of the scene with other values, each with its label.")
-            .default_text("the scene's run alone")
-            .only_with(kinds_that_can(kinds, Ability::comparison)));
+    keys.push_back(bind_key("compare", &FigureSpec::compare, compared_runs(),
+                            "Several runs in one panel with shared axes and a legend: with several "
+                            "seeds, or of the scene with other values, each with its label.")
+                       .default_text("the scene's run alone")
+                       .only_with(kinds_that_can(kinds, Ability::comparison)));
     keys = joined(keys, time_keys(kinds));
     for (const Binding<FigureSpec>& key : page_keys()) keys.push_back(key);
     return {.name = "a figure",
@@ -300,7 +294,7 @@ Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const 
         if (is_kind)
             table.keys.push_back(
                 bind_key("scenes", &FigureReading::scenes, scenes,
-                         "The scenes whose runs it shows in one panel with shared axes and a key.")
+                         "The scenes that it compares, in one panel with shared axes and a legend.")
                     .required());
     }
     table.choices = {{{"at", "over"}}};

@@ -21,7 +21,7 @@ Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const 
 /// What is laid over the scene of a compared run: KEY.PATH=VALUE, or a list of these.
 Notation<std::vector<std::string>> changes_notation();
 inline constexpr const char* meaning_of_changes =
-    "What its scene has otherwise: KEY.PATH=VALUE as for `--set`, or a list of these.";
+    "The values that differ in its scene: KEY.PATH=VALUE as for `--set`, or a list of these.";
 
 /// KEY.PATH=VALUE as a key path and a value.
 std::pair<std::string, std::string> parted_change(const std::string& change);

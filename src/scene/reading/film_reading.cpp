@@ -39,9 +39,8 @@ Binding<Film> velocities_key() {
                                    return Arrows{true, scale};
                                }));
     return bind_with<Film>("velocities", fill, arrows,
-                           "Arrows of velocity on disks and beads: whether there are any, or how "
-                           "much simulated time they look ahead, so that an arrow is velocity * "
-                           "time long.")
+                           "Arrows of velocity on disks and beads: whether to draw them, or the "
+                           "simulated time that makes an arrow velocity * time long.")
         .default_value("false");
 }
 
@@ -57,19 +56,19 @@ Notation<double> title_card_notation() {
 Notation<Trails> trails_notation() {
     const KeyTable<Trails> table{
         .name = "`trails`",
-        .keys = {bind_key(
-                     "of", &Trails::of, chosen_notation(),
-                     "Whose: of all particles, a species, a particle by its number, or several "
-                     "of these.")
-                     .default_value("all"),
-                 bind_key("seconds", &Trails::seconds,
-                          number({0.0, most_trail_seconds.value, most_trail_seconds.meaning}),
-                          "How long they are, in seconds of film.")
-                     .default_value("1")},
+        .keys =
+            {bind_key(
+                 "of", &Trails::of, chosen_notation(),
+                 "Which particles: all, a species, a particle by its number, or several of these.")
+                 .default_value("all"),
+             bind_key("seconds", &Trails::seconds,
+                      number({0.0, most_trail_seconds.value, most_trail_seconds.meaning}),
+                      "How long they are, in seconds of film.")
+                 .default_value("1")},
         .rule = [](Trails& trails, const Node& node, Reading&) {
             if (find(node, "of") != nullptr && given(node, "of") == nullptr) trails.of.clear();
         }};
-    return mapping(table, "{of: whose, seconds: how long}");
+    return mapping(table, "{of: particles, seconds: length}");
 }
 
 Notation<SlowDraft> slow_notation() {
@@ -79,7 +78,7 @@ Notation<SlowDraft> slow_notation() {
                  bind_key("to", &SlowDraft::to, number(positive), "Its last time, at most `until`.")
                      .default_text("until"),
                  bind_key("factor", &SlowDraft::factor, number({0.001, 1.0, {}}),
-                          "The film's speed there, as a part of what it is elsewhere.")
+                          "The speed of the film there, relative to the rest.")
                      .required()}});
 }
 
@@ -96,18 +95,19 @@ std::vector<Binding<FilmDraft>> picture_keys() {
                  "The picture in pixels: a name, or width and height. H.264 and VP9 add a row or "
                  "a column to odd ones."),
         bind_key("theme", &Film::theme, one_of<ThemeName>(),
-                 "The colours of the ground and of the text; `print` is black, white and greys, "
-                 "but for what the scene colours itself."),
+                 "The colours of background and text; `print` is black, white and greys, except "
+                 "for colours that the scene gives."),
         bind_key("ground", &Film::transparent, one_of<bool>({{"theme", false}, {"none", true}}),
-                 "What lies behind the box, the panels and the words: the theme's page, or none, "
-                 "so that a slide shows through. Choose the theme that suits the slide.")};
+                 "The background: the theme's, or none, so that a slide shows through. Choose the "
+                 "theme that suits the slide.")};
 }
 
 // What is drawn of the gas.
 std::vector<Binding<Film>> gas_keys() {
     const auto palettes = word({"viridis", "cividis", "plasma", "inferno", "magma", "netlogo"});
     return {
-        bind_key("color_by", &Film::color_by, one_of<ColorBy>(), "What the colour of a disk says."),
+        bind_key("color_by", &Film::color_by, one_of<ColorBy>(),
+                 "What the colour of a disk means."),
         bind_key("palette", &Film::palette, palettes, "The colours from slow to fast.")
             .default_text("the theme's"),
         bind_key("labels", &Film::labels, one_of<Labels>(),
@@ -116,7 +116,7 @@ std::vector<Binding<Film>> gas_keys() {
             .default_text("none"),
         velocities_key(),
         bind_key("flashes", &Film::flashes, flag(),
-                 "A short mark where two particles touch, three a second at most.")};
+                 "A short flash where two particles touch, at most three a second.")};
 }
 
 std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
@@ -126,29 +126,29 @@ std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
         keys,
         {bind_key(
              "title_card", &Film::title_card, title_card_notation(),
-             "A picture before the film with title and subtitle: whether there is one, of 3 "
-             "seconds, or its seconds. It is part of the film's `seconds`; with `pace` it comes "
-             "on top."),
+             "A card with title and subtitle before the film: `true` for 3 seconds, or a number of "
+             "seconds. It is part of the film's `seconds`; with `pace` it is added to them."),
          bind_key("end_card", &Film::end_card, text(1, most_title_letters),
-                  "Words on a picture of 4 seconds after the film, which is part of its `seconds` "
-                  "too. Both cards together are a third of the film at most.")
+                  "The text of a card of 4 seconds after the film, which is part of its `seconds` "
+                  "too. Both cards together take at most a third of the film.")
              .default_text("none"),
-         bind_key("trails", &Film::trails, trails_notation(),
-                  "Trails that some of the particles leave; the `trail` of a species wins.")
+         bind_key(
+             "trails", &Film::trails, trails_notation(),
+             "Trails that some of the particles leave; the `trail` of a species takes precedence.")
              .default_text("of single disks among many"),
          bind_key(
              "slow", &FilmDraft::spans,
              list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}"),
              "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The film "
-             "eases in before the span and out after it, over half a second each (a tenth of a "
-             "film of less than five), and says ×0.1 beside the clock. With `seconds` the rest is "
+             "eases in before the span and out after it, over half a second each (in films shorter "
+             "than five seconds, a tenth of the film), and shows ×0.1 beside the clock. With "
+             "`seconds` the rest is "
              "faster, with `pace` the film is longer.")
              .default_text("none"),
-         bind_key(
-             "monitors", &Film::monitors, monitors_notation(),
-             "Which numbers stand in the row of monitors; all-collisions counts those with walls "
-             "too, return-distance is the largest of a particle from where it was on the way "
-             "out.")
+         bind_key("monitors", &Film::monitors, monitors_notation(),
+                  "The numbers in the row of monitors; all-collisions includes those with walls, "
+                  "return-distance is the largest distance of a particle from where it was on the "
+                  "way out.")
              .default_text("all but all-collisions and return-distance"),
          bind_key("panels", &Film::panels, panels_notation(kinds),
                   "What the panels show, each a kind or a mapping with options.")
@@ -169,7 +169,7 @@ void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& erro
     if (with_line.monitors) slots.push_back(*with_line.monitors);
     slots.insert(slots.end(), with_line.panels.begin(), with_line.panels.end());
     if (std::ranges::any_of(slots, [](const Slot& slot) { return slot.height <= 0.0; }))
-        errors.add(line, "the place for captions leaves no room for another one");
+        errors.add(line, "the place for captions leaves another place without room");
 }
 
 /// A layout with the nodes of its places.
@@ -228,22 +228,22 @@ KeyTable<LayoutDraft> layout_table() {
                           "Width and height of the picture in units of the layout; one unit is the "
                           "smallest size of text.")
                      .required(),
-                 slot_key("title", &LayoutSpec::title, slot, "Where title and subtitle stand.")
+                 slot_key("title", &LayoutSpec::title, slot, "The place of title and subtitle.")
                      .required(),
-                 slot_key("gas", &LayoutSpec::gas, slot, "Where the box stands.").required(),
+                 slot_key("gas", &LayoutSpec::gas, slot, "The place of the box.").required(),
                  slot_key("color_bar", &LayoutSpec::color_bar, slot,
-                          "Where the scale of the colours stands.")
+                          "The place of the colour scale.")
                      .required(),
                  slot_key("caption", &LayoutSpec::caption, slot,
-                          "Where captions stand in films that have any: what reaches into this "
-                          "place makes room for them.")
+                          "The place of captions in films that have any; whatever overlaps it is "
+                          "made smaller.")
                      .default_text("the foot of the gas's place"),
-                 slot_key("monitors", &LayoutSpec::monitors, slot, "Where the numbers stand.")
+                 slot_key("monitors", &LayoutSpec::monitors, slot, "The place of the numbers.")
                      .default_text("none"),
                  bind_with<LayoutDraft>(
                      "panels", panels,
                      list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
-                     "Where the panels stand, in their order.")
+                     "The places of the panels, in their order.")
                      .default_text("none")},
         .rule = complete_layout};
 }
@@ -256,7 +256,8 @@ bool is_laid_over(const Node& film, const Node& panels) {
 }
 
 std::string templates_hint(const std::vector<std::string>& names) {
-    if (names.empty()) return "no template of carom has so many; one of your own may";
+    if (names.empty())
+        return "no template that comes with carom has so many; write one of your own";
     return fmt::format("the {} {} enough", names.size() == 1 ? "template" : "templates",
                        listed(names, "and", "`") + (names.size() == 1 ? " has" : " have"));
 }
@@ -349,7 +350,7 @@ bool check_frames(const Film& film, const Node& node, const Node& root, Errors& 
     const bool has_seconds = given(node, "seconds") != nullptr;
     std::string hint =
         frames < 2.0 ? "a film has at least 2 frames"
-                     : fmt::format("the ceiling is {} {}", most_frames.value, most_frames.meaning);
+                     : fmt::format("the limit is {} {}", most_frames.value, most_frames.meaning);
     if (!has_seconds) hint += "; give `film.seconds`, or another `film.pace`";
     errors.add(place_of_length(node, root),
                fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} {}",
@@ -370,7 +371,7 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
     const double seconds = std::ceil(10.0 * with_cards * enough / film.fps) / 10.0;
     errors.add(
         *events,
-        fmt::format("{} {} the run into {} parts, a film of {} has room for {}",
+        fmt::format("{} {} the run into {} parts, but a film of {} can show only {}",
                     counted(legs - 1, "reversal"), legs == 2 ? "divides" : "divide", legs,
                     counted(frame_count(film), "frame"), steps),
         fmt::format("give fewer events, or a longer film: {} seconds are enough (`film.seconds`)",
@@ -390,7 +391,7 @@ KeyTable<FilmDraft> template_table(PanelKinds kinds) {
     std::vector<Binding<FilmDraft>> keys = film_keys(kinds);
     const auto ignore = [](FilmDraft&, const Node*) {};  // read_layout() reads it
     keys.push_back(bind_with<FilmDraft>("layout", ignore, kept(mapping(layout_table())),
-                                        "Where things stand in a frame.")
+                                        "Where everything is in a frame.")
                        .required());
     return {.name = "a template", .keys = std::move(keys), .choices = film_choices};
 }

@@ -71,18 +71,16 @@ Notation<Walls> walls_notation(int dimension) {
 
 KeyTable<Box> box_table(int dimension) {
     const auto of_length = [](double length) { return Eigen::Array2d(length, 0.0); };
-    return {
-        .name = "`box`",
-        .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
-                          "Width and height of the box, x from 0 to the width, y from 0 to the "
-                          "height."),
-                 bind_key("length", &Box::size, mapped(number(positive), of_length),
-                          "Instead of a size: the length of a wire, x from 0 to the length."),
-                 bind_key("walls", &Box::walls, walls_notation(dimension),
-                          "What a particle meets at the edge of the box: a wall, or the opposite "
-                          "side.")},
-        .choices = {{{"size", "length"}, true}},
-        .refused = inelastic_keys()};
+    return {.name = "`box`",
+            .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
+                              "Width and height of the box, x from 0 to the width, y from 0 to the "
+                              "height."),
+                     bind_key("length", &Box::size, mapped(number(positive), of_length),
+                              "Instead of a size: the length of a wire, x from 0 to the length."),
+                     bind_key("walls", &Box::walls, walls_notation(dimension),
+                              "What is at the edges of the box: walls, or the opposite side.")},
+            .choices = {{{"size", "length"}, true}},
+            .refused = inelastic_keys()};
 }
 
 /// Where the particles of a species begin, as it is written.
@@ -123,14 +121,14 @@ KeyTable<Part> part_table(int dimension) {
         .keys = {bind_key("within", &Part::within,
                           parsed(list_of(number(any_number), count, count, corners(dimension)),
                                  region_in),
-                          "A part of the box, particles wholly inside.")
+                          "A part of the box, with the particles entirely inside it.")
                      .required()}};
     if (dimension == 2)
         table.keys.push_back(
             bind_key(
                 "text", &Part::letters, kept(text(1, most_name_letters)),
                 "A word as a pattern of disks, as large as fits into `within`: capitals, digits, "
-                ". ! ? - + = ♥ ☺. Without `count` there are as many disks as stand well apart.")
+                ". ! ? - + = ♥ ☺. Without `count` there are as many disks as fit well apart.")
                 .default_text("random places"));
     return table;
 }
@@ -181,7 +179,7 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
         within<SpeciesReading>(
             &SpeciesDraft::species,
             {bind_key("mass", &Species::mass, mass,
-                      "The mass of each particle; `infinite` is never moved by a collision."),
+                      "The mass of each particle; no collision moves one of mass `infinite`."),
              bind_key("density", &Species::mass, alternative<MassRule>(density),
                       wire ? "Instead of a mass: mass = density * 2 radius."
                            : "Instead of a mass: mass = density * pi * radius^2."),
@@ -207,7 +205,7 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                  number(not_negative), "Maxwell-Boltzmann velocities at this temperature.")
                  .default_text("at rest")}));
     keys.push_back(bind_key("position", &SpeciesReading::position, position_notation(dimension),
-                            "Where the particles begin: anywhere, evenly spaced, in a part of the "
+                            "Where the particles start: anywhere, evenly spaced, in a part of the "
                             "box, or in listed places.")
                        .default_value("random"));
     return keys;
@@ -215,8 +213,9 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
 
 std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
     std::vector<Binding<SpeciesLook>> keys{
-        bind_key("color", &SpeciesLook::color, color(),
-                 "The colour of this species where species are told apart: a name or \"#rrggbb\".")
+        bind_key(
+            "color", &SpeciesLook::color, color(),
+            "The colour of this species where colours distinguish species: a name or \"#rrggbb\".")
             .default_text("chosen by the film"),
         bind_key("fill", &SpeciesLook::fill, flag(),
                  "Whether disks and beads are filled; rings if not."),
@@ -229,8 +228,8 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
             .default_text("by the film")};
     if (dimension == 1)
         keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(positive),
-                                "How large the beads are drawn, pushed apart so that they seem to "
-                                "touch when they meet.")
+                                "The radius with which the beads are drawn, moved apart so that "
+                                "they seem to touch when they collide.")
                            .default_text("the radius, or 0.4 of the mean spacing for points"));
     return keys;
 }
@@ -326,7 +325,7 @@ std::optional<Places> pattern_of(const Node& word, const Region& region, const Q
     const auto largest = largest_of(radius);
     if (!check_word(word, shape, errors)) return std::nullopt;
     if (!largest) {
-        errors.add(word, "a `text` needs radii that have a largest one, not a normal distribution");
+        errors.add(word, "a `text` needs radii with an upper bound, not a normal distribution");
         return std::nullopt;
     }
     const double cell = shape.cell_in(region);
@@ -378,7 +377,7 @@ KeyTable<SpeciesReading> species_table(int dimension) {
         }};
     if (dimension == 2)
         table.refused.push_back({"drawn_radius", "`drawn_radius` is for beads on a wire (`length`)",
-                                 "disks are drawn as large as they are: give `radius`"});
+                                 "disks are drawn at their true size: give `radius`"});
     return table;
 }
 
@@ -413,9 +412,8 @@ void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
     for (const SpeciesDraft& draft : drafts) {
         total += draft.species.count;
         if (static_cast<double>(total) <= most_particles.value) continue;
-        errors.add(
-            at_key(draft, "count"), fmt::format("{} particles up to here", total),
-            fmt::format("the ceiling is {} {}", most_particles.value, most_particles.meaning));
+        errors.add(at_key(draft, "count"), fmt::format("{} particles up to here", total),
+                   fmt::format("the limit is {} {}", most_particles.value, most_particles.meaning));
         return;
     }
 }

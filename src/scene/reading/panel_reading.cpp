@@ -79,8 +79,7 @@ std::vector<Binding<PanelSpec>> bar_keys(PanelKinds kinds) {
             .default_text("by rule, from the whole run"),
         bind_key(
             "fit", &PanelSpec::fit, flag(),
-            "Whether to draw the normal curve of the same mean and deviation, which are written "
-            "out."),
+            "Whether to draw the normal curve with the same mean and deviation, and their values."),
         bind_key("mean_now", &PanelSpec::mean_now, flag(), "Whether to mark the mean.")
             .default_text("true for speeds and energies"),
         bind_key("mean_start", &PanelSpec::mean_start, flag(),
@@ -115,8 +114,7 @@ Notation<std::string> film_kinds(PanelKinds kinds) {
             elsewhere.push_back({kind.name, kind.in_films_instead});
     elsewhere.push_back(
         {"wire", "the wire with its beads is in every film; the template says where"});
-    elsewhere.push_back(
-        {"world-lines", "they stand under the wire in every film of one dimension"});
+    elsewhere.push_back({"world-lines", "they are under the wire in every film of one dimension"});
     Notation<std::string> notation = word(names);
     notation.forms.front().elsewhere = std::move(elsewhere);
     return notation;
@@ -132,7 +130,7 @@ void check_component(const PanelSpec& panel, const Node& node, const PanelKind& 
     else if (panel.component == Component::both && !kind.can(Ability::both))
         reading.errors.add(
             *written, "expected `x` or `y` for `component` where positions are shown, found `both`",
-            "the axes of a box have lengths of their own");
+            "the two sides of a box can differ");
 }
 
 void check_range(const PanelSpec& panel, const Node& node, const PanelKind& kind,
@@ -166,7 +164,7 @@ void check_pair(const Node& place, const PanelSpec& panel, Reading& reading) {
             place,
             fmt::format("particles {} and {} have infinite masses: they do not collide", first,
                         second),
-            "give a pair of which one can be moved");
+            "give a pair with at least one finite mass");
 }
 
 // One particle's position is shown against another's, or how two particles meet.
@@ -200,7 +198,7 @@ void check_equilibrium(const PanelSpec& panel, const Node& node, const PanelKind
     if (asked->source->origin == Origin::template_file || reading.gas.species.empty()) return;
     if (const auto reason = why_no_equilibrium(reading.gas))
         reading.errors.add(*asked, "there is no equilibrium curve for this gas: " + *reason,
-                           "leave out `theory`, and the curve is drawn where there is one");
+                           "leave out `theory`; the curve is then drawn where there is one");
 }
 
 }  // namespace
@@ -241,10 +239,9 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
         bind_key("title", &PanelSpec::title, text(1, most_title_letters),
                  "The words above the panel.")
             .default_text("by kind"),
-        bind_key(
-            "of", &PanelSpec::of, chosen_notation(),
-            "Whose numbers: of all particles, a species, a particle by its number, or several of "
-            "these drawn together. Of a pair, its two numbers; none for the first that collides.")
+        bind_key("of", &PanelSpec::of, chosen_notation(),
+                 "Which particles: all, a species, one by its number, or several of these drawn "
+                 "together. For a pair, two numbers; without them, the first pair that collides.")
             .only_with(kinds_that_can(kinds, Ability::of))};
     keys = joined(keys, over);
     keys.push_back(bind_key("component", &PanelSpec::component, one_of<Component>(),
@@ -252,12 +249,11 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                        .default_text("both for velocities, x for positions")
                        .only_with(kinds_that_can(kinds, Ability::component)));
     keys = joined(keys, bar_keys(kinds));
-    keys.push_back(
-        bind_key("theory", &PanelSpec::theory, flag(),
-                 "Whether to draw the curve that theory predicts for this finite mixture, "
-                 "if it comes to an equilibrium; an error where `true` is written and it "
-                 "cannot. Of return distances the law by which they grow, for equal disks.")
-            .only_with(kinds_that_can(kinds, Ability::theory)));
+    keys.push_back(bind_key("theory", &PanelSpec::theory, flag(),
+                            "Whether to draw the equilibrium curve of this finite mixture, if it "
+                            "has an equilibrium; `true` is an error where it has none. For return "
+                            "distances, the law by which they grow for equal disks.")
+                       .only_with(kinds_that_can(kinds, Ability::theory)));
     return joined(keys, own_keys(kinds));
 }
 
@@ -274,13 +270,11 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
 
 Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
     const Notation<std::string> names = film_kinds(kinds);
-    const Binding<PanelSpec> over =
-        bind_key(
-            "over", &PanelSpec::over, over_notation(),
-            "Numbers of the present, their mean since time 0, or their mean over a while before "
-            "the present.")
-            .default_text("now; since the start for the pressure")
-            .only_with(kinds_that_can(kinds, Ability::over));
+    const Binding<PanelSpec> over = bind_key("over", &PanelSpec::over, over_notation(),
+                                             "Values at present, their mean since time 0, or their "
+                                             "mean over a time before the present.")
+                                        .default_text("now; since the start for the pressure")
+                                        .only_with(kinds_that_can(kinds, Ability::over));
     const KeyTable<PanelSpec> table{
         .name = "a panel",
         .keys = panel_keys(kinds, kind_key(names), {over}),
@@ -298,14 +292,14 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
 
 void check_reversal(const Node& place, Reading& reading) {
     if (branch_count(reading.run) < 2)
-        reading.errors.add(
-            place, "`return-distance` is measured from a reversal on, and this run has none",
-            "give one in `run`: events: [{at: TIME, reverse: velocities}]");
+        reading.errors.add(place,
+                           "`return-distance` is measured after a reversal, and this run has none",
+                           "add one to `run`: events: [{at: TIME, reverse: velocities}]");
     const std::int64_t count = particles_in(reading.gas).value_or(0);
     if (count > static_cast<std::int64_t>(most_returning.count()))
         reading.errors.add(
             place, fmt::format("`return-distance` of {} particles", count),
-            fmt::format("the ceiling is {:.0f} {}", most_returning.value, most_returning.meaning));
+            fmt::format("the limit is {:.0f} {}", most_returning.value, most_returning.meaning));
 }
 
 }  // namespace carom

@@ -67,26 +67,25 @@ Notation<Perturbation> nudge_notation(int dimension) {
 KeyTable<EventDraft> event_table(int dimension) {
     return {
         .name = "an item of `events`",
-        .keys =
-            {bind_key("at", &EventDraft::at, number(not_negative),
-                      "When, in simulated time, before `until`.")
-                 .required(),
-             bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
-                      "Turns every velocity round; a run with one reversal must last until the gas "
-                      "is home, at twice its time."),
-             bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
-                      "Moves one particle by a little, which shows how soon a reversed film goes "
-                      "another way."),
-             bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
-                      "Keeps the places that the particles have then in sight, as outlines with "
-                      "these words, until the next mark."),
-             bind_key("caption", &EventDraft::caption, text(0, most_caption_letters),
-                      "Words under the gas, one line that is shown until the next; \"\" takes them "
-                      "away."),
-             bind_key("for", &EventDraft::seconds,
-                      number({least_caption_seconds, most_seconds.value, most_seconds.meaning}),
-                      "How long the caption is shown at most, in seconds of film.")
-                 .default_text("until the next caption")},
+        .keys = {bind_key("at", &EventDraft::at, number(not_negative),
+                          "When, in simulated time, before `until`.")
+                     .required(),
+                 bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
+                          "Reverses all velocities; a run with one reversal must last until the "
+                          "gas has returned, at twice its time."),
+                 bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
+                          "Moves one particle by a small amount, which shows how sensitive the "
+                          "return after a reversal is."),
+                 bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
+                          "Shows the places that the particles have at this time as outlines, with "
+                          "these words, until the next mark."),
+                 bind_key(
+                     "caption", &EventDraft::caption, text(0, most_caption_letters),
+                     "A line of text under the gas, shown until the next one; \"\" removes it."),
+                 bind_key("for", &EventDraft::seconds,
+                          number({least_caption_seconds, most_seconds.value, most_seconds.meaning}),
+                          "How long the caption is shown at most, in seconds of film.")
+                     .default_text("until the next caption")},
         .choices = {{{"reverse", "nudge", "mark", "caption"}, true}}};
 }
 
@@ -100,7 +99,7 @@ Notation<std::optional<int>> bits_notation() {
                 fmt::format("expected `double`, `auto` or a whole number from {} to {} for "
                             "`precision`, found {}",
                             least_bits, most_bits, described(node)),
-                fmt::format("{} bits are a double", bits_of_double));
+                fmt::format("double precision has {} bits", bits_of_double));
     };
     const auto number =
         whole(bits_of_double, most_precise)
@@ -116,10 +115,10 @@ void check_time(const EventDraft& event, const Node& place, double until, Errors
         errors.add(place,
                    fmt::format("expected a time {} and below `until` ({}) for `at`, found {}",
                                event.reverses ? "above 0" : "from 0 on", until, described(place)),
-                   "the film ends at `until`: what happens then or later is never shown");
+                   "the film ends at `until`: what happens at this time or later is never shown");
     else if (event.reverses && event.at == 0.0)
         errors.add(place, "expected a positive number for `at` of a reversal, found `0`",
-                   "nothing has happened yet that could be undone");
+                   "at time 0 there is nothing to reverse");
 }
 
 // One event at its time: of the run, or of the film.
@@ -138,18 +137,17 @@ void add_event(const EventDraft& event, const Node& node, RunDraft& draft, Error
         draft.captions.push_back(
             {{event.at, *event.caption, event.seconds}, given(node, "caption")});
     else if (event.seconds && find(node, "caption") == nullptr)
-        errors.add(*given(node, "for"), "`for` has no meaning without a caption",
-                   "it goes with `caption`");
+        errors.add(*given(node, "for"), "`for` applies only to a caption",
+                   "it applies to `caption`");
 }
 
 void check_samples(const Run& run, const Node* node, Errors& errors) {
     const double samples = run.until / run.sample_every;
     if (node != nullptr && samples > most_samples.value)
-        errors.add(
-            *node,
-            fmt::format("a run until {} sampled every {} has {:.6g} samples", run.until,
-                        run.sample_every, samples),
-            fmt::format("the ceiling is {:.0f} {}", most_samples.value, most_samples.meaning));
+        errors.add(*node,
+                   fmt::format("a run until {} sampled every {} has {:.6g} samples", run.until,
+                               run.sample_every, samples),
+                   fmt::format("the limit is {:.0f} {}", most_samples.value, most_samples.meaning));
 }
 
 bool is_overridden(const Node& root, const char* section, const char* key) {
@@ -171,9 +169,10 @@ void check_way_home(const RunDraft& draft, Errors& errors) {
     if (home <= run.until || run.until <= 0.0) return;  // there is another mistake
     const Node& node = *draft.event_nodes[static_cast<std::size_t>(reversal - run.events.begin())];
     errors.add(
-        node, fmt::format("the gas would be home at {}, and the run ends at {}", home, run.until),
-        fmt::format("`until: {}` and more, or `at: {}` and less, have room for the way back; "
-                    "`--to` renders a part of a film",
+        node,
+        fmt::format("the gas returns to its start at {}, but the run ends at {}", home, run.until),
+        fmt::format("use `until: {}` or more, or `at: {}` or less; "
+                    "to render a part of a film, use `--to`",
                     home, 0.5 * run.until));
 }
 
@@ -204,17 +203,16 @@ KeyTable<RunReading> run_table(int dimension) {
                   "multiples, and at the end.")
              .default_text("until / (frames - 1) with a film, until / 1000 without"),
          bind_key("precision", &Run::bits, bits_notation(),
-                  "What the run calculates with: doubles, which have 53 bits; numbers of so "
-                  "many bits; or as many as it takes to come home after every reversal, which "
-                  "is tried out."),
-         bind_key("tolerance", &Run::tolerance, number({1e-300, 1.0, "radius away from home"}),
-                  "How near its place `precision: auto` must bring every particle home, in "
-                  "units of the smallest radius; on a wire of points, of the length for each of "
-                  "them.")});
+                  "The precision of the arithmetic: `double`, with 53 bits; a number of bits; or "
+                  "`auto`, as many bits as the return after every reversal needs, found by trial."),
+         bind_key("tolerance", &Run::tolerance,
+                  number({1e-300, 1.0, "radius from the exact return"}),
+                  "How close to its place `precision: auto` must return every particle, in units "
+                  "of the smallest radius; for points on a wire, of the length per point.")});
     keys.push_back(bind_key("events", &RunReading::events,
                             list_of(placed(mapping(event_table(dimension))), 0, most_events,
                                     "a list of events"),
-                            "What happens on the way, a list of {at: time, action}.")
+                            "What happens during the run, a list of {at: time, action}.")
                        .default_text("none"));
     return {.name = "`run`",
             .keys = std::move(keys),
@@ -256,7 +254,7 @@ void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors) {
         // Ten bits of the nudge itself, at least, are to be seen.
         const double bits = 10.0 + std::log2(size) - std::log2(length);
         if (length == 0.0)
-            errors.add(by, "a nudge by 0 moves nothing");
+            errors.add(by, "a nudge of 0 moves nothing");
         else if (length >= size)
             errors.add(by, fmt::format("a nudge by {:.3g} leads out of the box", length));
         else if (draft.run.bits && *draft.run.bits < bits)
@@ -279,17 +277,16 @@ void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& draf
         const double half_a_frame = 0.5 / scene.film.fps;
         if (span.words.empty() || span.end - span.start >= least_caption_seconds - half_a_frame)
             continue;
-        errors.add(
-            *drafts[i].node,
-            fmt::format("the caption is on the screen for {:.3g} seconds of film, until {}; "
-                        "expected at least {}",
-                        span.end - span.start,
-                        i + 1 < spans.size()
-                            ? fmt::format("the next one at time {}", drafts[i + 1].value.at)
-                            : "the film ends",
-                        least_caption_seconds),
-            "a longer film (`film.seconds`) gives it more time, and so does an earlier `at`, or a "
-            "later one for the next");
+        errors.add(*drafts[i].node,
+                   fmt::format("the caption is on the screen for {:.3g} seconds of film, until {}; "
+                               "expected at least {}",
+                               span.end - span.start,
+                               i + 1 < spans.size()
+                                   ? fmt::format("the next one at time {}", drafts[i + 1].value.at)
+                                   : "the film ends",
+                               least_caption_seconds),
+                   "give a longer film (`film.seconds`), an earlier `at`, or a later one for the "
+                   "next caption");
     }
 }
 

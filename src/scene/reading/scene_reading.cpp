@@ -19,7 +19,7 @@ KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
                                            text(0, most_title_letters), "Shown under the title.")
                                       .default_text("none")}));
     keys.push_back(bind_key("description", &SceneDraft::description, lines(1, most_letters),
-                            "What is seen, in words, for those who cannot see it.")
+                            "A description for those who cannot see the picture.")
                        .default_text("made from the scene's content"));
     keys = joined(keys, within<SceneDraft>(&SceneDraft::scene,
                                            {bind_key("seed", &Scene::seed, whole(0, largest_seed),

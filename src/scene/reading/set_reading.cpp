@@ -176,7 +176,7 @@ KeyTable<SetFile> set_table(PanelKinds kinds, const fs::path& path) {
                 .default_text("none"),
             bind_key("scenes", &SetFile::scenes,
                      list_of(scene_notation(path), 1, most_set_scenes, "a list of scenes"),
-                     "The scenes whose figures it holds, in the order of the pages' sections.")
+                     "The scenes that it contains, in the order of the pages' sections.")
                 .required(),
             bind_key("comparisons", &SetFile::comparisons,
                      list_of(set_comparison_notation(kinds, path), 1, most_figures,

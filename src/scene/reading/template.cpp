@@ -57,7 +57,7 @@ void report_unknown(const Node& asked, const fs::path& films, Errors& errors) {
     std::string hint = names.empty() ? "no templates in " + films.string() : "templates: " + list;
     if (const auto near = nearest_spelling(asked.text, names))
         hint = fmt::format("did you mean `{}`?", *near);
-    errors.add(asked, fmt::format("no template is called {}", in_quotes(asked.text)), hint);
+    errors.add(asked, fmt::format("there is no template {}", in_quotes(asked.text)), hint);
 }
 
 // None where it cannot be read: it is not the template that was asked for.
@@ -99,10 +99,10 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
     if (is_there(beside) && !same_file(beside, scene)) {
         if (stays_inside(beside, folder_of(scene)))
             return TemplateFile{name, scene.parent_path() / (name + ".yaml")};
-        errors.add(
-            asked,
-            fmt::format("the template {} is a link out of the scene's folder", in_quotes(name)),
-            "copy the file it leads to into the folder");
+        errors.add(asked,
+                   fmt::format("the template {} is a link that leads out of the scene's folder",
+                               in_quotes(name)),
+                   "copy the file into the folder");
         return std::nullopt;
     }
     const fs::path own = templates / "films" / (name + ".yaml");

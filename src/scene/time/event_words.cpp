@@ -24,13 +24,13 @@ std::string words_of_events(const Run& run) {
     std::vector<std::string> times;
     for (const double time : reversal_times(run)) times.push_back(fmt::format("{}", time));
     if (!times.empty())
-        text += fmt::format(" At time {} every velocity is turned round.", listed(times));
+        text += fmt::format(" At time {} all velocities are reversed.", listed(times));
     std::vector<std::string> nudges;
     for (const RunEvent& event : run.events)
         if (const auto* nudge = std::get_if<Perturbation>(&event.action))
             nudges.push_back(fmt::format(" {} at time {}.", words_of(*nudge), event.at));
     if (nudges.size() > most_told)
-        text += fmt::format(" {} times a particle is moved by a little.", nudges.size());
+        text += fmt::format(" {} times a particle is moved by a small amount.", nudges.size());
     else
         for (const std::string& one : nudges) text += one;
     return text.empty() ? text : text.substr(1);

@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Where a value was written; where two exclude one another, the later origin wins.
+/// Where a value was written; where two cannot be combined, the later origin wins.
 enum class Origin { preset, template_file, scene, command_line };
 
 /// A text that values stand in. Nodes point to it: it outlives them.

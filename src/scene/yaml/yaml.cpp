@@ -68,7 +68,7 @@ class TreeBuilder : public YAML::EventHandler {
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto found = anchored_.find(anchor);
         if (found == anchored_.end())
-            throw Stop{at(mark), "an alias inside the value that it stands for", ""};
+            throw Stop{at(mark), "an alias inside the value that it refers to", ""};
         count(count_nodes(found->second), at(mark));
         finish(Node{found->second}, 0);
     }
@@ -118,7 +118,7 @@ class TreeBuilder : public YAML::EventHandler {
         values_ += nodes;
         if (values_ > most_values.count())
             throw Stop{offset, fmt::format("the file holds more than {} values", most_values.value),
-                       fmt::format("the ceiling is {} {}", most_values.value, most_values.meaning)};
+                       fmt::format("the limit is {} {}", most_values.value, most_values.meaning)};
     }
 
     // An empty value has no place of its own: it takes its key's, or that of its dash.
@@ -149,9 +149,8 @@ class TreeBuilder : public YAML::EventHandler {
               YAML::anchor_t anchor) {
         refuse_tag(mark, tag);
         if (open_.size() >= most_nesting.count())
-            throw Stop{
-                at(mark), fmt::format("nested deeper than {}", most_nesting.value),
-                fmt::format("the ceiling is {} {}", most_nesting.value, most_nesting.meaning)};
+            throw Stop{at(mark), fmt::format("nested deeper than {}", most_nesting.value),
+                       fmt::format("the limit is {} {}", most_nesting.value, most_nesting.meaning)};
         open_.push_back({make(kind, mark), anchor});
     }
 
@@ -173,7 +172,7 @@ class TreeBuilder : public YAML::EventHandler {
         Node& parent = open_.back().node;
         const bool is_key = parent.is_mapping() && parent.keys.size() == parent.items.size();
         if (is_key && !node.is_scalar())
-            throw Stop{node.offset, "a key is a word, found " + described(node), ""};
+            throw Stop{node.offset, "expected a word as a key, found " + described(node), ""};
         (is_key ? parent.keys : parent.items).push_back(std::move(node));
     }
 
@@ -304,10 +303,9 @@ std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t 
     if (std::string_view{source.text}.substr(begin).starts_with("\xEF\xBB\xBF")) begin += 3;
     try {
         if (source.text.size() > most_file_bytes.count()) {
-            errors.add(source,
-                       fmt::format("the file has more than {} bytes", most_file_bytes.count()),
-                       fmt::format("the ceiling is {} {}", most_file_bytes.value,
-                                   most_file_bytes.meaning));
+            errors.add(
+                source, fmt::format("the file has more than {} bytes", most_file_bytes.count()),
+                fmt::format("the limit is {} {}", most_file_bytes.value, most_file_bytes.meaning));
             return std::nullopt;
         }
         if (const auto stop = unreadable_byte(source.text, begin)) throw *stop;

@@ -275,20 +275,20 @@ TEST_CASE("a key that is longer than a column takes several rows") {
 
 TEST_CASE("what cannot be compared is refused with the reason") {
     CHECK(message_of("  - {name: a, kind: gas, compare: {seeds: 2}}\n") ==
-          "test:8:26: error: `compare` has no meaning for a panel of kind `gas`\n"
+          "test:8:26: error: `compare` does not apply to a panel of kind `gas`\n"
           "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
           "      |                          ^^^^^^^\n"
-          "  hint: it goes with `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
+          "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
           "`position-histogram`, `temperature`, `entropy`, `pressure` or `return-distance`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
-              .find("`seeds` and `compare` exclude one another") != std::string::npos);
+              .find("`seeds` and `compare` cannot be combined") != std::string::npos);
     CHECK(
         message_of(bars + ", compare: {seeds: 1}}\n").find("expected a whole number from 2 to 6") !=
         std::string::npos);
     CHECK(message_of(bars + ", compare: [{label: one}]}\n").find("a list of {label, set}") !=
           std::string::npos);
     CHECK(message_of(bars + ", of: [0, 1], compare: {seeds: 2}}\n")
-              .find("a comparison shows one line of each run") != std::string::npos);
+              .find("a comparison shows one line for each run") != std::string::npos);
     CHECK(message_of(bars + ", compare: [{label: x}, {label: x, set: seed=2}]}\n")
               .find("there is another run with the label `x`") != std::string::npos);
     CHECK(message_of(bars + ", compare: [{label: x}, {label: y, set: seed}]}\n")

@@ -132,7 +132,7 @@ TEST_CASE(
                                       {{0.5, 2, 0, 0}, {1.5, 2, 0, 0}, {2.5, 2, 0.5, 0}});
     CHECK_THROWS_WITH_AS(jammed.advance_to(1.0),
                          "disks collide without end at t = 0: they fill the box along a line, or "
-                         "are crushed between infinite or far heavier masses",
+                         "are squeezed between infinite or far heavier masses",
                          std::runtime_error);
 }
 

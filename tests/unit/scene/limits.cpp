@@ -50,9 +50,9 @@ std::string scene_with(const std::string& gas, const std::string& run = "until: 
 }
 
 bool names(const std::string& complaint, const Limit& limit) {
-    return complaint.find(fmt::format("the ceiling is {} {}", limit.value, limit.meaning)) !=
+    return complaint.find(fmt::format("the limit is {} {}", limit.value, limit.meaning)) !=
                std::string::npos ||
-           complaint.find(fmt::format("the ceiling is {:.0f} {}", limit.value, limit.meaning)) !=
+           complaint.find(fmt::format("the limit is {:.0f} {}", limit.value, limit.meaning)) !=
                std::string::npos;
 }
 

@@ -339,7 +339,7 @@ TEST_CASE("a template that links out of the scene's folder is refused") {
         FAIL("the scene was loaded");
     } catch (const SceneError& error) {
         CHECK(error.diagnostics().at(0).message ==
-              "the template `linked` is a link out of the scene's folder");
+              "the template `linked` is a link that leads out of the scene's folder");
     }
 }
 

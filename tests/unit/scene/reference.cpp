@@ -115,7 +115,7 @@ TEST_CASE("the scene to start from is valid, and means what it says") {
     CHECK(scene.film.panels.size() == 3);
 }
 
-// Each alone: some exclude one another, or the keys that are given.
+// Each alone: some cannot be combined, or the keys that are given.
 TEST_CASE("what stands behind a # in the scene to start from can be taken as it stands") {
     const std::vector<std::string> lines = lines_of(starter_scene(panel_kinds(), "s", "mine.yaml"));
     const std::vector<std::string> excluded{"length", "density",     "velocity",

@@ -84,7 +84,7 @@ TEST_CASE("what is ambiguous or hostile is refused at its place") {
     CHECK(first_error(std::string{"a: b\0c", 6}) == "1:5 a control character (U+0000) stands here");
     CHECK(
         first_error("a: 'b").starts_with("1:4 not valid YAML: this quotation mark is not closed"));
-    CHECK(first_error("? {a: 1}\n: 2") == "1:3 a key is a word, found a mapping");
+    CHECK(first_error("? {a: 1}\n: 2") == "1:3 expected a word as a key, found a mapping");
     CHECK(first_error(std::string(30, '[') + std::string(30, ']'))
               .starts_with("1:25 nested deeper than 24"));
     CHECK(first_error(std::string(100'000, '[')).find("nested deeper than 24") !=

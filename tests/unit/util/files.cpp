@@ -118,7 +118,7 @@ TEST_CASE("an atomic folder replaces nothing, also what came while it was filled
                          SystemError);
 }
 
-TEST_CASE("a file over the ceiling is refused with the number") {
+TEST_CASE("a file over the limit is refused with the number") {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "big") << std::string(100, 'x');
     CHECK_THROWS_WITH_AS(read_file(folder.path() / "big", 99), doctest::Contains("99"),

@@ -71,7 +71,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"overlap_around", several_places},
     {"packing", several_places},
     {"panels_range", several_places},
-    double precision has{"precision", "53 bits, those between 53 and 64 are nothing"},
+    {"precision", "53 bits are a double, those between 53 and 64 are nothing"},
     {"reversal_no_way_home", several_places},  // `at` against `until`
     {"radius_too_large", several_places},
     {"sample_every", several_places},

@@ -147,9 +147,8 @@ void draw_names(Canvas& canvas, const Frame& frame, const Plot& plot) {
         const std::string words = is_short ? name.short_name : name.name;
         draw_words(canvas, frame, plot, {at.x + 0.6 * u, at.y},
                    escape_markup(words) + " " + name.number, color_of(name.sample, frame.dc.theme));
-        draw_stroke(canvas, frame.dc,
-                    std::array{Point{at.x, at.y + 0.1 * u}, Point{at.x, at.y - 0.85 * u}},
-                    name.sample);
+        draw_straight(canvas, frame.dc, {at.x, at.y + 0.1 * u}, {at.x, at.y - 0.85 * u},
+                      name.sample);
     }
 }
 

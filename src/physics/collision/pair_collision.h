@@ -143,8 +143,8 @@ template <SomeLanes Lanes>
     const Lanes reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
     const Lanes root = sqrt((reach - miss) * (reach + miss));
     const Lanes time = gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
-    const Lanes meeting = select(gap > 0.0, select(miss < reach, time, none), Lanes{});
-    return select(m.x * m.vx + m.y * m.vy < -round_off, meeting, none);
+    const Lanes contact = select(gap > 0.0, select(miss < reach, time, none), Lanes{});
+    return select(m.x * m.vx + m.y * m.vy < -round_off, contact, none);
 }
 
 /// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2

@@ -76,7 +76,7 @@ class EventLoop {
     /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
     /// `on_progress` is called now and then with the time of the latest event. Throws Interrupted,
     /// and std::runtime_error when particles collide without end at one instant, or two of infinite
-    /// mass meet on a wire.
+    /// mass meet on a line.
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
 
     /// Goes on to the next collision at a time <= `time`, false if there is none.

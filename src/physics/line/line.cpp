@@ -35,7 +35,7 @@ void Line<Scalar>::enter(Bodies& bodies) {
 }
 
 // From the right end of one body to the left end of the next; `around`: across the end of a
-// periodic wire.
+// periodic line.
 template <typename Scalar>
 Scalar Line<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
                          bool around) const {
@@ -63,7 +63,7 @@ void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_th
     first.partner_collisions = bodies[static_cast<std::size_t>(j)].collisions & most_collisions;
 }
 
-// The wall beside the first or the last bead, or the end of a periodic wire.
+// The wall beside the first or the last bead, or the end of a periodic line.
 template <typename Scalar>
 void Line<Scalar>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                Event& first) const {

@@ -27,7 +27,7 @@ class Line {
         double radius;  ///< half its length
         double inverse_mass;
         std::uint32_t collisions;
-        std::int32_t turns;     ///< how often it has gone round a periodic wire
+        std::int32_t turns;     ///< how often it has gone round a periodic line
         Prediction prediction;  ///< of doubles; one of many bits is in the queue
     };
     using Bodies = LargeVector<Body>;
@@ -40,7 +40,7 @@ class Line {
         return {bodies[i].radius, bodies[i].inverse_mass};
     }
 
-    /// The order in which bodies shall lie in memory: along the wire.
+    /// The order in which bodies shall lie in memory: along the line.
     static std::vector<std::int32_t> order(const Bodies& bodies);
 
     /// Whether bodies are put in order again now and then.
@@ -54,7 +54,7 @@ class Line {
     When predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
     When predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now) const;
 
-    /// The body leaves a periodic wire at one end and enters at the other.
+    /// The body leaves a periodic line at one end and enters at the other.
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
     /// Changes the velocities of two neighbours that are at one time, false if they do not

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "physics/placement/placement.h"
+#include "scene/feasibility/feasibility.h"
 
 namespace carom {
 namespace {
@@ -22,7 +22,7 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
     } catch (const PrecisionError& error) {
         refuse(scene.precision_place, error.what(), error.hint());
     } catch (const PlacementError& error) {
-        refuse(scene.species_spans.at(error.species()), error.what(), "");
+        throw scene_error(scene, error);
     } catch (const PerturbationError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), "a smaller one may have room");
     }

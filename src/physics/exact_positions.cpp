@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "physics/multiprecision/multiprecision.h"
+#include "physics/nearest_image.h"
 
 namespace carom {
 namespace {
@@ -15,8 +16,8 @@ ReturnDistance distance_of(const Box& box, const Eigen::ArrayXXd& from, const Ei
     Eigen::ArrayXXd apart = to - from;
     if (apart.rows() == 0) return {};
     for (Eigen::Index axis = 0; axis < apart.cols(); ++axis)
-        if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
-            apart.col(axis) -= box.size[axis] * (apart.col(axis) / box.size[axis]).round();
+        for (double& one : apart.col(axis))
+            one -= box.size[axis] * turns(box, static_cast<std::size_t>(axis), one);
     const Eigen::ArrayXd square = apart.square().rowwise().sum();
     const double largest = std::sqrt(square.maxCoeff()), mean = std::sqrt(square.mean());
     return {largest, mean, std::log10(largest), std::log10(mean)};
@@ -35,11 +36,8 @@ ReturnDistance distance_of(const Box& box, const std::vector<Real>& from,
         Real square = 0.0;
         for (std::size_t axis = 0; axis < dimension; ++axis) {
             Real apart = to[k + axis] - from[k + axis];
-            if (box.walls[axis] == Wall::periodic) {
-                const double size = box.size[static_cast<Eigen::Index>(axis)];
-                const double turns = std::round(static_cast<double>(apart) / size);
-                apart -= as_precise_as(apart, size) * turns;
-            }
+            const double times = turns(box, axis, static_cast<double>(apart));
+            apart -= as_precise_as(apart, box.size[static_cast<Eigen::Index>(axis)]) * times;
             square += apart * apart;
         }
         largest = std::max(largest, square);

@@ -15,8 +15,7 @@
 #include "physics/echo_measurement.h"
 #include "physics/events/event_loop.h"
 #include "physics/multiprecision/multiprecision.h"
-#include "physics/placement/jam.h"
-#include "physics/placement/line_squeeze.h"
+#include "physics/placement/feasibility.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
 
@@ -110,24 +109,6 @@ void check_start(const Box& box, const Particles& particles, const Sample& start
     require(start.position.isFinite().all() && start.velocity.isFinite().all(),
             "positions and velocities are finite");
     require(nothing_overlaps(box, particles, start), "particles overlap");
-}
-
-// Beads between which the room ends would collide ever faster, without an end.
-void refuse_squeeze(const Box& box, const Particles& particles, const Sample& start,
-                    const Run& run) {
-    const auto squeeze = first_squeeze(box, particles, start, run);
-    if (!squeeze) return;
-    throw PlacementError(
-        static_cast<std::size_t>(particles.species[std::max(squeeze->left, squeeze->right)]),
-        to_text(*squeeze) + "; give a finite mass, another velocity, or an earlier end of the run");
-}
-
-void refuse_jam(const Box& box, const Particles& particles, const Sample& start) {
-    const auto jam = first_jam(box, particles, start);
-    if (!jam) return;
-    throw PlacementError(static_cast<std::size_t>(particles.species[jam->particle]),
-                         to_text(*jam, fmt::format("particle {}", jam->particle), box.dimension) +
-                             "; " + way_out_of_jam(box.dimension));
 }
 
 }  // namespace
@@ -249,8 +230,8 @@ struct Simulation::Implementation {
 Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress) {
     check_box(gas.box);
     auto [particles, start] = place(gas);
-    if (gas.box.dimension == 1) refuse_squeeze(gas.box, particles, start, run);
-    refuse_jam(gas.box, particles, start);
+    if (const auto problem = motion_problem(gas.box, particles, start, run))
+        throw PlacementError(*problem, gas);
     implementation_ =
         std::make_unique<Implementation>(gas.box, std::move(particles), start, run, on_progress);
 }

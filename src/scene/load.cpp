@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
 #include "scene/overrides.h"
 #include "scene/reading/figure_reading.h"
@@ -136,9 +137,7 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     }
     if (!draft.box) return;
     scene.gas.box = *draft.box;
-    if (draft.box->dimension == 1) check_wire(*draft.box, draft.species, scene.run, errors);
-    if (draft.box->dimension == 2) check_room(*draft.box, draft.species, errors);
-    if (errors.empty()) check_jam(*draft.box, draft.species, errors);
+    check_feasibility(*draft.box, draft.species, scene.seed, scene.run, errors);
     check_nudges(draft.run, scene.gas, errors);
 }
 

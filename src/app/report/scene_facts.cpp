@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "physics/placement/draws.h"
-#include "physics/placement/placement.h"
 #include "physics/theory/collision_rate.h"
 #include "scene/time/timeline.h"
-#include "util/diagnostics.h"
 
 namespace carom {
 namespace {
@@ -57,21 +55,11 @@ FilmCost cost_of(const FormatCost& format, const Film& film, const SceneFacts& f
             cores};
 }
 
-std::pair<Particles, Sample> drawn(const Scene& scene) {
-    try {
-        return draw_gas(scene.gas);
-    } catch (const PlacementError& error) {
-        Diagnostic diagnostic = scene.species_spans[error.species()];
-        diagnostic.message = error.what();
-        throw SceneError({diagnostic});
-    }
-}
-
 }  // namespace
 
 SceneFacts facts_of(const Scene& scene, bool has_film, int cores) {
     const Box& box = scene.gas.box;
-    const auto [particles, sample] = drawn(scene);
+    const auto [particles, sample] = draw_gas(scene.gas);
     const auto rate = expected_collision_rate(box, particles, sample);
     SceneFacts facts;
     facts.particles = particles.count();

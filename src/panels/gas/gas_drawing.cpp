@@ -9,6 +9,7 @@
 #include "panels/gas/bead_words.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/gas/gas_state.h"
+#include "physics/nearest_image.h"
 #include "util/text.h"
 
 namespace carom {
@@ -49,13 +50,6 @@ void for_each_image(const Box& box, Point place, double radius, const Draw& draw
     if (across != 0.0) draw(Point{place.x + across, place.y});
     if (up != 0.0) draw(Point{place.x, place.y + up});
     if (across != 0.0 && up != 0.0) draw(Point{place.x + across, place.y + up});
-}
-
-// From where a step seems to end to where it would end if the box went on: it goes through a
-// periodic side rather than through more than half the box.
-double way_around(const Box& box, int axis, double back) {
-    if (box.walls[static_cast<std::size_t>(axis)] != Wall::periodic) return 0.0;
-    return box.size[axis] * std::round(back / box.size[axis]);
 }
 
 // What is left of a disk's radius inside a ring; disks too small for one are filled.
@@ -335,8 +329,9 @@ void GasPanel::draw_trails(Canvas& canvas, const DrawContext& dc, const PanelSta
             if (now != strength) draw_piece();
             strength = now;
             if (piece.empty()) piece.push_back(to_pixels(from.x, from.y));
-            const double across = way_around(box, 0, from.x - to.x);
-            const double up = way_around(box, 1, from.y - to.y);
+            // A step goes through a periodic side rather than through more than half the box.
+            const double across = box.size[0] * turns(box, 0, from.x - to.x);
+            const double up = box.size[1] * turns(box, 1, from.y - to.y);
             piece.push_back(to_pixels(to.x + across, to.y + up));
             if (across == 0.0 && up == 0.0) continue;
             draw_piece();  // and on from the opposite side

@@ -1,12 +1,12 @@
 // Whether a disk overlaps another, looked for among all: for one that has been moved by hand.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include "physics/gas.h"
 #include "physics/multiprecision/multiprecision.h"
+#include "physics/nearest_image.h"
 
 namespace carom {
 
@@ -25,8 +25,7 @@ std::optional<std::size_t> disk_overlapped(const Geometry& geometry,
         for (std::size_t a = 0; a < 2; ++a) {
             auto apart = bodies[k].x[a] - x[a];
             const double size = box.size[static_cast<Eigen::Index>(a)];
-            if (box.walls[a] == Wall::periodic)
-                apart -= as_precise_as(apart, size) * std::round(static_cast<double>(apart) / size);
+            apart -= as_precise_as(apart, size) * turns(box, a, static_cast<double>(apart));
             square += apart * apart;
         }
         if (square < as_precise_as(x[0], sigma) * sigma * (1.0 - 2.0 * slack)) return k;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "physics/nearest_image.h"
+
 namespace carom {
 namespace {
 
@@ -344,7 +346,7 @@ bool MpPlane::find_image(const MpDisk& a, const MpDisk& b) {
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
         r_[axis].set_difference(b.x[axis], a.x[axis]);
         const auto plain = static_cast<double>(r_[axis]);
-        const double nearest = plain > 0.5 * size ? -size : plain < -0.5 * size ? size : 0.0;
+        const double nearest = -size * turns(box_, axis, plain);
         shifts[axis] = {nearest, plain + nearest > 0.0 ? nearest - size : nearest + size};
     }
     const std::size_t along_x = narrow_[0] ? 2 : 1, along_y = narrow_[1] ? 2 : 1;

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
+#include <optional>
 #include <string_view>
 
-#include "physics/placement/placement.h"
+#include "physics/placement/problem.h"
 #include "util/random.h"
 
 namespace carom {
@@ -22,13 +25,13 @@ double draw_one(const Quantity& quantity, Eigen::Index i, Random& random) {
     if (const auto* number = std::get_if<double>(&quantity)) return *number;
     if (const auto* list = std::get_if<std::vector<double>>(&quantity))
         return (*list)[static_cast<std::size_t>(i)];
-    if (const auto* law = std::get_if<UniformLaw>(&quantity))
-        return random.uniform(law->low, law->high);
-    const auto& law = std::get<NormalLaw>(quantity);
-    return law.mean + law.deviation * random.normal();
+    if (const auto* uniform = std::get_if<UniformLaw>(&quantity))
+        return random.uniform(uniform->low, uniform->high);
+    const auto& normal = std::get<NormalLaw>(quantity);
+    return normal.mean + normal.deviation * random.normal();
 }
 
-// A normal law is cut off at zero: its other draws are made again, up to a bound.
+// A normal distribution is cut off at zero: its other draws are made again, up to a bound.
 Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const Quantity& quantity,
                              std::string_view what, bool or_zero) {
     constexpr int most_tries = 1000;
@@ -39,10 +42,11 @@ Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const Quantity
         values[i] = draw_one(quantity, i, random);
         for (int tries = 1; !is_good(values[i]); ++tries) {
             if (tries == most_tries || !std::holds_alternative<NormalLaw>(quantity))
-                throw PlacementError(
-                    species, fmt::format("the rule for the {} gives {:.3g}, which is not above "
-                                         "zero; raise its mean or narrow it",
-                                         what, values[i]));
+                throw PlacementError({.kind = Problem::Kind::not_positive,
+                                      .species = species,
+                                      .value = values[i],
+                                      .quantity = what},
+                                     gas);
             values[i] = draw_one(quantity, i, random);
         }
     }
@@ -101,41 +105,77 @@ Eigen::ArrayXXd thermal(const Gas& gas, std::size_t species, double temperature,
 
 constexpr std::int64_t most_particles = 50'000'000;
 
+// The species that has more particles than a gas may have, together with those before it.
+std::optional<Problem> too_many(const Gas& gas) {
+    std::int64_t left = most_particles;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        const std::int64_t count = gas.species[s].count;
+        assert(count >= 0);
+        if (count > left)
+            return Problem{.kind = Problem::Kind::too_many,
+                           .species = s,
+                           .count = count,
+                           .bound = static_cast<double>(most_particles)};
+        left -= count;
+    }
+    return std::nullopt;
+}
+
 Eigen::Index total_count(const Gas& gas) {
     std::int64_t sum = 0;
-    for (std::size_t s = 0; s < gas.species.size(); ++s) {
-        assert(gas.species[s].count >= 0);
-        if (gas.species[s].count > most_particles - sum)
-            throw PlacementError(
-                s, fmt::format("{} {} are more than the {} particles that a gas may have",
-                               gas.species[s].count, particles_of(gas, s), most_particles));
-        sum += gas.species[s].count;
-    }
+    for (const Species& species : gas.species) sum += species.count;
     return static_cast<Eigen::Index>(sum);
 }
 
 }  // namespace
 
-std::string particles_of(const Gas& gas, std::size_t species) {
-    const std::string& name = gas.species[species].name;
-    const std::string_view noun = gas.box.dimension == 1 ? "beads" : "disks";
-    return name.empty() ? std::string(noun) : fmt::format("{} of species \"{}\"", noun, name);
+bool lists_fit(const Gas& gas) {
+    return std::ranges::all_of(gas.species, [](const Species& species) {
+        const auto fits = [&](const Quantity& quantity) {
+            const auto* list = std::get_if<std::vector<double>>(&quantity);
+            return list == nullptr || std::ssize(*list) == species.count;
+        };
+        const auto* mass = std::get_if<Quantity>(&species.mass);
+        const auto* density = std::get_if<Density>(&species.mass);
+        const auto* speed = std::get_if<Speed>(&species.velocity);
+        const auto* velocity = std::get_if<Velocity>(&species.velocity);
+        const auto* places = std::get_if<Places>(&species.position);
+        return fits(species.radius) && (!mass || fits(*mass)) &&
+               (!density || fits(density->value)) && (!speed || fits(speed->value)) &&
+               (!velocity || velocity->values.size() == 1 ||
+                std::ssize(velocity->values) == species.count) &&
+               (!places || std::ssize(places->values) == species.count);
+    });
 }
 
 std::pair<Particles, Sample> draw_gas(const Gas& gas) {
-    const Eigen::Index count = total_count(gas);
-    Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi(count)};
+    std::vector<Problem> problems;
+    auto drawn = draw_gas(gas, problems);
+    if (!problems.empty()) throw PlacementError(problems.front(), gas);
+    return drawn;
+}
+
+std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& problems) {
+    const auto more = too_many(gas);
+    if (more) problems.push_back(*more);
+    const Eigen::Index count = more ? 0 : total_count(gas);
+    Particles particles{Eigen::ArrayXd::Zero(count), Eigen::ArrayXd::Ones(count),
+                        Eigen::ArrayXi::Zero(count)};
     Sample start{0.0, Eigen::ArrayXXd::Zero(count, gas.box.dimension),
                  Eigen::ArrayXXd::Zero(count, gas.box.dimension)};
     Eigen::Index first = 0;
-    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+    for (std::size_t s = 0; s < gas.species.size() && !more; ++s) {
         const auto its_count = static_cast<Eigen::Index>(gas.species[s].count);
-        const Eigen::ArrayXd radii = draw_radii(gas, s);
-        const Eigen::ArrayXd inverse_masses = draw_inverse_masses(gas, s, radii);
-        particles.radius.segment(first, its_count) = radii;
-        particles.inverse_mass.segment(first, its_count) = inverse_masses;
+        auto radii = particles.radius.segment(first, its_count);
+        auto inverse_masses = particles.inverse_mass.segment(first, its_count);
         particles.species.segment(first, its_count).setConstant(static_cast<int>(s));
-        start.velocity.middleRows(first, its_count) = draw_velocities(gas, s, inverse_masses);
+        try {
+            radii = draw_radii(gas, s);
+            inverse_masses = draw_inverse_masses(gas, s, radii);
+            start.velocity.middleRows(first, its_count) = draw_velocities(gas, s, inverse_masses);
+        } catch (const PlacementError& error) {
+            problems.push_back(error.problem());
+        }
         first += its_count;
     }
     return {std::move(particles), std::move(start)};
@@ -152,8 +192,7 @@ Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
     if (const auto* density = std::get_if<Density>(&rule)) {
         const Eigen::ArrayXd value = draw_positive(gas, species, density->value, "density", false);
         if (!(radii > 0.0).all())
-            throw PlacementError(species,
-                                 "a point has no mass from a density; give it a mass instead");
+            throw PlacementError({.kind = Problem::Kind::no_mass, .species = species}, gas);
         if (gas.box.dimension == 1) return (value * 2.0 * radii).inverse();
         return (value * std::numbers::pi * radii.square()).inverse();
     }

@@ -4,19 +4,26 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <string>
 #include <utility>
+#include <vector>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "physics/placement/problem.h"
 
 namespace carom {
+
+/// Whether every list gives one value for each particle of its species, which all functions here
+/// and place() take for granted.
+bool lists_fit(const Gas& gas);
 
 /// All particles of a gas with their velocities; their places are zero. Throws PlacementError.
 std::pair<Particles, Sample> draw_gas(const Gas& gas);
 
-/// How a message calls a species: disks of species "cold", or beads in one dimension.
-std::string particles_of(const Gas& gas, std::size_t species);
+/// The same without throwing: adds to `problems` what cannot be drawn, one for a species. Its
+/// particles have radius 0, mass 1 or velocity 0 then; there are none at all where a gas has too
+/// many.
+std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& problems);
 
 /// `count` radii, length. Throws PlacementError where the rule gives none above zero.
 Eigen::ArrayXd draw_radii(const Gas& gas, std::size_t species);

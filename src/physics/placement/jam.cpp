@@ -1,7 +1,5 @@
 #include "physics/placement/jam.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -14,6 +12,11 @@ namespace carom {
 namespace {
 
 constexpr Eigen::Index wall = -1;
+
+struct Jam {
+    Eigen::Index particle;
+    bool alone;  ///< it is the whole row
+};
 
 /// A particle, or a wall, on a line along one axis.
 struct Link {
@@ -95,23 +98,13 @@ std::optional<Jam> jam_along(int axis, const Box& box, const Particles& particle
 
 }  // namespace
 
-std::optional<Jam> first_jam(const Box& box, const Particles& particles, const Sample& start) {
+std::optional<Problem> first_jam(const Box& box, const Particles& particles, const Sample& start) {
     for (int axis = 0; axis < box.dimension; ++axis)
-        if (const auto jam = jam_along(axis, box, particles, start)) return jam;
+        if (const auto jam = jam_along(axis, box, particles, start))
+            return Problem{.kind = jam->alone ? Problem::Kind::jam_alone : Problem::Kind::jam,
+                           .species = static_cast<std::size_t>(particles.species[jam->particle]),
+                           .particle = jam->particle};
     return std::nullopt;
-}
-
-std::string to_text(const Jam& jam, const std::string& particle, int dimension) {
-    const std::string end = "without any room: it would collide without end";
-    if (jam.alone)
-        return fmt::format("{} moves where it stands between two walls {}", particle, end);
-    return fmt::format("{} moves along a row of {} that touch one another from end to end, {}",
-                       particle, dimension == 1 ? "beads" : "disks", end);
-}
-
-std::string way_out_of_jam(int dimension) {
-    return fmt::format("smaller {} or a {} leave them room", dimension == 1 ? "beads" : "disks",
-                       dimension == 1 ? "longer wire" : "larger box");
 }
 
 }  // namespace carom

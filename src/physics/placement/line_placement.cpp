@@ -1,9 +1,6 @@
 #include "physics/placement/line_placement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -12,6 +9,7 @@
 #include <vector>
 
 #include "physics/placement/draws.h"
+#include "physics/placement/feasibility.h"
 #include "physics/placement/line_room.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
@@ -20,18 +18,18 @@
 namespace carom {
 namespace {
 
-// Beads that are placed together: those on the lattice, those in one part of the wire, or those
+// Beads that are placed together: those on the lattice, those in one part of the line, or those
 // anywhere.
 struct Group {
     std::vector<Eigen::Index> beads;
     Stretch part{0.0, 0.0};
-    bool whole_wire = true;
+    bool whole_line = true;
     bool even = false;
 };
 
-class WirePlacement {
+class LinePlacement {
   public:
-    explicit WirePlacement(const Gas& gas)
+    explicit LinePlacement(const Gas& gas)
         : gas_(gas),
           length_(gas.box.size[0]),
           ring_(gas.box.walls[0] == Wall::periodic),
@@ -40,7 +38,8 @@ class WirePlacement {
 
     std::pair<Particles, Sample> run() {
         std::tie(particles_, start_) = draw_gas(gas_);
-        check_lengths();
+        if (const auto problems = placement_problems(gas_, particles_); !problems.empty())
+            throw PlacementError(problems.front(), gas_);
         place_listed();
         for (Group& group : groups()) place_group(group);
         return {std::move(particles_), std::move(start_)};
@@ -61,72 +60,20 @@ class WirePlacement {
         }
     }
 
-    // What cannot be is told without trying.
-    void check_lengths() const {
-        const double all = 2.0 * particles_.radius.sum();
-        if (all <= length_ * (1.0 + touching_tolerance)) return;
-        Eigen::ArrayXd by_species =
-            Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(gas_.species.size()));
-        for (Eigen::Index i = 0; i < particles_.count(); ++i)
-            by_species[particles_.species[i]] += length(i);
-        Eigen::Index largest = 0;
-        by_species.maxCoeff(&largest);
-        const auto species = static_cast<std::size_t>(largest);
-        throw PlacementError(
-            species,
-            fmt::format("{} {} cannot have room: all beads together are {:.6g} long and "
-                        "the wire {:g}; use fewer or shorter beads, or a longer wire",
-                        gas_.species[species].count, particles_of(gas_, species), all, length_));
-    }
-
     void place_listed() {
         std::vector<Eigen::Index> beads;
         for_each_species([&](const Species& species, Eigen::Index first) {
             const auto* places = std::get_if<Places>(&species.position);
             if (places == nullptr) return;
-            assert(places->values.size() == static_cast<std::size_t>(species.count));
             for (std::size_t k = 0; k < places->values.size(); ++k) {
                 beads.push_back(first + static_cast<Eigen::Index>(k));
-                place_at(beads.back(), places->values[k][0]);
+                put(beads.back(), places->values[k][0]);
             }
         });
-        std::stable_sort(beads.begin(), beads.end(), [&](Eigen::Index a, Eigen::Index b) {
-            return start_.position(a, 0) < start_.position(b, 0);
-        });
-        for (std::size_t k = 0; k + 1 < beads.size(); ++k) check_apart(beads[k], beads[k + 1], 0.0);
-        if (ring_ && beads.size() > 1) check_apart(beads.back(), beads.front(), length_);
         take(beads);
     }
 
-    void place_at(Eigen::Index i, double x) {
-        const double radius = particles_.radius[i];
-        const double margin = ring_ ? 0.0 : radius - touching_tolerance * length_;
-        if (!(x >= margin && x <= length_ - margin))
-            throw PlacementError(
-                species_of(i),
-                fmt::format("particle {} of radius {:g} at {:g} is not inside the wire of length "
-                            "{:g}; move it",
-                            i, radius, x, length_));
-        put(i, x);
-    }
-
-    void check_apart(Eigen::Index left, Eigen::Index right, double turn) const {
-        const double apart = start_.position(right, 0) + turn - start_.position(left, 0);
-        const double needed = particles_.radius[left] + particles_.radius[right];
-        if (apart > 0.0 && apart >= needed - touching_tolerance * length_) return;
-        const auto [first, second] = std::minmax(left, right);
-        throw PlacementError(
-            species_of(second),
-            apart == 0.0
-                ? fmt::format("particles {} and {} are two beads at one place, {:g}; move one of "
-                              "them, so that they have an order",
-                              first, second, start_.position(second, 0))
-                : fmt::format("particles {} and {} overlap: their centres are {:.6g} apart and "
-                              "their radii add up to {:.6g}; move them apart",
-                              first, second, apart, needed));
-    }
-
-    // Beads that may be anywhere come last; of parts of the wire the shortest comes first.
+    // Beads that may be anywhere come last; of parts of the line the shortest comes first.
     std::vector<Group> groups() const {
         Group lattice, anywhere;
         lattice.even = true;
@@ -152,7 +99,7 @@ class WirePlacement {
     static Group& part_in(std::vector<Group>& parts, Stretch part) {
         for (Group& group : parts)
             if (group.part.low == part.low && group.part.high == part.high) return group;
-        parts.push_back({.beads = {}, .part = part, .whole_wire = false});
+        parts.push_back({.beads = {}, .part = part, .whole_line = false});
         return parts.back();
     }
 
@@ -161,7 +108,7 @@ class WirePlacement {
         if (beads.empty()) return;
         const bool one_species = species_of(beads.front()) == species_of(beads.back());
         if (!group.even || !one_species) shuffle(beads);
-        if (ring_ && group.whole_wire && room_.empty()) {
+        if (ring_ && group.whole_line && room_.empty()) {
             // Where a ring begins is of no matter; its first bead makes a stretch of the rest.
             const double gap = (length_ - sum_of_lengths(beads)) / double(beads.size());
             put(beads.front(), group.even ? 0.5 * gap + particles_.radius[beads.front()]
@@ -174,7 +121,7 @@ class WirePlacement {
 
     void share(const Group& group) {
         const std::vector<Stretch> stretches =
-            group.whole_wire ? room_.free() : room_.free_within(group.part);
+            group.whole_line ? room_.free() : room_.free_within(group.part);
         std::vector<std::size_t> ranks(group.beads.size());  // from the longest to the shortest
         std::iota(ranks.begin(), ranks.end(), 0);
         std::stable_sort(ranks.begin(), ranks.end(), [&](std::size_t a, std::size_t b) {
@@ -257,27 +204,18 @@ class WirePlacement {
         const Eigen::Index longest =
             *std::max_element(group.beads.begin(), group.beads.end(),
                               [&](auto a, auto b) { return length(a) < length(b); });
-        const std::size_t species = species_of(longest);
-        double free = 0.0, widest = 0.0;
+        const bool one_species = std::ranges::all_of(
+            group.beads, [&](auto i) { return species_of(i) == species_of(longest); });
+        Problem problem{.kind = Problem::Kind::no_stretch,
+                        .species = species_of(longest),
+                        .particle = one_species ? longest : -1,
+                        .count = static_cast<std::int64_t>(group.beads.size()),
+                        .value = sum_of_lengths(group.beads)};
         for (const Stretch& stretch : stretches) {
-            free += stretch.room();
-            widest = std::max(widest, stretch.room());
+            problem.bound += stretch.room();
+            problem.widest = std::max(problem.widest, stretch.room());
         }
-        return {species,
-                fmt::format("{} {} have no room {}: together they are {:.6g} long, and the free "
-                            "stretches {:.6g}, the widest {:.6g}; use fewer or shorter beads, {}",
-                            group.beads.size(), names(group),
-                            group.whole_wire ? "on the wire" : "in their part of the wire",
-                            sum_of_lengths(group.beads), free, widest,
-                            group.whole_wire ? "or a longer wire" : "or a longer part")};
-    }
-
-    std::string names(const Group& group) const {
-        const auto [first, last] = std::minmax_element(
-            group.beads.begin(), group.beads.end(),
-            [&](auto a, auto b) { return particles_.species[a] < particles_.species[b]; });
-        return species_of(*first) == species_of(*last) ? particles_of(gas_, species_of(*first))
-                                                       : "beads";
+        return {problem, gas_};
     }
 
     const Gas& gas_;
@@ -285,12 +223,12 @@ class WirePlacement {
     bool ring_;
     Particles particles_;
     Sample start_;
-    WireRoom room_;
+    LineRoom room_;
     Random random_;
 };
 
 }  // namespace
 
-std::pair<Particles, Sample> place_on_wire(const Gas& gas) { return WirePlacement(gas).run(); }
+std::pair<Particles, Sample> place_on_line(const Gas& gas) { return LinePlacement(gas).run(); }
 
 }  // namespace carom

@@ -113,9 +113,9 @@ class RandomSharing {
 
 }  // namespace
 
-WireRoom::WireRoom(const Box& box) : length_(box.size[0]), ring_(box.walls[0] == Wall::periodic) {}
+LineRoom::LineRoom(const Box& box) : length_(box.size[0]), ring_(box.walls[0] == Wall::periodic) {}
 
-void WireRoom::take(std::vector<Stretch> beads) {
+void LineRoom::take(std::vector<Stretch> beads) {
     const auto by_place = [](const Stretch& a, const Stretch& b) { return a.low < b.low; };
     std::sort(beads.begin(), beads.end(), by_place);
     const auto old = static_cast<std::ptrdiff_t>(taken_.size());
@@ -123,12 +123,12 @@ void WireRoom::take(std::vector<Stretch> beads) {
     std::inplace_merge(taken_.begin(), taken_.begin() + old, taken_.end(), by_place);
 }
 
-std::vector<Stretch> WireRoom::free() const {
+std::vector<Stretch> LineRoom::free() const {
     if (taken_.empty() || !ring_) return free_within({0.0, length_});
     return free_within({taken_.front().high, taken_.front().low + length_});
 }
 
-std::vector<Stretch> WireRoom::free_within(Stretch part) const {
+std::vector<Stretch> LineRoom::free_within(Stretch part) const {
     std::vector<Stretch> stretches;
     double low = part.low;
     const auto go_on_to = [&](const Stretch& next) {

@@ -1,5 +1,5 @@
-// The free stretches of a wire between beads that have their places, and how further beads share
-// them. Knows no species and no rules of placement (wire_placement.h).
+// The free stretches of a line between beads that have their places, and how further beads share
+// them. Knows no species and no rules of placement (line_placement.h).
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,26 @@
 
 namespace carom {
 
-/// A part of the wire, length; on a ring it may reach beyond the end.
+/// A part of the line, length; on a ring it may reach beyond the end.
 struct Stretch {
     double low, high;
     double room() const { return high - low; }
 };
 
-class WireRoom {
+class LineRoom {
   public:
-    explicit WireRoom(const Box& box);
+    explicit LineRoom(const Box& box);
 
-    /// Takes up the wire under beads.
+    /// Takes up the line under beads.
     void take(std::vector<Stretch> beads);
 
     bool empty() const { return taken_.empty(); }
 
-    /// The free stretches of the whole wire, from left to right. On a ring the last goes on to the
+    /// The free stretches of the whole line, from left to right. On a ring the last goes on to the
     /// first bead; an empty ring is one stretch from 0 to its length.
     std::vector<Stretch> free() const;
 
-    /// The free stretches of a part of the wire.
+    /// The free stretches of a part of the line.
     std::vector<Stretch> free_within(Stretch part) const;
 
   private:

@@ -1,7 +1,5 @@
 #include "physics/placement/line_squeeze.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -11,8 +9,12 @@
 namespace carom {
 namespace {
 
-constexpr Eigen::Index left_end = -1, right_end = -2;
 constexpr int most_steps = 100'000;  // of a bead that bounces to and fro: then it may go on so
+
+struct Squeeze {
+    double time;  ///< simulated
+    Eigen::Index left, right;
+};
 
 struct Boundary {
     Eigen::Index bead;  ///< of infinite mass, or an end
@@ -115,40 +117,27 @@ class Chambers {
     std::vector<Chamber> chambers_;
 };
 
-std::string called(Eigen::Index boundary) {
-    if (boundary == left_end) return "the left end of the wire";
-    if (boundary == right_end) return "the right end of the wire";
-    return fmt::format("particle {}", boundary);
-}
-
 }  // namespace
 
-std::optional<Squeeze> first_squeeze(const Box& box, const Particles& particles,
+std::optional<Problem> first_squeeze(const Box& box, const Particles& particles,
                                      const Sample& start, const Run& run) {
     Chambers chambers(box, particles, start);
     double now = -run.equilibrate;
-    const auto go_on_to = [&](double time) {
-        const auto squeeze = chambers.advance(now, time - now);
-        now = time;
-        return squeeze;
-    };
-    for (const double time : reversal_times(run)) {
-        if (const auto squeeze = go_on_to(time)) return squeeze;
+    std::vector<double> times = reversal_times(run);
+    times.push_back(run.until);
+    for (const double time : times) {
+        if (const auto squeeze = chambers.advance(now, time - now)) {
+            const Eigen::Index last = std::max(squeeze->left, squeeze->right);
+            return Problem{.kind = Problem::Kind::squeeze,
+                           .species = static_cast<std::size_t>(particles.species[last]),
+                           .particle = squeeze->left,
+                           .other = squeeze->right,
+                           .value = squeeze->time};
+        }
         chambers.reverse();
+        now = time;
     }
-    return go_on_to(run.until);
-}
-
-std::string to_text(const Squeeze& squeeze) {
-    if (squeeze.left < 0 || squeeze.right < 0) {
-        const bool left = squeeze.left >= 0;
-        return fmt::format("{} of infinite mass presses beads against {} at time {:.4g}",
-                           called(left ? squeeze.left : squeeze.right),
-                           called(left ? squeeze.right : squeeze.left), squeeze.time);
-    }
-    const auto [first, second] = std::minmax(squeeze.left, squeeze.right);
-    return fmt::format("{} and {} of infinite mass leave no room between them at time {:.4g}",
-                       called(first), called(second), squeeze.time);
+    return std::nullopt;
 }
 
 }  // namespace carom

@@ -1,30 +1,25 @@
-// Where beads of infinite mass leave no room on a wire: they can neither pass nor yield, so that
-// two of them that meet, or beads that one presses against another or against the end of the wire,
+// Where beads of infinite mass leave no room on a line: they can neither pass nor yield, so that
+// two of them that meet, or beads that one presses against another or against the end of the line,
 // have no motion that goes on. They move by themselves alone, so that this is known beforehand.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "physics/placement/problem.h"
 #include "physics/run.h"
 
 namespace carom {
 
-/// Two beads of infinite mass between which the room ends; -1 and -2 are the left and the right end
-/// of the wire.
-struct Squeeze {
-    double time;  ///< simulated
-    Eigen::Index left, right;
-};
+/// What stands for a particle where the line ends.
+inline constexpr Eigen::Index left_end = -1, right_end = -2;
 
-/// The first squeeze of a run from `start` on, if there is one up to its end.
-std::optional<Squeeze> first_squeeze(const Box& box, const Particles& particles,
+/// The first squeeze of a run from `start` on, if there is one up to its end: its `particle` and
+/// `other` are two beads of infinite mass between which the room ends, the left one first, or an
+/// end of the line; its species is that of the bead listed last.
+std::optional<Problem> first_squeeze(const Box& box, const Particles& particles,
                                      const Sample& start, const Run& run);
-
-/// One sentence about it, without the way out.
-std::string to_text(const Squeeze& squeeze);
 
 }  // namespace carom

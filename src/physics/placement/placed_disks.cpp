@@ -4,14 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "physics/nearest_image.h"
 namespace carom {
-
-Eigen::Array2d nearest_image(const Box& box, Eigen::Array2d separation) {
-    for (int a = 0; a < 2; ++a)
-        if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic)
-            separation[a] -= box.size[a] * std::round(separation[a] / box.size[a]);
-    return separation;
-}
 
 PlacedDisks::PlacedDisks(const Box& box, std::int64_t count, double typical_radius) : box_(box) {
     const double least = std::sqrt(box.size.prod() / (2.0 * static_cast<double>(count) + 8.0));
@@ -48,6 +42,7 @@ void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Fun
     bool go_on = true;
     for_each_cell(centre, radius, [&](std::size_t cell) {
         for (std::int32_t e = heads_[cell]; go_on && e >= 0;) {
+            ++compared_;
             const Entry& entry = entries_[static_cast<std::size_t>(e)];
             const Disk& other = disks_[static_cast<std::size_t>(entry.disk)];
             go_on = f(other, nearest_image(box_, other.centre - centre).square().sum());

@@ -15,9 +15,6 @@ namespace carom {
 /// the sum of their radii: coordinates written in decimals touch only to within round-off.
 inline constexpr double touching_tolerance = 1e-12;
 
-/// Shortest vector between two points of the box, across its periodic borders where it has them.
-Eigen::Array2d nearest_image(const Box& box, Eigen::Array2d separation);
-
 class PlacedDisks {
   public:
     /// Room for about `count` disks of about `typical_radius`.
@@ -34,6 +31,9 @@ class PlacedDisks {
     double deepest_overlap(const Eigen::Array2d& centre, double radius) const;
 
     void add(std::int32_t particle, const Eigen::Array2d& centre, double radius);
+
+    /// How many distances the questions so far have cost.
+    std::int64_t compared() const { return compared_; }
 
   private:
     struct Disk {
@@ -58,6 +58,7 @@ class PlacedDisks {
     std::vector<std::int32_t> heads_;
     std::vector<Entry> entries_;
     std::vector<Disk> disks_;
+    mutable std::int64_t compared_ = 0;
 };
 
 }  // namespace carom

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <numeric>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "physics/placement/draws.h"
+#include "physics/placement/feasibility.h"
 #include "physics/placement/lattice.h"
 #include "physics/placement/line_placement.h"
 #include "physics/placement/placed_disks.h"
@@ -21,7 +20,6 @@
 namespace carom {
 namespace {
 
-constexpr double densest_packing = 0.9069;  // pi / sqrt(12): equal disks, Thue 1892
 // At packing 0.5 the last disks need a few hundred; random placement jams at 0.547.
 constexpr int most_tries = 20'000;
 
@@ -37,7 +35,7 @@ class Placement {
     std::pair<Particles, Sample> run() {
         std::tie(particles_, start_) = draw_gas(gas_);
         count_ = particles_.count();
-        check_room();
+        refuse(placement_problems(gas_, particles_));
         placed_ = PlacedDisks(gas_.box, count_, typical_radius());
         place_listed();
         place_on_lattice();
@@ -50,47 +48,11 @@ class Placement {
         return static_cast<std::size_t>(particles_.species[i]);
     }
 
-    double packing_fraction() const {
-        return std::numbers::pi * particles_.radius.square().sum() / gas_.box.size.prod();
-    }
-
     // Many disks are small where sizes differ: half of the mean keeps their cells small.
     double typical_radius() const { return count_ > 0 ? 0.5 * particles_.radius.mean() : 0.0; }
 
-    // What cannot be is told without trying.
-    void check_room() const {
-        for (Eigen::Index i = 0; i < count_; ++i)
-            if (2.0 * particles_.radius[i] > gas_.box.size.minCoeff())
-                throw PlacementError(
-                    species_of(i),
-                    fmt::format(
-                        "particle {} of radius {:g} does not fit into a box of {:g} x {:g}; "
-                        "use smaller disks or a larger box",
-                        i, particles_.radius[i], gas_.box.size[0], gas_.box.size[1]));
-        if (count_ < 2) return;
-        const double packing = packing_fraction();
-        const bool equal = particles_.radius.minCoeff() == particles_.radius.maxCoeff();
-        if (packing > (equal ? densest_packing : 1.0)) throw too_dense(packing, equal);
-    }
-
-    PlacementError too_dense(double packing, bool equal) const {
-        const std::size_t species = largest_share();
-        const std::string most = equal ? fmt::format("equal disks fill at most {}", densest_packing)
-                                       : std::string("disks fill less than 1");
-        return {
-            species,
-            fmt::format("{} {} cannot have room: the gas would fill {:.3g} of the box and {}; "
-                        "use fewer or smaller disks, or a larger box",
-                        gas_.species[species].count, particles_of(gas_, species), packing, most)};
-    }
-
-    std::size_t largest_share() const {
-        Eigen::ArrayXd area = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(gas_.species.size()));
-        for (Eigen::Index i = 0; i < count_; ++i)
-            area[particles_.species[i]] += particles_.radius[i] * particles_.radius[i];
-        Eigen::Index largest = 0;
-        area.maxCoeff(&largest);
-        return static_cast<std::size_t>(largest);
+    void refuse(const std::vector<Problem>& problems) const {
+        if (!problems.empty()) throw PlacementError(problems.front(), gas_);
     }
 
     void put(Eigen::Index i, const Eigen::Array2d& centre) {
@@ -101,38 +63,11 @@ class Placement {
     void place_listed() {
         Eigen::Index first = 0;
         for (const Species& species : gas_.species) {
-            if (const auto* places = std::get_if<Places>(&species.position)) {
-                assert(places->values.size() == static_cast<std::size_t>(species.count));
+            if (const auto* places = std::get_if<Places>(&species.position))
                 for (std::size_t k = 0; k < places->values.size(); ++k)
-                    place_at(first + static_cast<Eigen::Index>(k), places->values[k]);
-            }
+                    put(first + static_cast<Eigen::Index>(k), places->values[k]);
             first += static_cast<Eigen::Index>(species.count);
         }
-    }
-
-    void place_at(Eigen::Index i, const Eigen::Array2d& centre) {
-        const double radius = particles_.radius[i];
-        for (int a = 0; a < 2; ++a) {
-            const bool solid = gas_.box.walls[static_cast<std::size_t>(a)] == Wall::solid;
-            const double margin = solid ? radius * (1.0 - touching_tolerance) : 0.0;
-            if (centre[a] >= margin && centre[a] <= gas_.box.size[a] - margin) continue;
-            throw PlacementError(
-                species_of(i),
-                fmt::format("particle {} of radius {:g} at [{:g}, {:g}] is not inside the box of "
-                            "{:g} x {:g}; move it",
-                            i, radius, centre[0], centre[1], gas_.box.size[0], gas_.box.size[1]));
-        }
-        if (const auto other = placed_.overlapped(centre, radius)) {
-            const Eigen::Array2d there = start_.position.row(*other).transpose();
-            const double distance =
-                std::sqrt(nearest_image(gas_.box, centre - there).square().sum());
-            throw PlacementError(
-                species_of(i),
-                fmt::format("particles {} and {} overlap: their centres are {:.6g} apart and their "
-                            "radii add up to {:.6g}; move them apart",
-                            *other, i, distance, radius + particles_.radius[*other]));
-        }
-        put(i, centre);
     }
 
     // All species on the lattice share one; which disk has which site is random where they differ.
@@ -177,14 +112,12 @@ class Placement {
             if (sites.size() >= disks.size()) return sites;
             most = std::max(most, sites.size());
         }
-        const std::size_t species = species_of(disks.front());
-        throw PlacementError(
-            species,
-            fmt::format("no hexagonal lattice holds {} {} of radius {:g} in this box (at most {} "
-                        "found room) at packing fraction {:.3g}; use fewer or smaller disks, or a "
-                        "larger box",
-                        disks.size(), particles_of(gas_, species), radius, most,
-                        packing_fraction()));
+        throw PlacementError({.kind = Problem::Kind::lattice_taken,
+                              .species = species_of(disks.front()),
+                              .count = wanted,
+                              .fitting = static_cast<std::int64_t>(most),
+                              .value = radius},
+                             gas_);
     }
 
     void place_at_random() {
@@ -203,7 +136,7 @@ class Placement {
         std::vector<std::int64_t> found(gas_.species.size(), 0);
         for (const Eigen::Index i : disks) {
             const std::size_t s = species_of(i);
-            if (!place_somewhere(i, random[s])) throw no_room(s, found[s]);
+            if (!place_somewhere(i, random[s])) refuse({no_place(s, found[s])});
             ++found[s];
             if (found[s] % 1024 == 0) throw_if_interrupted();
         }
@@ -234,21 +167,19 @@ class Placement {
         return false;
     }
 
-    // The packing fraction told is that of all disks in the box, or of the species in its region.
-    PlacementError no_room(std::size_t s, std::int64_t found) const {
-        const Species& species = gas_.species[s];
-        const auto* within = std::get_if<WithinRegion>(&species.position);
+    // The packing fraction is that of all disks in the box, or of the species in its region.
+    Problem no_place(std::size_t s, std::int64_t found) const {
+        const auto* within = std::get_if<WithinRegion>(&gas_.species[s].position);
         const auto own = particles_.species == static_cast<int>(s);
-        const double packing = within ? std::numbers::pi *
-                                            own.select(particles_.radius, 0.0).square().sum() /
-                                            (within->region.high - within->region.low).prod()
-                                      : packing_fraction();
-        return {s,
-                fmt::format("only {} of {} {} found room at packing fraction {:.3g}{}; use fewer "
-                            "or smaller disks, {}",
-                            found, species.count, particles_of(gas_, s), packing,
-                            within ? " of their region" : "",
-                            within ? "or a larger region" : "a larger box, or position: lattice")};
+        const Eigen::ArrayXd radii =
+            within ? Eigen::ArrayXd(own.select(particles_.radius, 0.0)) : particles_.radius;
+        const double covered = std::numbers::pi * radii.square().sum();
+        const double room =
+            within ? (within->region.high - within->region.low).prod() : gas_.box.size.prod();
+        return {.kind = Problem::Kind::no_place,
+                .species = s,
+                .fitting = found,
+                .value = covered / room};
     }
 
     const Gas& gas_;
@@ -261,7 +192,7 @@ class Placement {
 }  // namespace
 
 std::pair<Particles, Sample> place(const Gas& gas) {
-    return gas.box.dimension == 1 ? place_on_wire(gas) : Placement(gas).run();
+    return gas.box.dimension == 1 ? place_on_line(gas) : Placement(gas).run();
 }
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "physics/collision/pair_collision.h"
+#include "physics/nearest_image.h"
 
 namespace carom {
 namespace {
@@ -116,8 +117,7 @@ bool Plane::separation_of_images(const Body& a, const Body& b, double sigma, dou
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double plain = b.x[axis] - a.x[axis];
         const double size = box_.size[static_cast<Eigen::Index>(axis)];
-        const double half = box_.walls[axis] == Wall::periodic ? 0.5 * size : never<double>;
-        const double nearest = plain > half ? plain - size : plain < -half ? plain + size : plain;
+        const double nearest = plain - size * turns(box_, axis, plain);
         along[axis] = {nearest, nearest > 0.0 ? nearest - size : nearest + size};
     }
     double best = std::numeric_limits<double>::infinity();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "scene/mixing.h"
+#include "physics/theory/equilibrium.h"
 #include "scene/reading/panel_reading.h"
 
 namespace carom {
@@ -165,8 +165,10 @@ void check_test(const FigureSpec& figure, const Node& node, Reading& reading) {
                            "`test` compares the bars with the theory, which `theory: false` hides",
                            "leave out one of them");
     if (const auto reason = why_no_equilibrium(reading.gas))
-        reading.errors.add(*asked, "this gas has no equilibrium to be tested against: " + *reason,
-                           "leave out `test`");
+        reading.errors.add(
+            *asked,
+            "this gas has no equilibrium to be tested against: " + to_text(*reason, reading.gas),
+            "leave out `test`");
 }
 
 // The figure's key names runs, not what is drawn of each.

@@ -472,16 +472,4 @@ const Node& at_key(const SpeciesDraft& draft, std::string_view key) {
     return node != nullptr ? *node : *draft.node;
 }
 
-std::string called(const SpeciesDraft& draft, std::size_t particle) {
-    const std::string& name = draft.species.name;
-    return name.empty() ? fmt::format("particle {}", particle)
-                        : fmt::format("particle {} ({})", particle, name);
-}
-
-double number_of(const Quantity& quantity, std::size_t i) {
-    if (const auto* one = std::get_if<double>(&quantity)) return *one;
-    const auto* list = std::get_if<std::vector<double>>(&quantity);
-    return list != nullptr && i < list->size() ? (*list)[i] : 0.0;
-}
-
 }  // namespace carom

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/theory/equilibrium.h"
 #include "scene/limits.h"
-#include "scene/mixing.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/time/timeline.h"
 #include "scene/yaml/scalar.h"
@@ -197,8 +197,9 @@ void check_equilibrium(const PanelSpec& panel, const Node& node, const PanelKind
     if (asked == nullptr || !panel.theory || !kind.can(Ability::equilibrium)) return;
     if (asked->source->origin == Origin::template_file || reading.gas.species.empty()) return;
     if (const auto reason = why_no_equilibrium(reading.gas))
-        reading.errors.add(*asked, "there is no equilibrium curve for this gas: " + *reason,
-                           "leave out `theory`; the curve is then drawn where there is one");
+        reading.errors.add(
+            *asked, "there is no equilibrium curve for this gas: " + to_text(*reason, reading.gas),
+            "leave out `theory`; the curve is then drawn where there is one");
 }
 
 }  // namespace

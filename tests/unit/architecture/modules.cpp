@@ -42,10 +42,11 @@ const std::map<std::string, Parts> parts_of_module{
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "placement", "theory", "events", "physics",
        "reversal"},
-      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h"}}},
+      {"advance_result.h", "exact_positions.h", "gas.h", "nearest_image.h", "particles.h",
+       "run.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
-      {"limits.h", "mixing.h", "panel_kind.h", "scene.h", "words.h"}}},
+      {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
      {{"plot", "gas", "line", "plots", "echo", "collision", "words", "panels"},
       {"chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
@@ -56,9 +57,9 @@ const std::map<std::string, Parts> parts_of_module{
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
 // simulation.
-const std::set<std::string> plain_physics{"physics/gas.h", "physics/placement/jam.h",
-                                          "physics/placement/lattice.h",
-                                          "physics/placement/line_squeeze.h", "physics/run.h"};
+const std::set<std::string> plain_physics{"physics/gas.h", "physics/placement/feasibility.h",
+                                          "physics/placement/problem.h", "physics/run.h",
+                                          "physics/theory/equilibrium.h"};
 
 struct ThirdParty {
     std::regex header;

@@ -18,7 +18,9 @@ namespace {
 std::string jam_of(const Box& box, const std::vector<Disk>& disks) {
     const auto [particles, start] = test::start_of(box.dimension, disks);
     const auto jam = first_jam(box, particles, start);
-    return jam ? std::to_string(jam->particle) + (jam->alone ? " alone" : "") : "none";
+    return jam ? std::to_string(jam->particle) +
+                     (jam->kind == Problem::Kind::jam_alone ? " alone" : "")
+               : "none";
 }
 
 bool collides_without_end(const Box& box, const std::vector<Disk>& disks) {
@@ -130,6 +132,7 @@ TEST_CASE("a gas that is placed in a jam is refused, with its species") {
         message = error.what();
     }
     CHECK(message ==
-          "particle 0 moves along a row of disks that touch one another from end to end, without "
-          "any room: it would collide without end; smaller disks or a larger box leave them room");
+          "particle 0 (row) moves along a row of disks that touch one another from end to end, "
+          "without any room: it would collide without end; smaller disks or a larger box leave "
+          "them room");
 }

@@ -228,45 +228,56 @@ TEST_CASE("very many beads find their places at once") {
 }
 
 TEST_CASE("no room on the wire: one sentence with the numbers and a way out") {
-    CHECK(placement_error(wire_of(10.0, {{.name = "rods", .count = 11, .radius = 0.5}})) ==
-          "11 beads of species \"rods\" cannot have room: all beads together are 11 long and the "
-          "wire 10; use fewer or shorter beads, or a longer wire");
+    CHECK(
+        placement_error(wire_of(10.0, {{.name = "rods", .count = 11, .radius = 0.5}})) ==
+        "the beads are 11 long together, longer than the wire of 10; fewer or shorter beads, or a "
+        "wire of about 22");
     Gas gas = wire_of(10.0, {{.name = "piston", .count = 1, .radius = 0.5},
                              {.name = "rods", .count = 3, .radius = 1.4}});
     gas.species[0].position = at({4.0});
     CHECK(placement_error(gas) ==
           "3 beads of species \"rods\" have no room on the wire: together they are 8.4 long, and "
-          "the free stretches 9, the widest 5.5; use fewer or shorter beads, or a longer wire");
+          "the free stretches 9, the widest 5.5; fewer or shorter beads, or a longer wire");
     gas.species[1].position = WithinRegion{{{5.0, 0.0}, {9.0, 0.0}}};
     CHECK(placement_error(gas) ==
-          "3 beads of species \"rods\" have no room in their part of the wire: together they are "
-          "8.4 long, and the free stretches 4, the widest 4; use fewer or shorter beads, or a "
+          "3 beads, 8.4 long together, do not fit into its region, 4 long; fewer or shorter beads "
+          "or more room");
+    gas.species[1].position = WithinRegion{{{3.0, 0.0}, {10.0, 0.0}}};
+    gas.species[1].count = 2;
+    gas.species[1].radius = 1.6;
+    CHECK(placement_error(gas) ==
+          "2 beads of species \"rods\" have no room in their part of the wire: together they are "
+          "6.4 long, and the free stretches 6, the widest 5.5; fewer or shorter beads, or a "
           "longer part");
     gas = wire_of(10.0, {{.name = "", .count = 1, .mass = Density{2.0}}});
     gas.species[0].radius = 0.0;
-    CHECK(placement_error(gas) == "a point has no mass from a density; give it a mass instead");
+    CHECK(placement_error(gas) ==
+          "a point, of radius 0, has no mass from a density; give a radius, or a mass instead");
 }
 
 TEST_CASE("listed places are checked, across the ends of a ring too") {
     Gas gas = wire_of(10.0, {{.name = "p", .count = 2, .radius = 0.5}});
     gas.species[0].position = at({0.5, 9.8});
     CHECK(placement_error(gas) ==
-          "particle 1 of radius 0.5 at 9.8 is not inside the wire of length 10; move it");
+          "particle 1 (p) of radius 0.5 is not inside the wire from 0 to 10; its middle has room "
+          "from 0.5 to 9.5");
     gas.box.walls[0] = Wall::periodic;
     CHECK(placement_error(gas) ==
-          "particles 0 and 1 overlap: their centres are 0.7 apart and their radii add up to 1; "
-          "move them apart");
+          "particle 1 (p) overlaps particle 0 (p): 0.7 apart, at least 1 needed; move one of them, "
+          "or make them shorter");
     gas.species[0].position = at({0.3, 9.3});  // touching, but for round-off
     CHECK(placement_error(gas).empty());
     gas.species[0].radius = 0.0;
     gas.species[0].position = at({3.0, 3.0});
     CHECK(placement_error(gas) ==
-          "particles 0 and 1 are two beads at one place, 3; move one of them, so that they have "
-          "an order");
+          "particle 1 (p) is at the place of particle 0 (p); beads have an order on the wire: move "
+          "one "
+          "of them");
     gas.species[0].position = at({0.0, 10.0});  // one place on a ring
     CHECK(placement_error(gas) ==
-          "particles 0 and 1 are two beads at one place, 0; move one of them, so that they have "
-          "an order");
+          "particle 1 (p) is at the place of particle 0 (p); beads have an order on the wire: move "
+          "one "
+          "of them");
     gas.box.walls[0] = Wall::solid;
     CHECK(placement_error(gas).empty());
 }

@@ -25,9 +25,9 @@ std::string squeeze_of(Wall ends, const std::vector<Bead>& beads, const Run& run
     for (const Bead& bead : beads)
         disks.push_back({bead.x, 0.0, bead.v, 0.0, bead.radius, 1.0 / bead.mass});
     const auto [particles, start] = test::start_of(1, disks);
-    const auto squeeze =
-        first_squeeze({1, {10.0, 0.0}, {ends, Wall::solid}}, particles, start, run);
-    return squeeze ? to_text(*squeeze) : "none";
+    const Box box{1, {10.0, 0.0}, {ends, Wall::solid}};
+    const auto squeeze = first_squeeze(box, particles, start, run);
+    return squeeze ? to_text(*squeeze, {box, {}, 0}).message : "none";
 }
 
 Run until(double end, std::vector<double> reversals = {}) {
@@ -90,7 +90,7 @@ TEST_CASE("a simulation refuses what would be squeezed, wherever beads are place
         CHECK(false);
     } catch (const PlacementError& error) {
         CHECK(error.species() == 1);
-        CHECK(std::string(error.what()).find("; give a finite mass") != std::string::npos);
+        CHECK(std::string(error.what()).find(": give a finite mass") != std::string::npos);
     }
     CHECK_NOTHROW(Simulation(gas, until(2.0)));
 }

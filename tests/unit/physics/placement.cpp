@@ -107,41 +107,49 @@ TEST_CASE("species share a lattice, and random disks go around listed ones and t
 
 TEST_CASE("no room: one sentence with the numbers and a way out") {
     CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "cold", .count = 100, .radius = 0.48}})) ==
-          "only 66 of 100 disks of species \"cold\" found room at packing fraction 0.724; use "
-          "fewer or smaller disks, a larger box, or position: lattice");
+          "only 66 of 100 disks of species \"cold\" found room at packing fraction 0.724; fewer or "
+          "smaller disks, a larger box, or places on a lattice");
     CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "", .count = 1'000'000, .radius = 0.5}})) ==
-          "1000000 disks cannot have room: the gas would fill 7.85e+03 of the box and equal disks "
-          "fill at most 0.9069; use fewer or smaller disks, or a larger box");
-    CHECK(placement_error(gas_of(64.0, 48.0, {{.name = "giant", .count = 1, .radius = 25.0}})) ==
-          "particle 0 of radius 25 does not fit into a box of 64 x 48; use smaller disks or a "
-          "larger box");
+          "the disks cover 7.854e+05 of the box's area 100 (packing fraction 7854), more than the "
+          "0.9069 of the densest packing; fewer or smaller disks, or a box of about 1.25e+03 by "
+          "1.25e+03");
+    CHECK(
+        placement_error(gas_of(64.0, 48.0, {{.name = "giant", .count = 1, .radius = 25.0}})) ==
+        "a disk of radius 25 does not fit into a box of 64 by 48; a smaller disk or a larger box");
     CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "x", .count = 1'000'000'000'000}})) ==
           "1000000000000 disks of species \"x\" are more than the 50000000 particles that a gas "
           "may have");
     Gas gas = gas_of(10.0, 10.0, {{.name = "w", .count = 9, .radius = 0.5}});
     gas.species[0].position = WithinRegion{{{1.0, 1.0}, {3.0, 3.0}}};
     CHECK(placement_error(gas) ==
-          "only 1 of 9 disks of species \"w\" found room at packing fraction 1.77 of their region; "
-          "use fewer or smaller disks, or a larger region");
+          "9 disks cover its region 1.767 times (packing fraction), more than the 0.9069 of the "
+          "densest packing; fewer or smaller disks or more room");
+    gas.species[0].count = 4;
+    CHECK(placement_error(gas) ==
+          "only 1 of 4 disks of species \"w\" found room at packing fraction 0.785 of their "
+          "region; fewer or smaller disks, or a larger region");
     gas = gas_of(10.0, 10.0, {{.name = "l", .count = 100, .radius = 0.5}});
     gas.species[0].position = LatticePlaces{};
     CHECK(place(gas).first.count() == 100);
     gas.species[0].count = 110;
     CHECK(placement_error(gas) ==
-          "no hexagonal lattice holds 110 disks of species \"l\" of radius 0.5 in this box (at "
-          "most 0 found room) at packing fraction 0.864; use fewer or smaller disks, or a larger "
-          "box");
+          "no hexagonal lattice holds 110 disks of radius 0.5 in a box of 10 by 10; 105 of them "
+          "would fit; or smaller disks, or a larger box");
+    gas.species = {{.name = "l", .count = 50, .radius = 0.5, .position = LatticePlaces{}},
+                   {.name = "large", .count = 1, .radius = 4.0, .position = Places{{{5.0, 5.0}}}}};
+    CHECK(placement_error(gas).starts_with("other disks leave "));
 }
 
 TEST_CASE("listed places are checked, across periodic borders too") {
     Gas gas = gas_of(10.0, 10.0, {{.name = "p", .count = 2}});
     gas.species[0].position = Places{{{0.6, 5.0}, {9.8, 5.0}}};
     CHECK(placement_error(gas) ==
-          "particle 1 of radius 0.5 at [9.8, 5] is not inside the box of 10 x 10; move it");
+          "particle 1 (p) of radius 0.5 is not inside the box of 10 by 10; its centre has room "
+          "from 0.5 to 9.5 across and from 0.5 to 9.5 up");
     gas.box.walls[0] = Wall::periodic;
     CHECK(placement_error(gas) ==
-          "particles 0 and 1 overlap: their centres are 0.8 apart and their radii add up to 1; "
-          "move them apart");
+          "particle 1 (p) overlaps particle 0 (p): 0.8 apart, at least 1 needed; move one of them, "
+          "or make them smaller");
     gas.species[0].position = Places{{{0.7, 5.0}, {1.7, 5.0}}};  // touching, but for round-off
     CHECK(placement_error(gas).empty());
     try {

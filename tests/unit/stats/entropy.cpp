@@ -3,7 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/theory.h"
+#include "stats/run_statistics.h"
 #include "support/relative.h"
 #include "util/random.h"
 
@@ -81,4 +85,41 @@ TEST_CASE("thermal velocities have the entropy of equilibrium, names apart") {
     const VelocityEntropy renamed(particles, motion_of(particles, velocity));
     CHECK(renamed.of(velocity) == entropy.of(velocity));
     CHECK(renamed.in_equilibrium(2) == expected);
+}
+
+TEST_CASE("no number of a gas depends on how its species are called or parted") {
+    Particles particles = alike(100);
+    particles.inverse_mass.tail(40) = 0.25;
+    Eigen::ArrayXXd position(100, 2), velocity(100, 2);
+    Random random(11, "a gas");
+    for (Eigen::Index i = 0; i < 100; ++i) {
+        position.row(i) << 1.0 + 2.0 * double(i % 10), 1.0 + 2.0 * double(i / 10);
+        velocity.row(i) << random.normal(), random.normal();
+    }
+    const Sample sample{0.0, position, velocity};
+    Box box;
+    box.size = {20.0, 20.0};
+    const auto numbers = [&](int species) {
+        RunStatistics statistics(box, particles, species, 1);
+        statistics.see(sample);
+        const RunSummary run = statistics.summary({});
+        const ThermalMotion motion = thermal_motion(box, particles, sample);
+        const auto gas = equilibrium(box, particles, sample);
+        REQUIRE(gas);
+        return std::vector<double>{*run.temperature,
+                                   *run.energy_final,
+                                   *run.virial_pressure,
+                                   motion.temperature(),
+                                   VelocityEntropy(particles, motion).of(velocity),
+                                   *expected_collision_rate(box, particles, sample),
+                                   mean_speed(*gas),
+                                   speed_density(*gas, 0.5),
+                                   velocity_deviation(*gas)};
+    };
+    particles.species.tail(40) = 1;
+    const std::vector<double> as_two = numbers(2);
+    particles.species = Eigen::ArrayXi::LinSpaced(100, 0, 99) / 10;
+    CHECK(numbers(10) == as_two);
+    particles.species.setZero();
+    CHECK(numbers(1) == as_two);
 }

@@ -1,13 +1,13 @@
 // What a scene says of a gas's equilibrium before anything is drawn, against what theory says of
 // the drawn particles.
-#include "scene/mixing.h"
+
+#include "physics/theory/equilibrium.h"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
 #include "physics/simulation.h"
-#include "physics/theory/theory.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -96,7 +96,7 @@ TEST_CASE("the reasons against an equilibrium are those of theory") {
         CAPTURE(one.box + "; " + one.gas);
         const Scene scene = scene_of(one.box, one.gas);
         const auto reason = why_no_equilibrium(scene.gas);
-        CAPTURE(reason.value_or("none"));
+        CAPTURE((reason ? to_text(*reason, scene.gas) : "none"));
         CHECK(has_equilibrium(scene.gas) == !reason.has_value());
         without += reason.has_value();
     }

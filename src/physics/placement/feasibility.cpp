@@ -1,0 +1,366 @@
+#include "physics/placement/feasibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+
+#include "physics/nearest_image.h"
+#include "physics/placement/draws.h"
+#include "physics/placement/jam.h"
+#include "physics/placement/lattice.h"
+#include "physics/placement/line_squeeze.h"
+#include "physics/placement/placed_disks.h"
+
+namespace carom {
+namespace {
+
+using Eigen::Index;
+using Kind = Problem::Kind;
+
+template <typename Function>
+void for_each_species(const Gas& gas, Function&& f) {
+    Index first = 0;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        const auto count = static_cast<Index>(gas.species[s].count);
+        f(s, first, count);
+        first += count;
+    }
+}
+
+template <typename Rule>
+bool has_rule(const Species& species) {
+    return std::holds_alternative<Rule>(species.position);
+}
+
+// Of the disks' areas, or of the beads' lengths.
+template <typename Radii>
+double sum_of_sizes(const Gas& gas, const Radii& radii) {
+    return gas.box.dimension == 1 ? 2.0 * radii.sum() : std::numbers::pi * radii.square().sum();
+}
+
+double size_of(const Gas& gas, const Eigen::Array2d& sides) {
+    return gas.box.dimension == 1 ? sides[0] : sides.prod();
+}
+
+double least_side(const Gas& gas, const Eigen::Array2d& sides) {
+    return gas.box.dimension == 1 ? sides[0] * (1.0 + touching_tolerance) : sides.minCoeff();
+}
+
+double most_covered(const Gas& gas) {
+    return gas.box.dimension == 1 ? 1.0 + touching_tolerance : densest_packing;
+}
+
+class PlacementCheck {
+  public:
+    PlacementCheck(const Gas& gas, const Particles& particles, std::int64_t most_compared)
+        : gas_(gas), box_(gas.box), particles_(particles), most_compared_(most_compared) {}
+
+    std::vector<Problem> run() {
+        for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
+            if (count > 0) check_species(s, particles_.radius.segment(first, count));
+        });
+        const bool all_fit = std::ranges::none_of(
+            found_, [](const Problem& problem) { return problem.kind == Kind::too_large; });
+        if (all_fit && check_density() && box_.dimension == 2) check_lattice();
+        box_.dimension == 1 ? check_listed_beads() : check_listed_disks();
+        return std::move(found_);
+    }
+
+  private:
+    template <typename Radii>
+    void check_species(std::size_t s, const Radii& radii) {
+        const double largest = radii.maxCoeff();
+        if (2.0 * largest > least_side(gas_, box_.size))
+            found_.push_back({.kind = Kind::too_large, .species = s, .value = largest});
+        const auto* within = std::get_if<WithinRegion>(&gas_.species[s].position);
+        if (within == nullptr) return;
+        const auto [low, high] = within->region;
+        const Eigen::Array2d sides = high - low;
+        const double covered = sum_of_sizes(gas_, radii) / size_of(gas_, sides);
+        if ((low < 0.0).any() || (high > box_.size).any())
+            found_.push_back({.kind = Kind::region_outside, .species = s});
+        else if (box_.dimension == 2 &&
+                 2.0 * largest > sides.minCoeff() * (1.0 + touching_tolerance))
+            found_.push_back({.kind = Kind::region_too_narrow, .species = s, .value = largest});
+        else if (covered > most_covered(gas_))
+            found_.push_back({.kind = Kind::region_too_dense, .species = s, .value = covered});
+    }
+
+    // Where all places are listed they say themselves whether disks overlap.
+    bool check_density() {
+        const double covered = sum_of_sizes(gas_, particles_.radius) / size_of(gas_, box_.size);
+        const bool listed = std::ranges::all_of(gas_.species, has_rule<Places>);
+        if (covered <= most_covered(gas_) || (listed && box_.dimension == 2)) return true;
+        std::size_t largest = 0;
+        double most = -1.0;
+        for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
+            const double its = sum_of_sizes(gas_, particles_.radius.segment(first, count));
+            if (its > most) largest = s;
+            most = std::max(most, its);
+        });
+        found_.push_back({.kind = Kind::too_dense, .species = largest, .value = covered});
+        return false;
+    }
+
+    // All species on the lattice share one, on which each disk has as much room as the largest.
+    void check_lattice() {
+        Problem problem{.kind = Kind::no_lattice};
+        for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
+            if (!has_rule<LatticePlaces>(gas_.species[s]) || count == 0) return;
+            const auto radii = particles_.radius.segment(first, count);
+            if (problem.count == 0) {
+                problem.species = s;
+                problem.value = problem.bound = radii[0];
+            }
+            problem.count += count;
+            problem.value = std::max(problem.value, radii.maxCoeff());
+            problem.bound = std::min(problem.bound, radii.minCoeff());
+        });
+        const auto fits = [&](std::int64_t count) {
+            return !fitting_lattices(box_, static_cast<int>(count), problem.value).empty();
+        };
+        if (problem.count == 0 || fits(problem.count)) return;
+        for (std::int64_t too_many = problem.count; too_many - problem.fitting > 1;) {
+            const std::int64_t middle = problem.fitting + (too_many - problem.fitting) / 2;
+            (fits(middle) ? problem.fitting : too_many) = middle;
+        }
+        found_.push_back(problem);
+    }
+
+    // Calls f(species, particle, its place) for those whose place is listed and inside the box,
+    // which is checked.
+    template <typename Function>
+    void for_each_listed(double tolerance_of_radius, double tolerance_of_size, Function&& f) {
+        for_each_species(gas_, [&](std::size_t s, Index first, Index) {
+            const auto* places = std::get_if<Places>(&gas_.species[s].position);
+            if (places == nullptr) return;
+            for (std::size_t k = 0; k < places->values.size(); ++k) {
+                const Index i = first + static_cast<Index>(k);
+                const double radius = particles_.radius[i];
+                bool inside = true;
+                for (int axis = 0; axis < box_.dimension; ++axis) {
+                    const bool solid = box_.walls[static_cast<std::size_t>(axis)] == Wall::solid;
+                    const double size = box_.size[axis], x = places->values[k][axis];
+                    const double margin =
+                        solid ? radius * (1.0 - tolerance_of_radius) - tolerance_of_size * size
+                              : 0.0;
+                    inside = inside && x >= margin && x <= size - margin;
+                }
+                if (inside)
+                    f(s, i, places->values[k]);
+                else
+                    found_.push_back(
+                        {.kind = Kind::outside, .species = s, .particle = i, .value = radius});
+            }
+        });
+    }
+
+    void check_listed_disks() {
+        const Index count = particles_.count();
+        PlacedDisks placed(box_, count, count > 0 ? 0.5 * particles_.radius.mean() : 0.0);
+        std::vector<Eigen::Array2d> places(static_cast<std::size_t>(count));
+        for_each_listed(
+            touching_tolerance, 0.0, [&](std::size_t s, Index i, const Eigen::Array2d& place) {
+                if (placed.compared() > most_compared_) return;
+                const double radius = particles_.radius[i];
+                if (const auto other = placed.overlapped(place, radius))
+                    found_.push_back(
+                        {.kind = Kind::overlap,
+                         .species = s,
+                         .particle = i,
+                         .other = *other,
+                         .value = std::sqrt(
+                             nearest_image(box_, place - places[static_cast<std::size_t>(*other)])
+                                 .square()
+                                 .sum()),
+                         .bound = radius + particles_.radius[*other]});
+                places[static_cast<std::size_t>(i)] = place;
+                placed.add(static_cast<std::int32_t>(i), place, radius);
+            });
+    }
+
+    // Beads cannot pass one another: only neighbours along the line can overlap.
+    void check_listed_beads() {
+        std::vector<std::pair<double, Index>> beads;
+        for_each_listed(0.0, touching_tolerance,
+                        [&](std::size_t, Index i, const Eigen::Array2d& place) {
+                            beads.emplace_back(place[0], i);
+                        });
+        std::ranges::stable_sort(beads);
+        for (std::size_t k = 0; k + 1 < beads.size(); ++k)
+            check_apart(beads[k].second, beads[k + 1].second, beads[k + 1].first - beads[k].first);
+        if (box_.walls[0] == Wall::periodic && beads.size() > 1)
+            check_apart(beads.back().second, beads.front().second,
+                        beads.front().first + box_.size[0] - beads.back().first);
+    }
+
+    void check_apart(Index left, Index right, double apart) {
+        const double needed = particles_.radius[left] + particles_.radius[right];
+        if (apart > 0.0 && apart >= needed - touching_tolerance * box_.size[0]) return;
+        const auto [first, second] = std::minmax(left, right);
+        found_.push_back({.kind = apart == 0.0 && needed == 0.0 ? Kind::same_place : Kind::overlap,
+                          .species = static_cast<std::size_t>(particles_.species[second]),
+                          .particle = second,
+                          .other = first,
+                          .value = apart,
+                          .bound = needed});
+    }
+
+    const Gas& gas_;
+    const Box& box_;
+    const Particles& particles_;
+    std::int64_t most_compared_;
+    std::vector<Problem> found_;
+};
+
+/// Particles whose places are known before all are placed.
+struct Known {
+    std::vector<Index> numbers;
+    std::vector<Eigen::Array2d> places;
+
+    void add(Index number, const Eigen::Array2d& place) {
+        numbers.push_back(number);
+        places.push_back(place);
+    }
+};
+
+class MotionCheck {
+  public:
+    MotionCheck(const Gas& gas, const Particles& particles, const Sample& drawn)
+        : gas_(gas), box_(gas.box), particles_(particles), drawn_(drawn) {}
+
+    std::optional<Problem> run(const Run& run) const {
+        const Known known = listed();
+        // Beads that are placed later can only take more room: what is found among those listed
+        // holds. It needs all of infinite mass, for those not listed might stand between.
+        if (box_.dimension == 1 && are_all_fixed_listed())
+            if (const auto squeeze = among(known, [&](const Particles& some, const Sample& start) {
+                    return first_squeeze(box_, some, start, run);
+                }))
+                return squeeze;
+        if (const auto jam = jam_among(known)) return jam;
+        if (box_.dimension == 1) return jam_among(filling());
+        for (Index i = 0; i < particles_.count(); ++i)
+            if (2.0 * particles_.radius[i] >= box_.size.minCoeff() * (1.0 - touching_tolerance))
+                if (const auto jam = jam_among({{i}, {0.5 * box_.size}})) return jam;
+        return jam_among(on_lattice());
+    }
+
+  private:
+    bool are_all_fixed_listed() const {
+        return std::ranges::all_of(gas_.species, [](const Species& species) {
+            return !std::holds_alternative<Infinite>(species.mass) || has_rule<Places>(species);
+        });
+    }
+
+    template <typename Check>
+    std::optional<Problem> among(const Known& known, Check&& check) const {
+        if (known.numbers.empty()) return std::nullopt;
+        Particles some{particles_.radius(known.numbers), particles_.inverse_mass(known.numbers),
+                       particles_.species(known.numbers)};
+        Sample start{0.0, Eigen::ArrayXXd(some.count(), box_.dimension),
+                     drawn_.velocity(known.numbers, Eigen::all)};
+        for (Index k = 0; k < some.count(); ++k)
+            start.position.row(k) =
+                known.places[static_cast<std::size_t>(k)].head(box_.dimension).transpose();
+        std::optional<Problem> problem = check(some, start);
+        if (problem)
+            for (Index* number : {&problem->particle, &problem->other})
+                if (*number >= 0) *number = known.numbers[static_cast<std::size_t>(*number)];
+        return problem;
+    }
+
+    std::optional<Problem> jam_among(const Known& known) const {
+        return among(known, [&](const Particles& some, const Sample& start) {
+            return first_jam(box_, some, start);
+        });
+    }
+
+    Known listed() const {
+        Known known;
+        for_each_species(gas_, [&](std::size_t s, Index first, Index) {
+            if (const auto* places = std::get_if<Places>(&gas_.species[s].position))
+                for (std::size_t k = 0; k < places->values.size(); ++k)
+                    known.add(first + static_cast<Index>(k), places->values[k]);
+        });
+        return known;
+    }
+
+    // All beads of a line that they fill, in some order: none of them has room.
+    Known filling() const {
+        Known known;
+        if (2.0 * particles_.radius.sum() < box_.size[0] * (1.0 - touching_tolerance)) return known;
+        double end = 0.0;
+        for (Index i = 0; i < particles_.count(); ++i) {
+            known.add(i, {end + particles_.radius[i], 0.0});
+            end += 2.0 * particles_.radius[i];
+        }
+        return known;
+    }
+
+    // Disks of one species on a lattice where disks touch along a side of the box, if nothing but
+    // they takes its sites.
+    Known on_lattice() const {
+        Known known;
+        const auto others = std::ranges::count_if(gas_.species, [](const Species& species) {
+            return !has_rule<RandomPlaces>(species) && !has_rule<WithinRegion>(species);
+        });
+        double radius = 0.0;
+        for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
+            if (!has_rule<LatticePlaces>(gas_.species[s])) return;
+            for (Index i = first; i < first + count; ++i) {
+                known.add(i, {0.0, 0.0});
+                radius = std::max(radius, particles_.radius[i]);
+            }
+        });
+        const auto count = static_cast<double>(known.numbers.size());
+        constexpr double roomy = 0.3;  // part of the box in squares around the disks
+        if (others != 1 || 4.0 * radius * radius * count < roomy * box_.size.prod()) return {};
+        const auto lattices =
+            fitting_lattices(box_, static_cast<int>(known.numbers.size()), radius);
+        const double touching = 2.0 * radius * (1.0 + touching_tolerance);
+        if (lattices.empty()) return {};
+        // Of rows, every other one shifted.
+        const Eigen::Array2d& spacing = lattices.front().spacing;
+        if (std::min(spacing[0], 2.0 * spacing[1]) > touching) return {};
+        const std::vector<Eigen::Array2d> sites = lattice_sites(box_, lattices.front(), radius);
+        for (std::size_t k = 0; k < known.places.size(); ++k)
+            known.places[k] = sites[k * sites.size() / known.places.size()];
+        return known;
+    }
+
+    const Gas& gas_;
+    const Box& box_;
+    const Particles& particles_;
+    const Sample& drawn_;
+};
+
+}  // namespace
+
+std::vector<Problem> placement_problems(const Gas& gas, const Particles& particles,
+                                        std::int64_t most_compared) {
+    return PlacementCheck(gas, particles, most_compared).run();
+}
+
+std::optional<Problem> motion_problem(const Box& box, const Particles& particles,
+                                      const Sample& start, const Run& run) {
+    if (box.dimension == 1)
+        if (const auto squeeze = first_squeeze(box, particles, start, run)) return squeeze;
+    return first_jam(box, particles, start);
+}
+
+std::vector<Problem> problems_of(const Gas& gas, const Run* run, std::int64_t most_compared) {
+    std::vector<Problem> problems;
+    const auto [particles, drawn] = draw_gas(gas, problems);
+    if (particles.count() == 0) return problems;
+    for (const Problem& problem : placement_problems(gas, particles, most_compared))
+        problems.push_back(problem);
+    if (run != nullptr && problems.empty())
+        if (const auto problem = MotionCheck(gas, particles, drawn).run(*run))
+            problems.push_back(*problem);
+    return problems;
+}
+
+}  // namespace carom

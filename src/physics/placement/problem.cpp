@@ -1,0 +1,236 @@
+#include "physics/placement/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "physics/placement/line_squeeze.h"
+
+namespace carom {
+namespace {
+
+using Kind = Problem::Kind;
+
+bool on_line(const Gas& gas) { return gas.box.dimension == 1; }
+
+std::string_view noun(const Gas& gas) { return on_line(gas) ? "beads" : "disks"; }
+
+// Disks of species "cold".
+std::string members(const Gas& gas, std::size_t species) {
+    const std::string& name = gas.species[species].name;
+    return name.empty() ? std::string(noun(gas))
+                        : fmt::format("{} of species \"{}\"", noun(gas), name);
+}
+
+// Particle 3 (cold).
+std::string called(const Gas& gas, Eigen::Index particle) {
+    Eigen::Index end = 0;
+    for (const Species& species : gas.species) {
+        end += static_cast<Eigen::Index>(species.count);
+        if (particle < end && !species.name.empty())
+            return fmt::format("particle {} ({})", particle, species.name);
+        if (particle < end) break;
+    }
+    return fmt::format("particle {}", particle);
+}
+
+std::string size_of(const Eigen::Array2d& size) {
+    return fmt::format("{} by {}", size[0], size[1]);
+}
+
+Eigen::Array2d size_of_region(const Species& species) {
+    const Region& region = std::get<WithinRegion>(species.position).region;
+    return region.high - region.low;
+}
+
+ProblemText too_large(const Problem& p, const Gas& gas) {
+    if (on_line(gas))
+        return {fmt::format("a bead of radius {:.6g} does not fit on a wire of length {}", p.value,
+                            gas.box.size[0]),
+                "a shorter bead or a longer wire"};
+    return {fmt::format("a disk of radius {:.6g} does not fit into a box of {}", p.value,
+                        size_of(gas.box.size)),
+            "a smaller disk or a larger box"};
+}
+
+ProblemText too_dense(const Problem& p, const Gas& gas) {
+    const Eigen::Array2d& size = gas.box.size;
+    if (on_line(gas)) {
+        const double length = p.value * size[0];
+        return {fmt::format("the beads are {:.6g} long together, longer than the wire of {:.6g}",
+                            length, size[0]),
+                fmt::format("fewer or shorter beads, or a wire of about {:.3g}", 2.0 * length)};
+    }
+    const double scale = std::sqrt(p.value / 0.5);
+    return {fmt::format("the disks cover {:.4g} of the box's area {:.6g} (packing fraction "
+                        "{:.4g}), more than the {:.4f} of the densest packing",
+                        p.value * size.prod(), size.prod(), p.value, densest_packing),
+            fmt::format("fewer or smaller disks, or a box of about {:.3g} by {:.3g}",
+                        size[0] * scale, size[1] * scale)};
+}
+
+ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region) {
+    const Species& species = gas.species[p.species];
+    if (p.kind == Kind::region_outside)
+        return {fmt::format("{} reaches outside the {}", region,
+                            on_line(gas) ? fmt::format("wire from 0 to {}", gas.box.size[0])
+                                         : "box of " + size_of(gas.box.size)),
+                ""};
+    const Eigen::Array2d size = size_of_region(species);
+    if (p.kind == Kind::region_too_narrow)
+        return {fmt::format("a disk of radius {:.6g} does not fit into {}, {}", p.value, region,
+                            size_of(size)),
+                "smaller disks or more room"};
+    if (on_line(gas))
+        return {fmt::format("{} beads, {:.6g} long together, do not fit into {}, {:.6g} long",
+                            species.count, p.value * size[0], region, size[0]),
+                "fewer or shorter beads or more room"};
+    return {fmt::format("{} disks cover {} {:.4g} times (packing fraction), more than the {:.4f} "
+                        "of the densest packing",
+                        species.count, region, p.value, densest_packing),
+            "fewer or smaller disks or more room"};
+}
+
+ProblemText on_lattice(const Problem& p, const Gas& gas) {
+    if (p.kind == Kind::lattice_taken)
+        return {fmt::format("other disks leave {} sites of a hexagonal lattice free for {} disks "
+                            "of radius up to {:.6g}",
+                            p.fitting, p.count, p.value),
+                "fewer or smaller disks, or a larger box"};
+    return {fmt::format("no hexagonal lattice holds {} disks of radius {}{:.6g} in a box of {}",
+                        p.count, p.bound < p.value ? "up to " : "", p.value, size_of(gas.box.size)),
+            fmt::format("{} of them would fit; or smaller disks, or a larger box", p.fitting)};
+}
+
+ProblemText outside(const Problem& p, const Gas& gas) {
+    Eigen::Array2d low{0.0, 0.0}, high = gas.box.size;
+    for (int axis = 0; axis < gas.box.dimension; ++axis)
+        if (gas.box.walls[static_cast<std::size_t>(axis)] == Wall::solid) {
+            low[axis] += p.value;
+            high[axis] -= p.value;
+        }
+    const std::string its = p.value > 0.0 ? fmt::format(" of radius {:.6g}", p.value) : "";
+    if (on_line(gas))
+        return {fmt::format("{}{} is not inside the wire from 0 to {}", called(gas, p.particle),
+                            its, gas.box.size[0]),
+                fmt::format("its middle has room from {} to {}", low[0], high[0])};
+    return {fmt::format("{}{} is not inside the box of {}", called(gas, p.particle), its,
+                        size_of(gas.box.size)),
+            fmt::format("its centre has room from {} to {} across and from {} to {} up", low[0],
+                        high[0], low[1], high[1])};
+}
+
+ProblemText no_place(const Problem& p, const Gas& gas) {
+    const Species& species = gas.species[p.species];
+    const bool within = std::holds_alternative<WithinRegion>(species.position);
+    return {fmt::format("only {} of {} {} found room at packing fraction {:.3g}{}", p.fitting,
+                        species.count, members(gas, p.species), p.value,
+                        within ? " of their region" : ""),
+            within ? "fewer or smaller disks, or a larger region"
+                   : "fewer or smaller disks, a larger box, or places on a lattice"};
+}
+
+ProblemText no_stretch(const Problem& p, const Gas& gas) {
+    const bool within = std::holds_alternative<WithinRegion>(gas.species[p.species].position);
+    return {fmt::format("{} {} have no room {}: together they are {:.6g} long, and the free "
+                        "stretches {:.6g}, the widest {:.6g}",
+                        p.count, p.particle >= 0 ? members(gas, p.species) : "beads",
+                        within ? "in their part of the wire" : "on the wire", p.value, p.bound,
+                        p.widest),
+            fmt::format("fewer or shorter beads, or a longer {}", within ? "part" : "wire")};
+}
+
+ProblemText jam(const Problem& p, const Gas& gas) {
+    const std::string who = called(gas, p.particle);
+    const std::string end = "without any room: it would collide without end";
+    return {p.kind == Kind::jam_alone
+                ? fmt::format("{} moves where it stands between two walls {}", who, end)
+                : fmt::format("{} moves along a row of {} that touch one another from end to end, "
+                              "{}",
+                              who, noun(gas), end),
+            fmt::format("smaller {} or a {} leave them room", noun(gas),
+                        on_line(gas) ? "longer wire" : "larger box")};
+}
+
+std::string boundary(Eigen::Index particle) {
+    if (particle == left_end) return "the left end of the wire";
+    if (particle == right_end) return "the right end of the wire";
+    return fmt::format("particle {}", particle);
+}
+
+ProblemText squeeze(const Problem& p) {
+    const auto [first, second] = std::minmax(p.particle, p.other);
+    const std::string hint =
+        "on a wire nothing can pass or yield: give a finite mass, another velocity, or an earlier "
+        "end of the run";
+    if (first < 0)
+        return {fmt::format("{} of infinite mass presses beads against {} at time {:.4g}",
+                            boundary(second), boundary(first), p.value),
+                hint};
+    return {fmt::format("{} and {} of infinite mass leave no room between them at time {:.4g}",
+                        boundary(first), boundary(second), p.value),
+            hint};
+}
+
+}  // namespace
+
+const double densest_packing = std::numbers::pi / std::sqrt(12.0);
+
+ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
+    switch (p.kind) {
+        case Kind::too_many:
+            return {fmt::format("{} {} are more than the {:.0f} particles that a gas may have",
+                                p.count, members(gas, p.species), p.bound),
+                    ""};
+        case Kind::not_positive:
+            return {fmt::format("the distribution of the {} gives {:.3g}, which is not above zero",
+                                p.quantity, p.value),
+                    "raise its mean or narrow it"};
+        case Kind::no_mass:
+            return {"a point, of radius 0, has no mass from a density",
+                    "give a radius, or a mass instead"};
+        case Kind::too_large:
+            return too_large(p, gas);
+        case Kind::too_dense:
+            return too_dense(p, gas);
+        case Kind::region_outside:
+        case Kind::region_too_narrow:
+        case Kind::region_too_dense:
+            return in_region(p, gas, region);
+        case Kind::no_lattice:
+        case Kind::lattice_taken:
+            return on_lattice(p, gas);
+        case Kind::outside:
+            return outside(p, gas);
+        case Kind::overlap:
+            return {fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
+                                called(gas, p.particle), called(gas, p.other), p.value, p.bound),
+                    fmt::format("move one of them, or make them {}",
+                                on_line(gas) ? "shorter" : "smaller")};
+        case Kind::same_place:
+            return {fmt::format("{} is at the place of {}", called(gas, p.particle),
+                                called(gas, p.other)),
+                    "beads have an order on the wire: move one of them"};
+        case Kind::no_place:
+            return no_place(p, gas);
+        case Kind::no_stretch:
+            return no_stretch(p, gas);
+        case Kind::jam:
+        case Kind::jam_alone:
+            return jam(p, gas);
+        case Kind::squeeze:
+            return squeeze(p);
+    }
+    return {};
+}
+
+PlacementError::PlacementError(const Problem& problem, const Gas& gas)
+    : std::runtime_error([&] {
+          const auto [message, hint] = to_text(problem, gas);
+          return hint.empty() ? message : message + "; " + hint;
+      }()),
+      problem_(problem) {}
+
+}  // namespace carom

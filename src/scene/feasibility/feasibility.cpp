@@ -1,0 +1,121 @@
+#include "scene/feasibility/feasibility.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string_view>
+
+#include "physics/placement/feasibility.h"
+#include "scene/limits.h"
+
+namespace carom {
+namespace {
+
+using Kind = Problem::Kind;
+
+constexpr std::string_view region = "`within`";
+
+// What errors left open, or lists of a wrong length, are reported elsewhere: what is found without
+// them holds as well.
+Species known_part(const SpeciesDraft& draft) {
+    Species species = draft.species;
+    const auto is_known = [&](const Quantity& quantity) {
+        const auto* list = std::get_if<std::vector<double>>(&quantity);
+        return list == nullptr || std::ssize(*list) == species.count;
+    };
+    const auto* mass = std::get_if<Quantity>(&species.mass);
+    const auto* density = std::get_if<Density>(&species.mass);
+    const auto* speed = std::get_if<Speed>(&species.velocity);
+    const auto* velocity = std::get_if<Velocity>(&species.velocity);
+    const auto* places = std::get_if<Places>(&species.position);
+    const bool radius_known = draft.radius_known && is_known(species.radius);
+    if (!radius_known) species.radius = 0.0;
+    if ((mass && !is_known(*mass)) || (density && !(radius_known && is_known(density->value))))
+        species.mass = Quantity{1.0};
+    if ((speed && !is_known(speed->value)) ||
+        (velocity && velocity->values.size() != 1 && std::ssize(velocity->values) != species.count))
+        species.velocity = AtRest{};
+    if (!draft.position_known || (places && std::ssize(places->values) != species.count))
+        species.position = RandomPlaces{};
+    return species;
+}
+
+// Where the place of a particle is written, counted in its species.
+const Node& place_of_particle(const SpeciesDraft& draft, int dimension, std::size_t i) {
+    const Node& position = at_key(draft, "position");
+    const bool each = position.is_list() && (dimension == 1 || position.items.front().is_list());
+    return each ? position.items.at(i) : position;
+}
+
+const Node& node_of(const Problem& problem, const Gas& gas,
+                    const std::vector<SpeciesDraft>& drafts) {
+    const SpeciesDraft& draft = drafts[problem.species];
+    switch (problem.kind) {
+        case Kind::too_many:
+        case Kind::too_dense:
+            return at_key(draft, "count");
+        case Kind::not_positive:
+            return at_key(draft, problem.quantity);
+        case Kind::no_mass:
+            return at_key(draft, "density");
+        case Kind::too_large:
+            return at_key(draft, "radius");
+        case Kind::region_outside:
+        case Kind::region_too_narrow:
+        case Kind::region_too_dense:
+        case Kind::no_lattice:
+        case Kind::lattice_taken:
+        case Kind::no_place:
+        case Kind::no_stretch:
+            return at_key(draft, "position");
+        case Kind::outside:
+        case Kind::overlap:
+        case Kind::same_place:
+        case Kind::jam:
+        case Kind::jam_alone:
+        case Kind::squeeze:
+            break;
+    }
+    if (!std::holds_alternative<Places>(draft.species.position)) return at_key(draft, "radius");
+    Eigen::Index index = problem.particle;
+    if (problem.kind == Kind::squeeze) index = std::max(problem.particle, problem.other);
+    for (std::size_t s = 0; s < problem.species; ++s)
+        index -= static_cast<Eigen::Index>(gas.species[s].count);
+    return place_of_particle(draft, gas.box.dimension, static_cast<std::size_t>(index));
+}
+
+}  // namespace
+
+void check_feasibility(const Box& box, const std::vector<SpeciesDraft>& drafts, std::uint64_t seed,
+                       const Run& run, Errors& errors) {
+    Gas gas{box, {}, seed};
+    double count = 0.0;
+    for (const SpeciesDraft& draft : drafts) {
+        gas.species.push_back(known_part(draft));
+        count += static_cast<double>(draft.species.count);
+    }
+    if (count > most_particles.value) return;
+    std::set<const Node*> words;
+    const auto problems = problems_of(gas, errors.empty() ? &run : nullptr,
+                                      static_cast<std::int64_t>(most_pairs_compared.value));
+    for (const Problem& problem : problems) {
+        const Node& node = node_of(problem, gas, drafts);
+        auto [message, hint] = to_text(problem, gas, region);
+        // The letters of a word are moved as a whole.
+        if (problem.kind == Kind::overlap && node.is_mapping()) {
+            if (!words.insert(&node).second) continue;
+            hint = "another `within` moves the word";
+        }
+        errors.add(node, message, hint);
+    }
+}
+
+SceneError scene_error(const Scene& scene, const PlacementError& error) {
+    const auto [message, hint] = to_text(error.problem(), scene.gas, region);
+    Diagnostic diagnostic = scene.species_spans.at(error.species());
+    diagnostic.message = message;
+    diagnostic.hint = hint;
+    return SceneError({diagnostic});
+}
+
+}  // namespace carom

@@ -17,6 +17,15 @@ std::vector<Binding<PanelSpec>> reference_key() {
                      "The mean speed that defines slow and fast: at present, or at the start.")};
 }
 
+std::vector<Binding<PanelSpec>> displacement_keys() {
+    return {bind_key("from", &PanelSpec::from, number(not_negative),
+                     "The simulated time from which displacements are measured."),
+            bind_key("fit_from", &PanelSpec::fit_from, number(not_negative),
+                     "The simulated time from which the line 2 d D t is fitted; D is the diffusion "
+                     "coefficient.")
+                .default_text("half-way to the end of the run")};
+}
+
 std::vector<Binding<PanelSpec>> numbers_key() {
     return {
         bind_key(
@@ -65,6 +74,10 @@ std::vector<PanelKind> all_kinds() {
         {.name = "temperature", .make = make_temperature, .abilities = {of, means, comparison}},
         {.name = "entropy", .make = make_entropy, .abilities = {means, comparison}},
         {.name = "pressure", .make = make_pressure, .abilities = {over, means, comparison}},
+        {.name = "mean-squared-displacement",
+         .make = make_mean_squared_displacement,
+         .abilities = {of, means, comparison},
+         .keys = displacement_keys()},
         {.name = "return-distance",
          .make = make_return_distance,
          .abilities = {theory, comparison},

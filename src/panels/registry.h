@@ -32,6 +32,8 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
 std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec);
 std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec);
 std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec);
+std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
+                                                      const PanelSpec& spec);
 std::unique_ptr<Panel> make_return_distance(const PanelContext& context, const PanelSpec& spec);
 std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec);
 std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec);

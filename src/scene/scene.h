@@ -115,6 +115,8 @@ struct PanelSpec {
     bool test = false;              ///< of a figure: whether the bars are tested against the theory
     std::optional<double> at = {};  ///< of a figure: the time that it shows; none in films
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
+    double from = 0.0;               ///< displacements: the time that they are since
+    std::optional<double> fit_from = {};  ///< displacements: of their line; none: by kind
     bool against_collisions = false;      ///< return distances; otherwise against the time
     std::vector<Monitor> numbers = {};    ///< monitors: those shown; none: all
     std::string words = {};               ///< text

@@ -1,0 +1,139 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "panels/plots/series_panel.h"
+#include "panels/registry.h"
+#include "support/relative.h"
+#include "support/scene_text.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+// A panel of a scene that is seen at some times, after its first pass.
+struct Seen {
+    Scene scene;
+    Simulation simulation;
+    Particles particles;
+    std::optional<EquilibriumGas> equilibrium = {};
+    std::unique_ptr<Panel> panel;
+
+    Seen(const std::string& text, const PanelSpec& spec, const std::vector<double>& times)
+        : scene(test::scene_from(text)),
+          simulation(scene.gas, scene.run),
+          particles(simulation.particles()),
+          panel(make_panel({scene, particles, int(times.size()), equilibrium}, spec)) {
+        simulation.record_collisions(panel->surveys_collisions());
+        for (const double time : times) {
+            const AdvanceResult advanced = simulation.advance_to(time);
+            Tick tick;
+            tick.time = time;
+            tick.reversals = advanced.reversals;
+            const Sample& sample = simulation.sample();
+            panel->survey(
+                {tick, sample, speeds(sample), kinetic_energies(particles, sample), advanced});
+        }
+        panel->fix_axes();
+    }
+    const std::vector<double>& line(std::size_t k = 0) const {
+        return dynamic_cast<const SeriesPanel&>(*panel).record().runs.front().lines[k];
+    }
+};
+
+PanelSpec displacement(double from = 0.0) {
+    PanelSpec spec{.kind = "mean-squared-displacement"};
+    spec.from = from;
+    return spec;
+}
+
+std::vector<double> up_to(double end, int steps) {
+    std::vector<double> times;
+    for (int i = 0; i <= steps; ++i) times.push_back(end * i / steps);
+    return times;
+}
+
+const std::string free_disk =
+    "title: One disk\nbox: {size: [10, 10], walls: periodic}\n"
+    "gas: [{name: a, count: 1, radius: 0.2, velocity: [30, -17], position: [1, 2]}]\n"
+    "run: {until: 2}\nfilm: {seconds: 1, fps: 10}\n";
+
+const std::string gas =
+    "title: A gas\nbox: {size: [20, 20], walls: periodic}\n"
+    "gas: [{name: a, count: 60, radius: 0.5, temperature: 4}]\n"
+    "run: {until: 8}\nfilm: {seconds: 1, fps: 10}\n";
+
+}  // namespace
+
+TEST_CASE("a free disk goes v t, through periodic sides, however often between two frames") {
+    for (const double from : {0.0, 0.5}) {
+        const std::vector<double> times = up_to(2.0, 8);
+        const Seen seen(free_disk, displacement(from), times);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            CAPTURE(times[i]);
+            if (times[i] < from) {
+                CHECK(std::isnan(seen.line()[i]));
+                continue;
+            }
+            const double time = times[i] - from;
+            CHECK(std::abs(seen.line()[i] - (900.0 + 289.0) * time * time) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("at first a gas spreads by its mean squared velocity") {
+    const std::vector<double> times = up_to(1e-4, 4);
+    const Seen seen(gas, displacement(), times);
+    Simulation fresh(seen.scene.gas, seen.scene.run);
+    const double square = fresh.sample().velocity.square().rowwise().sum().mean();
+    for (std::size_t i = 1; i < times.size(); ++i)
+        CHECK(seen.line()[i] == relative(square * times[i] * times[i], 1e-6));
+}
+
+TEST_CASE("displacements with collisions are sums of small steps to the nearest image") {
+    const std::vector<double> times = up_to(8.0, 4);  // in which disks cross the box several times
+    const Seen seen(gas, displacement(), times);
+    Simulation fine(seen.scene.gas, seen.scene.run);
+    Eigen::ArrayXXd before = fine.sample().position;
+    Eigen::ArrayXXd moved = 0.0 * before;
+    constexpr int steps = 2000;
+    for (int i = 1; i <= steps; ++i) {
+        fine.advance_to(8.0 * i / steps);
+        const Eigen::ArrayXXd step = fine.sample().position - before;
+        moved += step - 20.0 * (step / 20.0).round();
+        before = fine.sample().position;
+        if (i % (steps / 4) == 0)
+            CHECK(seen.line()[static_cast<std::size_t>(4 * i / steps)] ==
+                  relative(moved.square().rowwise().sum().mean(), 1e-10));
+    }
+}
+
+TEST_CASE("D is the slope of all pairs of frames from a time on, and the words say it") {
+    PanelSpec spec = displacement();
+    spec.fit_from = 3.0;
+    const std::vector<double> times = up_to(8.0, 32);
+    Seen seen(gas, spec, times);
+    double products = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < times.size(); ++i)
+        for (std::size_t j = 0; j < times.size(); ++j) {
+            if (times[i] < 3.0 || times[j] < 3.0) continue;
+            products += (times[i] - times[j]) * (seen.line()[i] - seen.line()[j]);
+            squares += (times[i] - times[j]) * (times[i] - times[j]);
+        }
+    const auto& panel = dynamic_cast<const PlotPanel&>(*seen.panel);
+    const plot::Plot plot = panel.plot(nullptr);
+    double slope = 0.0;
+    for (const plot::AnyLayer& layer : plot.layers)
+        if (plot::common(layer).part == "fit") {
+            const auto& fit = std::get<plot::Line>(layer);
+            CHECK(fit.x[0] == 3.0);
+            slope = (fit.y[1] - fit.y[0]) / (fit.x[1] - fit.x[0]);
+        }
+    CHECK(slope == relative(products / squares, 1e-12));
+    CAPTURE(plot.account);
+    const double told = std::stod(plot.account.substr(plot.account.rfind("D = ") + 4));
+    CHECK(told == relative(slope / 4.0, 5e-3));
+}

@@ -32,6 +32,11 @@ struct Place {
     Rect rect;
 };
 
+bool lies_on_x_axis(const Frame& frame, const Rect& words) {
+    constexpr double slack = 0.5;  // pixels
+    return words.y < frame.area.bottom() && words.bottom() > frame.area.bottom() + slack;
+}
+
 // The first that is free, of all anchors and their steps.
 std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
                                 double width) {
@@ -41,6 +46,7 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
         for (;;) {
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
             if (steps && !frame.placer.is_inside(place.rect)) break;
+            if (lies_on_x_axis(frame, place.rect)) break;
             if (frame.placer.is_free(place.rect)) return place;
             if (!steps) break;
             place.baseline.x += frame.pixels(anchor.step.x);

@@ -107,7 +107,8 @@ void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, d
     }
 }
 
-void draw_note(Canvas& canvas, const DrawContext& dc, const Note& note, double y) {
+void draw_note(Canvas& canvas, const Frame& frame, const Note& note, double y) {
+    const DrawContext& dc = frame.dc;
     for (const PlacedEntry& one : places(note, dc)) {
         const Point left{dc.area.x + one.at.x, y + one.at.y};
         const double words = start_of_words(*one.entry, dc);
@@ -121,6 +122,8 @@ void draw_note(Canvas& canvas, const DrawContext& dc, const Note& note, double y
             std::min(one.width - words + 0.1 * dc.unit, dc.area.width - one.at.x - words);
         draw_text(canvas, {left.x + words, left.y},
                   markup_of(one.entry->words[one.length], dc.theme), style);
+        frame.placer.keep_clear(
+            Rect{left.x, left.y - 0.9 * dc.unit, one.width + entry_gap * dc.unit, 1.2 * dc.unit});
     }
 }
 
@@ -132,7 +135,7 @@ void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part)
             if (note.is_over_plot)
                 draw_note_over_plot(canvas, frame, note, y);
             else
-                draw_note(canvas, dc, note, y);
+                draw_note(canvas, frame, note, y);
         }
         y += height_of(note, dc) * dc.unit;
     }
@@ -262,6 +265,7 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         draw_panel_title(canvas, dc, title_of(plot, dc));
         draw_axes(canvas, frame, plot);
     }
+    draw_notes(canvas, frame, plot, part);
     if (has_labels(plot, still))
         for (const AnyLayer& layer : plot.layers) std::visit(Obstacles{frame}, layer);
     std::vector<const AnyLayer*> layers;
@@ -279,7 +283,6 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         draw_counts_beyond(canvas, frame, plot);
     }
     if (!still) draw_names(canvas, frame, plot);
-    draw_notes(canvas, frame, plot, part);
 }
 
 }  // namespace carom::plot

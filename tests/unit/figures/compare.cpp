@@ -279,7 +279,8 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
           "      |                          ^^^^^^^\n"
           "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
-          "`position-histogram`, `temperature`, `entropy`, `pressure` or `return-distance`");
+          "`position-histogram`, `temperature`, `entropy`, `pressure`, `mean-squared-displacement` "
+          "or `return-distance`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
               .find("`seeds` and `compare` cannot be combined") != std::string::npos);
     CHECK(

@@ -28,7 +28,7 @@ std::vector<std::string> rows_of_table(const std::string& text) {
     std::vector<std::string> rows;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("| ") && !line.starts_with("| ---") && !line.starts_with("| ceiling"))
+        if (line.starts_with("| ") && !line.starts_with("| ---") && !line.starts_with("| limit"))
             rows.push_back(line);
     return rows;
 }

@@ -36,36 +36,38 @@ std::string listed(const std::vector<std::string>& words) {
 
 }  // namespace
 
-void add_shortcut(CLI::App& command, SceneOptions& options, const std::string& flag,
-                  const std::string& key, const std::string& words) {
-    command.add_option_function<std::string>(
-        flag,
-        [&options, key](const std::string& value) {
-            options.shortcuts.emplace_back(key, key == "film.size" ? as_yaml_size(value) : value);
-        },
-        words);
+Option shortcut(SceneOptions& options, const std::string& flag, const std::string& key,
+                const std::string& meaning) {
+    return {flag, meaning, [&options, key](const std::string& value) {
+                options.shortcuts.emplace_back(key,
+                                               key == "film.size" ? as_yaml_size(value) : value);
+            }};
 }
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-    add_shortcut(command, options, "--seed", "seed", "another seed for every random choice");
-    command.add_option("--set", options.sets, "lay KEY.PATH=VALUE over the scene")
-        ->allow_extra_args(false);
-    command.add_flag("--quiet", options.quiet, "no progress and no report");
+std::vector<Option> scene_options(SceneOptions& options) {
+    return {shortcut(options, "--seed", "seed", "another seed for every random choice"),
+            {"--set", "lay KEY.PATH=VALUE over the scene", &options.sets},
+            {"--quiet", "no progress and no report", &options.quiet}};
 }
 
-void add_work_options(CLI::App& command, SceneOptions& options) {
-    command
-        .add_option("--threads", options.threads,
-                    "cores to use; the result is the same for any number")
-        ->check(CLI::Range(1, 1024));
-    command.add_flag("--timings", options.timings, "seconds for each stage");
+std::vector<Option> work_options(SceneOptions& options) {
+    return {{"--threads", "cores to use; the result is the same for any number", &options.threads},
+            {"--timings", "seconds for each stage", &options.timings}};
 }
 
-void add_picture_options(CLI::App& command, SceneOptions& options) {
-    add_shortcut(command, options, "--template", "film.template", "another layout");
-    add_shortcut(command, options, "--theme", "film.theme", "light, dark or print");
-    add_shortcut(command, options, "--ground", "film.ground", "theme, or none: transparent");
-    add_shortcut(command, options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT");
+std::vector<Option> picture_options(SceneOptions& options) {
+    return {
+        shortcut(options, "--template", "film.template", "another layout"),
+        shortcut(options, "--theme", "film.theme", "light, dark or print"),
+        shortcut(options, "--ground", "film.ground", "theme, or none: transparent"),
+        shortcut(options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT"),
+    };
+}
+
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
+    std::vector<Option> all;
+    for (const std::vector<Option>& list : lists) all.insert(all.end(), list.begin(), list.end());
+    return all;
 }
 
 Overrides overrides_of(const SceneOptions& options) {

@@ -1,17 +1,48 @@
-// What the commands share: the options that lay values over a scene, and where their output goes.
-// Each command is one file, command_NAME.cpp: it declares its options and does its work.
-// The door to CLI11.
+// What the commands are made of: each lists its options as data, and does its work. And what they
+// share: the options that lay values over a scene, and where their output goes.
+// Each command is one file, command_NAME.cpp; only command_line.cpp knows the library that reads
+// the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "scene/load.h"
 
 namespace carom {
+
+/// Where a list of words goes that is given as one, with commas between them.
+struct CommaSeparated {
+    std::vector<std::string>* words;
+};
+
+/// Takes a value each time that its option is given.
+using TakeValue = std::function<void(const std::string& value)>;
+
+/// Where the value of an option goes: a flag, a number from 1 on, a number, text, or a list of
+/// texts: all of them for words without a flag, else one for each time that the flag is given.
+using OptionValue = std::variant<bool*, int*, double*, std::optional<double>*, std::string*,
+                                 std::vector<std::string>*, CommaSeparated, TakeValue>;
+
+/// One option of a command, or the words that stand in it without a flag.
+struct Option {
+    std::string name;     ///< "-o,--output"; without dashes: words, of which one is required
+    std::string meaning;  ///< for the help
+    OptionValue value;
+    std::vector<std::string> choices = {};  ///< the only values; none: any
+};
+
+/// A command of the program. What `run` does and where values go is shared by its copies.
+struct Command {
+    std::string name, meaning;
+    std::vector<Option> options;
+    std::function<void()> run;
+};
 
 /// What may be said to every command that reads scenes.
 struct SceneOptions {
@@ -22,18 +53,21 @@ struct SceneOptions {
     bool timings = false;
 };
 
-/// Declares an option that is a short way to write `--set key=value`.
-void add_shortcut(CLI::App& command, SceneOptions& options, const std::string& flag,
-                  const std::string& key, const std::string& words);
+/// An option that is a short way to write `--set key=value`.
+Option shortcut(SceneOptions& options, const std::string& flag, const std::string& key,
+                const std::string& meaning);
 
-/// Declares --seed, --set and --quiet.
-void add_scene_options(CLI::App& command, SceneOptions& options);
+/// --seed, --set and --quiet.
+std::vector<Option> scene_options(SceneOptions& options);
 
-/// Declares --threads and --timings.
-void add_work_options(CLI::App& command, SceneOptions& options);
+/// --threads and --timings.
+std::vector<Option> work_options(SceneOptions& options);
 
-/// Declares --template, --theme, --ground and --size.
-void add_picture_options(CLI::App& command, SceneOptions& options);
+/// --template, --theme, --ground and --size.
+std::vector<Option> picture_options(SceneOptions& options);
+
+/// Some lists of options as one.
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
 /// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.
 Overrides overrides_of(const SceneOptions& options);
@@ -56,13 +90,12 @@ void refuse_second_standard_input(const std::vector<std::string>& scenes);
 /// Whether both names lead to one file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// The commands: each declares itself and does its work when it is called.
-void add_render(CLI::App& app);
-void add_still(CLI::App& app);
-void add_figures(CLI::App& app);
-void add_run(CLI::App& app);
-void add_check(CLI::App& app);
-void add_new(CLI::App& app);
-void add_schema(CLI::App& app);
+Command render_command();
+Command still_command();
+Command figures_command();
+Command run_command();
+Command check_command();
+Command new_command();
+Command schema_command();
 
 }  // namespace carom

@@ -100,18 +100,17 @@ void check_scenes(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("check", "whether scenes and sets are valid, and what they will cost");
+Command check_command() {
     const auto arguments = std::make_shared<CheckArguments>();
-    command
-        .add_option("scenes", arguments->scenes,
-                    "files of scenes and of figure sets; - for a scene from standard input")
-        ->required();
-    command.add_flag("--json", arguments->json, "for programs: a list with an object per file");
-    add_scene_options(command, *arguments);
-    add_picture_options(command, *arguments);
-    command.callback([arguments] { check_scenes(*arguments); });
+    CheckArguments& its = *arguments;
+    return {
+        "check", "whether scenes and sets are valid, and what they will cost",
+        joined({{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
+                  &its.scenes},
+                 {"--json", "for programs: a list with an object per file", &its.json}},
+                scene_options(its),
+                picture_options(its)}),
+        [arguments] { check_scenes(*arguments); }};
 }
 
 }  // namespace carom

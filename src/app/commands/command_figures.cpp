@@ -125,47 +125,37 @@ void make_all(const FiguresArguments& arguments) {
     }
 }
 
-// One word with commas in it, so that a scene may stand behind it.
-CLI::Option& listed_option(CLI::App& command, const std::string& flag,
-                           std::vector<std::string>& words, const std::string& about) {
-    return *command.add_option(flag, words, about)
-                ->delimiter(',')
-                ->allow_extra_args(false)
-                ->transform([](const std::string& word) { return CLI::detail::trim_copy(word); });
-}
-
 }  // namespace
 
-void add_figures(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("figures", "draw the figures of scenes and sets");
+Command figures_command() {
     const auto arguments = std::make_shared<FiguresArguments>();
-    command
-        .add_option("scenes", arguments->scenes,
-                    "files of scenes and of figure sets; - for a scene from standard input")
-        ->required();
-    command.add_option("-o,--output", arguments->output,
-                       "a folder, of several scenes one with a folder for each; out/SCENE if not "
-                       "given");
-    listed_option(command, "--formats", arguments->formats,
-                  fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")))
-        .check(CLI::IsMember(figure_formats));
-    listed_option(command, "--only", arguments->options.only,
-                  "names of figures, with commas between them");
-    command.add_flag("--force", arguments->options.force,
-                     "make all again, and replace files that carom did not write");
-    listed_option(command, "--page", arguments->pages,
+    FiguresArguments& its = *arguments;
+    return {
+        "figures", "draw the figures of scenes and sets",
+        joined({{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
+                  &its.scenes},
+                 {"-o,--output",
+                  "a folder, of several scenes one with a folder for each; out/SCENE if not given",
+                  &its.output},
+                 {"--formats",
+                  fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")),
+                  CommaSeparated{&its.formats}, figure_formats},
+                 {"--only", "names of figures, with commas between them",
+                  CommaSeparated{&its.options.only}},
+                 {"--force", "make all again, and replace files that carom did not write",
+                  &its.options.force},
+                 {"--page",
                   "a page that shows them: markdown, html, latex, or a template of your own "
-                  "(.md, .html, .tex); several with commas between them");
-    command.add_flag("--films", arguments->options.films,
-                     "render the films of the scenes, too, which pages then show");
-    add_scene_options(command, *arguments);
-    command
-        .add_option(
-            "--threads", arguments->threads,
-            "cores to use, for films and for runs side by side; the result is the same for any "
-            "number")
-        ->check(CLI::Range(1, 1024));
-    command.callback([arguments] { make_all(*arguments); });
+                  "(.md, .html, .tex); several with commas between them",
+                  CommaSeparated{&its.pages}},
+                 {"--films", "render the films of the scenes, too, which pages then show",
+                  &its.options.films}},
+                scene_options(its),
+                {{"--threads",
+                  "cores to use, for films and for runs side by side; the result is the same for "
+                  "any number",
+                  &its.threads}}}),
+        [arguments] { make_all(*arguments); }};
 }
 
 }  // namespace carom

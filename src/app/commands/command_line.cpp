@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -18,6 +19,49 @@
 
 namespace carom {
 namespace {
+
+template <class Value>
+CLI::Option& declare(CLI::App& app, const Option& option, Value* value) {
+    return *app.add_option(option.name, *value, option.meaning);
+}
+
+CLI::Option& declare(CLI::App& app, const Option& option, bool* value) {
+    return *app.add_flag(option.name, *value, option.meaning);
+}
+
+CLI::Option& declare(CLI::App& app, const Option& option, int* value) {
+    constexpr int most = 1024;
+    return *app.add_option(option.name, *value, option.meaning)->check(CLI::Range(1, most));
+}
+
+// Behind a flag one word only, so that a scene may stand behind it.
+CLI::Option& declare(CLI::App& app, const Option& option, std::vector<std::string>* value) {
+    CLI::Option& declared = *app.add_option(option.name, *value, option.meaning);
+    if (option.name.starts_with('-')) declared.allow_extra_args(false);
+    return declared;
+}
+
+CLI::Option& declare(CLI::App& app, const Option& option, const CommaSeparated& list) {
+    return *declare(app, option, list.words).delimiter(',')->transform([](const std::string& word) {
+        return CLI::detail::trim_copy(word);
+    });
+}
+
+CLI::Option& declare(CLI::App& app, const Option& option, const TakeValue& take) {
+    return *app.add_option_function<std::string>(option.name, take, option.meaning);
+}
+
+void add_command(CLI::App& app, const Command& command) {
+    CLI::App& declared = *app.add_subcommand(command.name, command.meaning);
+    for (const Option& option : command.options) {
+        CLI::Option& its = std::visit(
+            [&](const auto& value) -> CLI::Option& { return declare(declared, option, value); },
+            option.value);
+        if (!option.name.starts_with('-')) its.required();
+        if (!option.choices.empty()) its.check(CLI::IsMember(option.choices));
+    }
+    declared.callback(command.run);
+}
 
 void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
     std::vector<std::string> names;
@@ -67,9 +111,9 @@ int parse_and_run(int argc, const char* const* argv) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
-    for (const auto add :
-         {add_render, add_still, add_figures, add_run, add_check, add_new, add_schema})
-        add(app);
+    for (const auto command : {render_command, still_command, figures_command, run_command,
+                               check_command, new_command, schema_command})
+        add_command(app, command());
     refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);
     try {

@@ -129,16 +129,17 @@ void make_scene(const NewArguments& arguments) {
 
 }  // namespace
 
-void add_new(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("new", "write a commented scene to start from");
+Command new_command() {
     const auto arguments = std::make_shared<NewArguments>();
-    command.add_option("name", arguments->name, "the file to write: NAME.yaml")->required();
-    command.add_option(
-        "--from", arguments->from,
-        "another scene to begin with: a file, - for standard input, or the name of one in "
-        "the library");
-    command.add_flag("--quiet", arguments->quiet, "no report");
-    command.callback([arguments] { make_scene(*arguments); });
+    return {"new",
+            "write a commented scene to start from",
+            {{"name", "the file to write: NAME.yaml", &arguments->name},
+             {"--from",
+              "another scene to begin with: a file, - for standard input, or the name of one in "
+              "the library",
+              &arguments->from},
+             {"--quiet", "no report", &arguments->quiet}},
+            [arguments] { make_scene(*arguments); }};
 }
 
 }  // namespace carom

@@ -184,30 +184,34 @@ void render_scenes(const RenderArguments& arguments) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("render", "render the films of scenes");
+Command render_command() {
     const auto arguments = std::make_shared<RenderArguments>();
-    command.add_option("scenes", arguments->scenes, "scene files; - for standard input")
-        ->required();
-    command.add_option(
-        "-o,--output", arguments->output,
-        "the film (.mp4, .webm or .gif; - for standard output), an existing folder for it, or a "
-        "new folder with a slash for its frames as PNG (frames/); out/SCENE.mp4 if not given");
-    command.add_option("--format", arguments->format, "mp4, webm, gif, or png for frames")
-        ->check(CLI::IsMember(film_formats));
-    command.add_option("--from", arguments->from, "simulated time at which the film begins");
-    command.add_option("--to", arguments->to, "simulated time at which it ends");
-    command.add_flag("--words", arguments->words,
-                     "beside the film its captions, chapters and descriptions (.vtt) and a "
-                     "transcript (.txt)");
-    add_scene_options(command, *arguments);
-    add_picture_options(command, *arguments);
-    add_shortcut(command, *arguments, "--fps", "film.fps", "frames a second");
-    add_shortcut(command, *arguments, "--seconds", "film.seconds", "length of the film");
-    command.add_option("--quality", arguments->quality, "draft, standard or final")
-        ->check(CLI::IsMember({"draft", "standard", "final"}));
-    add_work_options(command, *arguments);
-    command.callback([arguments] { render_scenes(*arguments); });
+    RenderArguments& its = *arguments;
+    return {
+        "render", "render the films of scenes",
+        joined({{{"scenes", "scene files; - for standard input", &its.scenes},
+                 {"-o,--output",
+                  "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
+                  "it, or a new folder with a slash for its frames as PNG (frames/); "
+                  "out/SCENE.mp4 if not given",
+                  &its.output},
+                 {"--format", "mp4, webm, gif, or png for frames", &its.format, film_formats},
+                 {"--from", "simulated time at which the film begins", &its.from},
+                 {"--to", "simulated time at which it ends", &its.to},
+                 {"--words",
+                  "beside the film its captions, chapters and descriptions (.vtt) and a "
+                  "transcript (.txt)",
+                  &its.words}},
+                scene_options(its),
+                picture_options(its),
+                {shortcut(its, "--fps", "film.fps", "frames a second"),
+                 shortcut(its, "--seconds", "film.seconds", "length of the film"),
+                 {"--quality",
+                  "draft, standard or final",
+                  &its.quality,
+                  {"draft", "standard", "final"}}},
+                work_options(its)}),
+        [arguments] { render_scenes(*arguments); }};
 }
 
 }  // namespace carom

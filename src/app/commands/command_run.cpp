@@ -102,16 +102,17 @@ void run_scene(const RunArguments& arguments) {
 
 }  // namespace
 
-void add_run(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("run", "run the physics alone: statistics and samples");
+Command run_command() {
     const auto arguments = std::make_shared<RunArguments>();
-    command.add_option("scene", arguments->scene, "a scene file; - for standard input")->required();
-    command.add_option("--json", arguments->json, "the statistics as JSON; - for standard output");
-    command.add_option("--csv", arguments->csv,
-                       "all samples, a row for each particle; - for standard output");
-    add_scene_options(command, *arguments);
-    add_work_options(command, *arguments);
-    command.callback([arguments] { run_scene(*arguments); });
+    RunArguments& its = *arguments;
+    return {"run", "run the physics alone: statistics and samples",
+            joined({{{"scene", "a scene file; - for standard input", &its.scene},
+                     {"--json", "the statistics as JSON; - for standard output", &its.json},
+                     {"--csv", "all samples, a row for each particle; - for standard output",
+                      &its.csv}},
+                    scene_options(its),
+                    work_options(its)}),
+            [arguments] { run_scene(*arguments); }};
 }
 
 }  // namespace carom

@@ -8,14 +8,13 @@
 
 namespace carom {
 
-void add_schema(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("schema", "print the JSON Schema of scenes, for editors");
+Command schema_command() {
     const auto what = std::make_shared<std::string>("scene");
-    command.add_option("--for", *what, "scene, or set: a figure set")
-        ->check(CLI::IsMember({"scene", "set"}));
-    command.callback(
-        [what] { Output("-").write(*what == "set" ? set_schema_json() : scene_schema_json()); });
+    return {
+        "schema",
+        "print the JSON Schema of scenes, for editors",
+        {{"--for", "scene, or set: a figure set", what.get(), {"scene", "set"}}},
+        [what] { Output("-").write(*what == "set" ? set_schema_json() : scene_schema_json()); }};
 }
 
 }  // namespace carom

@@ -55,21 +55,20 @@ void make_still(const StillArguments& arguments) {
 
 }  // namespace
 
-void add_still(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("still", "draw one frame of a film as a PNG, SVG or PDF");
+Command still_command() {
     const auto arguments = std::make_shared<StillArguments>();
-    command.add_option("scene", arguments->scene, "a scene file; - for standard input")->required();
-    command.add_option("--at", arguments->at, "simulated time; the nearest frame is drawn");
-    command.add_option(
-        "-o,--output", arguments->output,
-        "the picture (.png, .svg, .pdf; - for standard output), or a folder; out/SCENE.png "
-        "if not given");
-    command.add_option("--format", arguments->format, "png, svg or pdf")
-        ->check(CLI::IsMember({"png", "svg", "pdf"}));
-    add_scene_options(command, *arguments);
-    add_picture_options(command, *arguments);
-    command.callback([arguments] { make_still(*arguments); });
+    StillArguments& its = *arguments;
+    return {"still", "draw one frame of a film as a PNG, SVG or PDF",
+            joined({{{"scene", "a scene file; - for standard input", &its.scene},
+                     {"--at", "simulated time; the nearest frame is drawn", &its.at},
+                     {"-o,--output",
+                      "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
+                      "out/SCENE.png if not given",
+                      &its.output},
+                     {"--format", "png, svg or pdf", &its.format, {"png", "svg", "pdf"}}},
+                    scene_options(its),
+                    picture_options(its)}),
+            [arguments] { make_still(*arguments); }};
 }
 
 }  // namespace carom

@@ -77,7 +77,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("zlib.*"), {"draw/png.cpp"}},
     {std::regex("lib(av|sw).*"),
      {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
-    {std::regex("CLI/.*"), {"app/command.h"}},
+    {std::regex("CLI/.*"), {"app/commands/command_line.cpp"}},
     {std::regex("nlohmann/.*"),
      {"app/report/run_json.cpp", "app/report/check_json.cpp", "app/report/schema_json.cpp",
       "app/figures/figures_json.cpp"}},

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -24,14 +25,6 @@ std::string as_yaml_size(const std::string& text) {
 bool names_folder(const std::string& output, bool several) {
     std::error_code error;  // a name that cannot be looked at will be told when it is written
     return several || output.ends_with('/') || fs::is_directory(output, error);
-}
-
-// `.png, .svg or .pdf`
-std::string listed(const std::vector<std::string>& words) {
-    std::string text = words.front();
-    for (std::size_t i = 1; i < words.size(); ++i)
-        text += (i + 1 == words.size() ? " or " : ", ") + words[i];
-    return text;
 }
 
 }  // namespace
@@ -109,7 +102,7 @@ fs::path output_path(const std::string& output, bool several, const std::string&
     if (is_same_file(path, scene))
         throw UsageError(fmt::format("-o {}: this is the scene itself", output));
     if (std::ranges::find(extensions, path.extension().string()) == extensions.end())
-        throw UsageError(fmt::format("-o {}: the name must end in {}", output, listed(extensions)));
+        throw UsageError(fmt::format("-o {}: the name must end in {}", output, listed(extensions, "or")));
     return path;
 }
 

@@ -85,11 +85,6 @@ void draw_plot(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, con
 
 }  // namespace
 
-std::string name_of(FigureFormat format) {
-    if (format == FigureFormat::svg) return "svg";
-    return format == FigureFormat::pdf ? "pdf" : "png";
-}
-
 double smallest_type(const FigureSpec& spec) { return spec.slide ? slide_type : print_type; }
 
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
@@ -98,20 +93,16 @@ std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
     return {sheet.width * unit, sheet.height * unit};
 }
 
-Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
+Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,
                    const PictureWords& words) {
     const FigureSpec& spec = *figure.spec;
     const double raster = spec.slide ? slide_dots : print_dots;
-    const double dots = format == FigureFormat::png ? raster : vector_dots;
+    const double dots = format ? vector_dots : raster;
     const double unit = smallest_type(spec) / 72.0 * dots;
     const Sheet sheet = sheet_of(run.scene(), spec);
     const PixelSize size{static_cast<int>(std::lround(sheet.width * unit)),
                          static_cast<int>(std::lround(sheet.height * unit))};
-    Canvas canvas =
-        format == FigureFormat::png
-            ? Canvas(size)
-            : Canvas(size, format == FigureFormat::svg ? VectorFormat::svg : VectorFormat::pdf,
-                     words);
+    Canvas canvas = format ? Canvas(size, *format, words) : Canvas(size);
     if (canvas.is_raster()) canvas.describe(words);
     DiskPainter disks;
     const DrawContext dc{

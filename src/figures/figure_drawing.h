@@ -3,17 +3,12 @@
 #pragma once
 
 #include <array>
-#include <string>
+#include <optional>
 
 #include "draw/canvas.h"
 #include "figures/figure_run.h"
 
 namespace carom {
-
-enum class FigureFormat { svg, pdf, png };
-
-/// svg, pdf, png: the ending of its files, too.
-std::string name_of(FigureFormat format);
 
 /// The smallest type, points: labels of axes. Titles are 1.15 times as large.
 double smallest_type(const FigureSpec& spec);
@@ -21,10 +16,10 @@ double smallest_type(const FigureSpec& spec);
 /// Width and height, centimetres.
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
-/// The picture of a figure; `words` go with it. PNG has 300 pixels to the inch
+/// The picture of a figure, in vectors or in pixels; `words` go with it. Of pixels there are 300 to the inch
 /// (a slide 144), vector pictures the same lengths in centimetres to a quarter of a millimetre.
 /// Throws SystemError.
-Canvas draw_figure(const FigureRun& run, const Figure& figure, FigureFormat format,
+Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,
                    const PictureWords& words);
 
 /// What the picture shows, as numbers; of a strip with the time of each picture first.

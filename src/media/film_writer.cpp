@@ -6,7 +6,6 @@
 #include <atomic>
 #include <utility>
 
-#include "media/gif_film.h"
 #include "util/atomic_file.h"
 
 namespace carom {
@@ -75,15 +74,27 @@ class FrameFolder : public FilmWriter {
     std::atomic<std::int64_t> bytes_ = 0;
 };
 
+std::unique_ptr<FilmWriter> video_film(const std::filesystem::path& path, VideoSettings settings,
+                                       VideoFormat format) {
+    settings.format = format;
+    return std::make_unique<VideoFilm>(path, settings);
+}
+
 }  // namespace
 
-std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
-                                        const VideoSettings& settings, int frames) {
-    if (!path.has_filename()) return std::make_unique<FrameFolder>(path, frames);
-    if (path.extension() == ".gif") return gif_film(path, settings);
-    VideoSettings chosen = settings;
-    chosen.format = path.extension() == ".webm" ? VideoFormat::webm : VideoFormat::mp4;
-    return std::make_unique<VideoFilm>(path, chosen);
+std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
+                                     const VideoSettings& settings, int) {
+    return video_film(path, settings, VideoFormat::mp4);
+}
+
+std::unique_ptr<FilmWriter> webm_film(const std::filesystem::path& path,
+                                      const VideoSettings& settings, int) {
+    return video_film(path, settings, VideoFormat::webm);
+}
+
+std::unique_ptr<FilmWriter> folder_of_frames(const std::filesystem::path& path,
+                                             const VideoSettings&, int frames) {
+    return std::make_unique<FrameFolder>(path, frames);
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "draw/canvas.h"
 #include "media/video_writer.h"
@@ -32,11 +33,9 @@ class FilmWriter {
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
 
-    /// How many frames, spread over the whole film, it must see before the first segment: to choose
-    /// its colours. None: preview() and previews_done() are not called.
-    virtual int wanted_previews() const { return 0; }
-    virtual void preview(const Canvas&) {}  ///< one of them, in order
-    virtual void previews_done() {}
+    /// Colours for the whole film, 0xffRRGGBB, before the first segment: for a format that has few
+    /// of them (OutputFormat::previews).
+    virtual void use_colors(const std::vector<std::uint32_t>&) {}
 
     /// The segment that begins with frame number `first`, from 0. From any thread.
     virtual std::unique_ptr<FilmSegment> segment(int first) = 0;
@@ -44,10 +43,15 @@ class FilmWriter {
     virtual std::int64_t bytes() const = 0;  ///< of all that was written, after commit
 };
 
-/// A folder of frame-00001.png and so on when `path` ends in a slash (it must be empty if it is
-/// there already), otherwise by its extension: .webm, .gif, MP4 under any other name.
-/// `frames` are those of the whole film: so many digits.
-std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
-                                        const VideoSettings& settings, int frames);
+/// H.264 in MP4, and VP9 in WebM.
+std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
+                                     const VideoSettings& settings, int frames);
+std::unique_ptr<FilmWriter> webm_film(const std::filesystem::path& path,
+                                      const VideoSettings& settings, int frames);
+
+/// A folder of frame-00001.png and so on, which must be empty if it is there already. `frames` are
+/// those of the whole film: so many digits.
+std::unique_ptr<FilmWriter> folder_of_frames(const std::filesystem::path& path,
+                                             const VideoSettings& settings, int frames);
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "media/gif_encoder.h"
+#include "media/gif_palette.h"
 #include "util/atomic_file.h"
 
 namespace carom {
@@ -74,19 +75,8 @@ class GifFilm : public FilmWriter {
         assert(settings_.fps <= most_gif_frames_per_second);
     }
 
-    int wanted_previews() const override { return 32; }
-
-    void preview(const Canvas& frame) override {
-        if (!maker_) maker_ = std::make_unique<PaletteMaker>(settings_.width, settings_.height);
-        maker_->add(frame.pixels());
-    }
-
-    std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
-
-    // Before any segment: they share the palette.
-    void previews_done() override {
-        palette_ = maker_->finish();
-        maker_.reset();
+    void use_colors(const std::vector<std::uint32_t>& colors) override {
+        std::ranges::copy(colors, palette_.begin());
         Bytes start;
         put_screen(start, settings_.width, settings_.height);
         put_palette(start, palette_);
@@ -94,6 +84,9 @@ class GifFilm : public FilmWriter {
         put_comment(start, settings_);
         file_.write(start);
     }
+
+    // After use_colors(): segments share the palette.
+    std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
 
     void commit() override {
         constexpr std::string_view end = ";";
@@ -130,7 +123,6 @@ class GifFilm : public FilmWriter {
 
     VideoSettings settings_;
     AtomicFile file_;
-    std::unique_ptr<PaletteMaker> maker_;
     GifPalette palette_{};
     int frames_ = 0;
     std::int64_t bytes_ = 0;
@@ -146,7 +138,7 @@ int gif_delay(int frame, int fps) {
 }
 
 std::unique_ptr<FilmWriter> gif_film(const std::filesystem::path& path,
-                                     const VideoSettings& settings) {
+                                     const VideoSettings& settings, int) {
     return std::make_unique<GifFilm>(path, settings);
 }
 

@@ -17,8 +17,8 @@ constexpr int most_gif_frames_per_second = 50;
 /// add up to its length.
 int gif_delay(int frame, int fps);
 
-/// The metadata stand in it as a comment. Throws SystemError.
+/// The metadata stand in it as a comment. Its colours come from use_colors(). Throws SystemError.
 std::unique_ptr<FilmWriter> gif_film(const std::filesystem::path& path,
-                                     const VideoSettings& settings);
+                                     const VideoSettings& settings, int frames);
 
 }  // namespace carom

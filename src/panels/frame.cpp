@@ -12,7 +12,7 @@
 namespace carom {
 Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
-Observers::Observers(const Scene& scene, const Particles& particles, const Sample& start)
+PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start)
     : scene_(scene),
       particles_(particles),
       equilibrium_(equilibrium(scene.gas.box, particles, start)) {
@@ -35,58 +35,60 @@ Observers::Observers(const Scene& scene, const Particles& particles, const Sampl
         panels_.push_back({slots[i], std::move(panels[i])});
 }
 
-bool Observers::wants_collisions() const {
-    return std::ranges::any_of(
-        panels_, [](const Placed& placed) { return placed.panel->wants_collisions(); });
+bool PanelSet::wants_collisions() const {
+    return std::ranges::any_of(panels_, [](const Placed& placed) {
+        return placed.panel->wants_collisions() || placed.panel->surveys_collisions();
+    });
 }
 
-bool Observers::surveys_collisions() const {
-    return std::ranges::any_of(
-        panels_, [](const Placed& placed) { return placed.panel->surveys_collisions(); });
+FrameInput PanelSet::input(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+    speed_ = speeds(sample);
+    energy_ = kinetic_energies(particles_, sample);
+    return {tick, sample, speed_, energy_, advanced};
 }
 
-std::vector<double> Observers::return_times(const std::vector<Tick>& ticks) const {
+std::vector<double> PanelSet::return_times(const std::vector<Tick>& ticks) const {
     const bool wanted = std::ranges::any_of(
         panels_, [](const Placed& placed) { return placed.panel->wants_return_distances(); });
     if (!wanted) return {};
     return carom::return_times(scene_, particles_.count(), ticks);
 }
 
-void Observers::survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+void PanelSet::survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
     if (is_card(tick.phase)) return;
-    const Eigen::ArrayXd speed = speeds(sample);
-    const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
-    const FrameInput input{tick, sample, speed, energy, advanced};
-    for (const Placed& placed : panels_) placed.panel->survey(input);
+    const FrameInput now = input(tick, sample, advanced);
+    for (const Placed& placed : panels_) placed.panel->survey(now);
 }
 
-void Observers::fix_axes() {
+void PanelSet::fix_axes() {
     for (const Placed& placed : panels_) placed.panel->fix_axes();
 }
 
-FrameData Observers::frame_data(const Tick& tick, const Sample& sample,
-                                const AdvanceResult& advanced) {
+void PanelSet::archive(Archive& archive) {
+    for (const Placed& placed : panels_) placed.panel->archive(archive);
+}
+
+FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
+                               const AdvanceResult& advanced) {
     FrameData frame{tick, {}, 0};
     if (is_card(tick.phase)) return frame;
-    const Eigen::ArrayXd speed = speeds(sample);
-    const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
-    const FrameInput input{tick, sample, speed, energy, advanced};
+    const FrameInput now = input(tick, sample, advanced);
     for (const Placed& placed : panels_) {
-        frame.states.push_back(placed.panel->state(input));
+        frame.states.push_back(placed.panel->state(now));
         frame.bytes += frame.states.back()->bytes();
     }
     return frame;
 }
 
-FramePainter::FramePainter(const Scene& scene, const Observers& observers)
-    : scene_(scene),
-      observers_(observers),
-      theme_(theme_of(scene.film.theme)),
-      grid_(scene.film.layout, scene.film.size),
+FramePainter::FramePainter(const PanelSet& panels)
+    : scene_(panels.scene()),
+      panels_(panels),
+      theme_(theme_of(scene_.film.theme)),
+      grid_(scene_.film.layout, scene_.film.size),
       unit_(grid_.unit()),
-      captions_(caption_schedule(scene)),
-      ground_(blank(scene.film)),
-      canvas_(blank(scene.film)) {
+      captions_(caption_schedule(scene_)),
+      ground_(blank(scene_.film)),
+      canvas_(blank(scene_.film)) {
     draw_ground(ground_);
 }
 
@@ -98,16 +100,16 @@ Canvas FramePainter::blank(const Film& film) {
 void FramePainter::draw_ground(Canvas& canvas) {
     if (!scene_.film.transparent) canvas.fill_all(theme_.page);
     draw_title(canvas);
-    for (const Observers::Placed& placed : observers_.panels())
-        placed.panel->draw_ground(canvas, page(placed.slot));
-    const DrawContext key = page(scene_.film.layout.color_bar);
-    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    for (const PanelSet::Placed& placed : panels_.panels())
+        placed.panel->draw_ground(canvas, context_at(placed.slot));
+    const DrawContext key = context_at(scene_.film.layout.color_bar);
+    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
-    observers_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
-                              page(scene_.film.layout.gas));
+    panels_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
+                           context_at(scene_.film.layout.gas));
 }
 
-DrawContext FramePainter::page(const Slot& slot) {
+DrawContext FramePainter::context_at(const Slot& slot) {
     return {grid_.place(slot), unit_, theme_, disks_};
 }
 
@@ -183,8 +185,8 @@ void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
 
 void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame, bool still) {
     for (std::size_t i = 0; i < frame.states.size(); ++i) {
-        const Observers::Placed& placed = observers_.panels()[i];
-        placed.panel->draw(canvas, page(placed.slot), *frame.states[i]);
+        const PanelSet::Placed& placed = panels_.panels()[i];
+        placed.panel->draw(canvas, context_at(placed.slot), *frame.states[i]);
     }
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
@@ -242,11 +244,11 @@ void FramePainter::draw_card(Canvas& canvas, const Tick& tick) const {
 // In a corner of the gas, where no clock says it.
 void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
     if (tick.slow.share <= 0.0) return;
-    if (std::ranges::any_of(observers_.panels(), [](const Observers::Placed& placed) {
+    if (std::ranges::any_of(panels_.panels(), [](const PanelSet::Placed& placed) {
             return placed.panel->shows_time();
         }))
         return;
-    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const std::string words = slow_words(tick.slow);
     TextStyle style{.size = 1.5 * unit_,
                     .weight = 600,
@@ -267,7 +269,7 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
         if (still) opacity = 1.0;
         const Rect line = grid_.place(*layout.caption);
         const Rect place = grid_.place(layout.gas);
-        const Rect box = observers_.gas().frame_in(place);
+        const Rect box = panels_.gas().frame_in(place);
         const std::string words = escape_markup(caption.words);
         TextStyle style{.size = 1.5 * unit_,
                         .weight = 500,
@@ -288,7 +290,7 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
-    const Rect box = observers_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas));
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const std::string words = "velocities reversed";
     const TextStyle style{.size = 2.2 * unit_,

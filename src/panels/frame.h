@@ -1,4 +1,4 @@
-// The frame as a value, the observers that make it in order of time, and the painter that draws it.
+// The frame as a value, the panels that make it in order of time, and the painter that draws it.
 #pragma once
 
 #include <memory>
@@ -15,27 +15,32 @@ namespace carom {
 struct FrameData {
     Tick tick;
     std::vector<std::shared_ptr<const PanelState>>
-        states;  ///< one for each of Observers' panels, in order; none in a card
+        states;  ///< one for each of the set's panels, in order; none in a card
     std::size_t bytes = 0;
 };
 
-/// The panels of a film as observers of the run: see it once in survey(), fix_axes(), then once
-/// more for the frames.
-class Observers {
+/// The panels of a film. Their axes are fixed by a first pass over the run, or read from what
+/// another set has fixed; then they give what each frame shows.
+class PanelSet {
   public:
     /// `start` is the state at t = 0, which fixes the equilibrium that curves show. Throws
-    /// SceneError where words do not fit into their place.
-    Observers(const Scene& scene, const Particles& particles, const Sample& start);
-    Observers(const Observers&) = delete;  // its panels refer to its particles
-    Observers& operator=(const Observers&) = delete;
+    /// SceneError where words do not fit into their place. `scene` outlives the set.
+    PanelSet(const Scene& scene, const Particles& particles, const Sample& start);
+    PanelSet(const PanelSet&) = delete;  // its panels refer to its particles
+    PanelSet& operator=(const PanelSet&) = delete;
 
-    /// Cards show nothing of the gas: panels do not see them.
+    /// First pass, every frame in order. Cards show nothing of the gas: panels do not see them.
     void survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
     void fix_axes();
+
+    /// Writes or reads what the first pass has fixed.
+    void archive(Archive& archive);
+
+    /// Second pass, every frame in order.
     FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
 
+    /// Whether any panel needs the collisions on the way, in either pass.
     bool wants_collisions() const;
-    bool surveys_collisions() const;
 
     /// Times at which the first pass measures return distances; none if no panel needs them.
     std::vector<double> return_times(const std::vector<Tick>& ticks) const;
@@ -47,22 +52,26 @@ class Observers {
     };
     const std::vector<Placed>& panels() const { return panels_; }  ///< the gas is the first
     const Panel& gas() const { return *panels_.front().panel; }
+    const Scene& scene() const { return scene_; }
 
   private:
+    FrameInput input(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
+
     const Scene& scene_;
     Particles particles_;
     std::optional<EquilibriumGas> equilibrium_;
     std::vector<Placed> panels_;
+    Eigen::ArrayXd speed_, energy_;  ///< of the present frame
 };
 
 /// The theme's page, behind everything that is not transparent.
 Color page_color(const Film& film);
 
-/// Draws frames of one film on one thread. After fix_axes(), any number of painters may share the
-/// observers.
+/// Draws frames of one film on one thread. Any number of painters may share a set whose axes are
+/// fixed.
 class FramePainter {
   public:
-    FramePainter(const Scene& scene, const Observers& observers);
+    explicit FramePainter(const PanelSet& panels);
 
     /// An empty raster such as the film's frames are drawn on.
     static Canvas blank(const Film& film);
@@ -75,7 +84,7 @@ class FramePainter {
     void paint_on(Canvas& canvas, const FrameData& frame);
 
   private:
-    DrawContext page(const Slot& slot);
+    DrawContext context_at(const Slot& slot);
     TextStyle title_style(double width) const;
     void draw_ground(Canvas& canvas);
     void draw_title(Canvas& canvas) const;
@@ -89,7 +98,7 @@ class FramePainter {
     void draw_caption(Canvas& canvas, const Tick& tick, bool still) const;
 
     const Scene& scene_;
-    const Observers& observers_;
+    const PanelSet& panels_;
     const Theme& theme_;
     Grid grid_;
     double unit_;

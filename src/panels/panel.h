@@ -68,7 +68,7 @@ class Panel {
 
     /// Writes or reads all that the first pass has fixed: axes, scales, records of the whole run.
     /// A panel that reads it has seen no first pass, and is ready for the second.
-    virtual void archive(Archive&) {}
+    virtual void archive(Archive& archive) = 0;
 
     /// Second pass, every frame in order.
     virtual std::shared_ptr<const PanelState> state(const FrameInput& input) = 0;

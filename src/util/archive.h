@@ -28,6 +28,13 @@ concept Archivable = requires(T& value, Archive& archive) {
     value.archive(archive);
 };
 
+/// A value whose parts are listed by a function beside it, `archive_parts(archive, value)`: for
+/// types of modules that know no archive.
+template <class T>
+concept PartsListed = requires(T& value, Archive& archive) {
+    archive_parts(archive, value);
+};
+
 /// An array of Eigen's, dense and of any shape.
 template <class T>
 concept MatrixLike = requires(T& value) {
@@ -102,6 +109,8 @@ class Archive {
             number(its);
         } else if constexpr (Archivable<T>) {
             its.archive(*this);
+        } else if constexpr (PartsListed<T>) {
+            archive_parts(*this, its);
         } else if constexpr (MatrixLike<T>) {
             matrix(its);
         } else {

@@ -18,7 +18,7 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
 #include "app/resources.h"
 #include "media/yuv.h"
 #include "panels/frame.h"
@@ -69,7 +69,7 @@ void print_drawing() {
                "convert");
     for (int disks : {200, 1000, 10000, 100000}) {
         const test::Shot film(scene_of(disks, disks > 20000 ? 3.0 : 10.0), 90);
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         Yuv yuv(1920, 1080);
         painter.paint(film.frames.front());
         double draw = 0.0, convert = 0.0;
@@ -88,7 +88,7 @@ void print_drawing() {
 
 std::vector<Yuv> converted(const Scene& scene) {
     const test::Shot film(scene);
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     std::vector<Yuv> frames;
     for (const FrameData& frame : film.frames) {
         frames.emplace_back(1920, 1080);

@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
 #include "app/resources.h"
 #include "scene/load.h"
 

@@ -5,39 +5,45 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "panels/frame.h"
 #include "panels/precision.h"
+#include "panels/recording.h"
+#include "util/archive.h"
 
 namespace carom::test {
 
-/// A film's frames, or the first `most` of them, and what draws them.
+/// A film's frames, or the first `most` of them, and what draws them: panels that have read what
+/// the first pass of others has fixed.
 struct Shot {
     Scene scene;
-    std::unique_ptr<Observers> observers;
+    std::unique_ptr<PanelSet> panels;
     std::vector<FrameData> frames;
 
     explicit Shot(const Scene& loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
         : scene(with_precision(loaded)) {
-        Simulation survey(scene.gas, scene.run);
-        Simulation simulation(scene.gas, scene.run);
-        observers = std::make_unique<Observers>(scene, simulation.particles(), simulation.sample());
-        std::vector<Tick> ticks = timeline(scene);
-        survey.record_collisions(observers->surveys_collisions());
-        survey.measure_return(observers->return_times(ticks));
-        for (const Tick& tick : ticks) {
-            const AdvanceResult advanced = survey.advance_to(tick.time);
-            observers->survey(tick, survey.sample(), advanced);
-        }
-        observers->fix_axes();
-        ticks.resize(std::min(ticks.size(), most));
-        simulation.record_collisions(observers->wants_collisions());
-        for (const Tick& tick : ticks) {
-            const AdvanceResult advanced = simulation.advance_to(tick.time);
-            frames.push_back(observers->frame_data(tick, simulation.sample(), advanced));
-        }
+        Simulation start(scene.gas, scene.run);
+        const Particles particles = start.particles();
+        const Sample sample_at_start = start.sample();
+        PanelSet first(scene, particles, sample_at_start);
+        const std::vector<Tick> ticks = timeline(scene);
+        const Recording run(
+            start, ticks, {first.wants_collisions(), first.return_times(ticks)},
+            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                first.survey(tick, sample, advanced);
+            });
+        first.fix_axes();
+        Archive written;
+        first.archive(written);
+        panels = std::make_unique<PanelSet>(scene, particles, sample_at_start);
+        Archive read(written.finished(), "axes");
+        panels->archive(read);
+        read.expect_end();
+        run.play(std::min(run.ticks().size(), most),
+                 [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                     frames.push_back(panels->frame_data(tick, sample, advanced));
+                 });
     }
 };
 

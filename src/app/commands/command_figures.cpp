@@ -11,6 +11,7 @@
 #include "app/figures/set_loading.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "media/formats.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -138,8 +139,8 @@ Command figures_command() {
                   "a folder, of several scenes one with a folder for each; out/SCENE if not given",
                   &its.output},
                  {"--formats",
-                  fmt::format("{}, with commas between them", fmt::join(figure_formats, ", ")),
-                  CommaSeparated{&its.formats}, figure_formats},
+                  fmt::format("{}, with commas between them", fmt::join(figure_formats(), ", ")),
+                  CommaSeparated{&its.formats}, figure_formats()},
                  {"--only", "names of figures, with commas between them",
                   CommaSeparated{&its.options.only}},
                  {"--force", "make all again, and replace files that carom did not write",

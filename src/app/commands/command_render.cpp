@@ -1,6 +1,7 @@
 // carom render: the films of scenes.
 #include <fmt/format.h>
 
+#include <cctype>
 #include <memory>
 #include <optional>
 #include <set>
@@ -8,11 +9,10 @@
 #include "app/command.h"
 #include "app/film/film_path.h"
 #include "app/film/letters.h"
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
 #include "app/output.h"
 #include "app/resources.h"
 #include "app/scratch_folder.h"
-#include "media/gif_film.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -61,21 +61,24 @@ void refuse_span(const RenderArguments& arguments, const Scene& scene) {
             fmt::format("--from {} --to {}: expected an end after the start", from, to));
 }
 
-void refuse_format(const std::string& format, const Scene& scene) {
-    if (scene.film.transparent && format == "mp4")
+std::string upper_case(std::string text) {
+    for (char& letter : text)
+        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    return text;
+}
+
+void refuse_format(const OutputFormat& format, const Scene& scene) {
+    if (scene.film.transparent && !format.no_transparency.empty())
         throw UsageError(
-            "the ground is none, and H.264 in MP4 has no transparency; write a .webm or a folder "
-            "of frames (--format webm or png)");
-    if (scene.film.transparent && format == "gif")
+            fmt::format("the ground is none, and {}; write a .webm or a folder of frames (--format "
+                        "webm or png)",
+                        format.no_transparency));
+    const int most = format.most_frames_per_second;
+    if (most > 0 && scene.film.fps > most)
         throw UsageError(
-            "the ground is none, and the pixels of a GIF are either there or not, which would "
-            "leave "
-            "ragged letters; write a .webm or a folder of frames (--format webm or png)");
-    if (format == "gif" && scene.film.fps > most_gif_frames_per_second)
-        throw UsageError(
-            fmt::format("a GIF cannot show {} frames a second, {} are the most; give "
-                        "--fps {} or fewer, or write a .webm or .mp4",
-                        scene.film.fps, most_gif_frames_per_second, most_gif_frames_per_second));
+            fmt::format("a {} cannot show {} frames a second, {} are the most; give --fps {} or "
+                        "fewer, or write a .webm or .mp4",
+                        upper_case(format.name), scene.film.fps, most, most));
 }
 
 std::string timings(const RenderReport& report) {
@@ -86,7 +89,9 @@ std::string timings(const RenderReport& report) {
     const double events = static_cast<double>(report.collisions.particle + report.collisions.wall);
     const double frames = report.frames;
     row("simulate", report.simulate_seconds,
-        fmt::format("{:.3g} events/s, both passes", 2.0 * events / report.simulate_seconds));
+        fmt::format("{:.3g} events in each of {}: {}", events,
+                    counted(static_cast<int>(report.passes.size()), "run"),
+                    fmt::join(report.passes, "; ")));
     row("draw", report.draw_seconds,
         fmt::format("{:.2f} ms a frame", 1e3 * report.draw_seconds / frames));
     row("encode", report.encode_seconds,
@@ -105,15 +110,15 @@ std::vector<Scene> load_all(const RenderArguments& arguments) {
     });
 }
 
-// A GIF holds every change of every pixel: what pages and mail take without trouble is soon passed.
-std::string warning(const std::string& format, const RenderReport& report) {
-    constexpr double large = 10e6;
+// What pages and mail take without trouble is soon passed by a format that holds every change of
+// every pixel.
+std::string warning(const OutputFormat& format, const RenderReport& report) {
     const auto bytes = static_cast<double>(report.bytes);
-    if (format != "gif" || bytes < large) return "";
+    if (format.large_bytes == 0.0 || bytes < format.large_bytes) return "";
     return fmt::format(
-        "carom: {:.0f} MB is large for a GIF; a smaller --size or --fps makes it "
+        "carom: {:.0f} MB is large for a {}; a smaller --size or --fps makes it "
         "smaller, and a .webm takes a third of it\n",
-        1e-6 * bytes);
+        1e-6 * bytes, upper_case(format.name));
 }
 
 void tell(const RenderArguments& arguments, const Scene& scene, const RenderReport& report) {
@@ -130,11 +135,11 @@ void tell(const RenderArguments& arguments, const Scene& scene, const RenderRepo
     fmt::print("{}", text);
 }
 
-RenderReport render_to_stream(const Scene& scene, RenderOptions options, const std::string& format,
-                              Progress& progress) {
+RenderReport render_to_stream(const Scene& scene, RenderOptions options,
+                              const OutputFormat& format, Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
-    options.output = folder.path() / ("film." + format);
+    options.output = folder.path() / ("film." + format.name);
     const RenderReport report = render(scene, options, progress);
     stream.copy(options.output);
     return report;
@@ -144,11 +149,11 @@ void render_scene(const RenderArguments& arguments, const std::string& name, con
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     const FilmDestination destination = destination_of(arguments);
     const fs::path path = film_path(destination, name);
-    const std::string format = film_format(destination, path);
+    const OutputFormat& format = film_format(destination, path);
     const RenderOptions options{.output = path,
                                 .quality = quality_of(arguments.quality),
                                 .threads = threads_of(arguments),
-                                .words = arguments.words,
+                                .text = arguments.words,
                                 .from = arguments.from,
                                 .to = arguments.to};
     const RenderReport report = Output::is_standard_output(path.string())
@@ -195,7 +200,7 @@ Command render_command() {
                   "it, or a new folder with a slash for its frames as PNG (frames/); "
                   "out/SCENE.mp4 if not given",
                   &its.output},
-                 {"--format", "mp4, webm, gif, or png for frames", &its.format, film_formats},
+                 {"--format", "mp4, webm, gif, or png for frames", &its.format, film_formats()},
                  {"--from", "simulated time at which the film begins", &its.from},
                  {"--to", "simulated time at which it ends", &its.to},
                  {"--words",

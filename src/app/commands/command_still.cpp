@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/command.h"
 #include "app/film/letters.h"
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
 #include "app/output.h"
 #include "app/resources.h"
+#include "media/image_writer.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -25,8 +27,10 @@ struct StillArguments : SceneOptions {
 std::filesystem::path still_path(const StillArguments& arguments) {
     const std::string &output = arguments.output, &format = arguments.format;
     if (Output::is_standard_output(output)) return "still." + (format.empty() ? "png" : format);
-    std::vector<std::string> extensions = {".png", ".svg", ".pdf"};
-    if (!format.empty()) std::swap(extensions[0], *std::ranges::find(extensions, "." + format));
+    std::vector<std::string> extensions;
+    for (const std::string& name : still_formats()) extensions.push_back("." + name);
+    std::ranges::rotate(extensions, std::ranges::find(extensions,
+                                                      "." + (format.empty() ? "png" : format)));
     const std::filesystem::path path = output_path(output, false, arguments.scene, extensions);
     if (!format.empty() && path.extension() != "." + format)
         throw UsageError(fmt::format("-o {}: the name ends in {}, and --format asks for {}", output,
@@ -42,14 +46,16 @@ void make_still(const StillArguments& arguments) {
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));
     const std::filesystem::path output = still_path(arguments);
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
-    if (Output::is_standard_output(arguments.output)) {
-        Output stream("-");
-        Canvas picture =
-            draw_still(scene, arguments.at, output.extension().string().substr(1), progress);
+    const OutputFormat& format = output_format(output.extension().string().substr(1));
+    std::optional<Output> stream;  // before the work
+    if (Output::is_standard_output(arguments.output)) stream.emplace("-");
+    Canvas picture = draw_still(prepare(scene, {}, progress), arguments.at, format, progress);
+    if (!stream) {
+        write_image(picture, output);
+    } else {
         const std::vector<std::uint8_t> bytes = picture.file();
-        return stream.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
-    render_still(scene, arguments.at, output, progress);
     if (!arguments.quiet) fmt::print("{}\n", output.string());
 }
 
@@ -65,7 +71,7 @@ Command still_command() {
                       "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
                       "out/SCENE.png if not given",
                       &its.output},
-                     {"--format", "png, svg or pdf", &its.format, {"png", "svg", "pdf"}}},
+                     {"--format", "png, svg or pdf", &its.format, still_formats()}},
                     scene_options(its),
                     picture_options(its)}),
             [arguments] { make_still(*arguments); }};

@@ -11,6 +11,7 @@
 #include "app/resources.h"
 #include "figures/figure_words.h"
 #include "media/base64.h"
+#include "media/formats.h"
 #include "scene/limits.h"
 #include "scene/yaml/file_text.h"
 #include "util/atomic_file.h"
@@ -63,7 +64,8 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"width", centimetres(figure.size[0])},
                     {"height", centimetres(figure.size[1])}};
     fields.files = {{"picture", picture}, {"csv", file_of(figure, "csv")}};
-    for (const std::string& format : figure_formats) fields.files[format] = file_of(figure, format);
+    for (const std::string& format : figure_formats())
+        fields.files[format] = file_of(figure, format);
     if (kind == PageKind::html) fields.files["inline"] = inlined(set.folder / picture);
     return fields;
 }

@@ -8,11 +8,12 @@
 
 #include "app/figures/figure_pages.h"
 #include "app/figures/figures_json.h"
-#include "app/film/film_words.h"
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "media/formats.h"
+#include "media/image_writer.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
@@ -63,14 +64,11 @@ std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
 std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
                                    const FigureWords& words, const std::string& origin,
                                    const std::string& format) {
-    for (const FigureFormat one : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
-        if (name_of(one) == format)
-            return draw_figure(run, figure, one, {run.scene().title, words.alt, origin}).file();
-    if (format == "csv") {
-        const std::string text = csv(table_of(figure));
-        return {text.begin(), text.end()};
-    }
-    throw std::logic_error("no such format of figures: " + format);
+    const OutputFormat& its = output_format(format);
+    if (its.stills)
+        return draw_figure(run, figure, its.vector, {run.scene().title, words.alt, origin}).file();
+    const std::string text = csv(table_of(figure));
+    return {text.begin(), text.end()};
 }
 
 RunsCallbacks shown_runs(const Scene& scene, Progress& progress) {
@@ -85,7 +83,7 @@ RunsCallbacks shown_runs(const Scene& scene, Progress& progress) {
 std::map<std::string, std::string> film_files(const SetPart& part) {
     std::map<std::string, std::string> files{{"film", part.stem + ".mp4"},
                                              {"poster", part.stem + ".poster.png"}};
-    for (const auto& [what, ending] : words_endings) files[what] = part.stem + ending;
+    for (const auto& [what, ending] : text_endings) files[what] = part.stem + ending;
     return files;
 }
 
@@ -202,7 +200,7 @@ class Maker {
     // Of those that show a figure as it is now.
     std::vector<std::string> files_there(const PlannedFigure& planned) const {
         std::vector<std::string> files;
-        for (const std::string& format : figure_formats)
+        for (const std::string& format : figure_formats())
             if (const std::string file = planned.spec->name + "." + format;
                 folder_.is_current(file, planned.inputs))
                 files.push_back(file);
@@ -292,12 +290,14 @@ class Maker {
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
         const HiddenFolder hidden(set_.folder / ".film");
-        render(
-            part.scene,
-            {.output = hidden.path / files.at("film"), .threads = options_.threads, .words = true},
-            progress);
-        render_still(part.scene, poster_at * part.scene.run.until, hidden.path / files.at("poster"),
-                     progress);
+        const RenderOptions options{.output = hidden.path / files.at("film"),
+                                    .threads = options_.threads,
+                                    .text = true};
+        const FilmPlan plan = prepare(part.scene, {.text = true}, progress);
+        render(plan, options, progress);
+        Canvas poster = draw_still(plan, poster_at * part.scene.run.until, output_format("png"),
+                                   progress);
+        write_image(poster, hidden.path / files.at("poster"));
         for (const auto& [what, file] : files)
             folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));
         ++report_.films;

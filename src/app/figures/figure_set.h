@@ -41,9 +41,6 @@ struct FigureSet {
     std::vector<PageTemplate> pages;
 };
 
-/// All formats in which figures are made, in this order.
-inline const std::vector<std::string> figure_formats = {"svg", "pdf", "png", "csv"};
-
 struct SetOptions {
     std::vector<std::string> only;  ///< names of figures; none: all
     bool force = false;             ///< make all again, and replace what others have written

@@ -9,6 +9,7 @@
 #include "app/figures/figure_pages.h"
 #include "app/film/letters.h"
 #include "app/resources.h"
+#include "media/formats.h"
 #include "panels/registry.h"
 #include "scene/reading/figure_reading.h"
 #include "util/diagnostics.h"
@@ -130,7 +131,7 @@ SetPart part_of_scene(const std::string& path, const Overrides& overrides) {
 
 std::vector<std::string> in_order(const std::vector<std::string>& formats) {
     std::vector<std::string> all;
-    for (const std::string& format : figure_formats)
+    for (const std::string& format : figure_formats())
         if (formats.empty() || std::ranges::find(formats, format) != formats.end())
             all.push_back(format);
     return all;

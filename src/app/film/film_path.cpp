@@ -3,22 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 
 #include "app/command.h"
 #include "app/output.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array video_extensions = {".mp4", ".webm", ".gif"};
+// Endings of films that are one file.
+std::vector<std::string> video_extensions() {
+    std::vector<std::string> endings;
+    for (const std::string& name : film_formats())
+        if (name != "png") endings.push_back("." + name);
+    return endings;
+}
 
 bool is_video(const fs::path& path) {
-    return std::ranges::find(video_extensions, path.extension()) != video_extensions.end();
+    return std::ranges::count(video_extensions(), path.extension().string()) > 0;
 }
 
 bool is_folder(const std::string& output) {
@@ -72,10 +78,9 @@ fs::path named_path(const FilmDestination& destination, const std::string& scene
     if (output.ends_with('/') || (format == "png" && !is_video(output)))
         return frames_folder(output, scene);
     if (!is_video(output) && !is_same_file(output, scene))
-        throw UsageError(fmt::format(
-            "-o {}: a film ends in {} or {}; a folder of PNG frames ends in a slash", output,
-            fmt::join(video_extensions.begin(), video_extensions.end() - 1, ", "),
-            video_extensions.back()));
+        throw UsageError(
+            fmt::format("-o {}: a film ends in {}; a folder of PNG frames ends in a slash", output,
+                        listed(video_extensions(), "or")));
     return output_path(output, false, scene, {fs::path(output).extension().string()});
 }
 
@@ -95,10 +100,9 @@ fs::path film_path(const FilmDestination& destination, const std::string& scene)
     return frames ? frames_folder((film.parent_path() / film.stem()).string(), scene) : film;
 }
 
-std::string film_format(const FilmDestination& destination, const fs::path& path) {
-    if (Output::is_standard_output(path.string()))
-        return destination.format.empty() ? "mp4" : destination.format;
-    return path.has_filename() ? path.extension().string().substr(1) : "png";
+const OutputFormat& film_format(const FilmDestination& destination, const fs::path& path) {
+    if (!Output::is_standard_output(path.string())) return format_of_film(path);
+    return output_format(destination.format.empty() ? "mp4" : destination.format);
 }
 
 }  // namespace carom

@@ -12,6 +12,11 @@ namespace carom {
 struct FrameSpan {
     int first = 0, end = 0;
     int frames() const { return end - first; }
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(first, end);
+    }
 };
 
 /// The first of the frames of the gas whose time is nearest to `time`. `ticks` are a whole

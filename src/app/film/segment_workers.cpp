@@ -25,14 +25,9 @@ std::size_t weight(const FrameData& data) { return data.bytes + frame_overhead_b
 
 }  // namespace
 
-SegmentWorkers::SegmentWorkers(const Scene& scene, const Observers& observers,
-                               std::vector<int> starts, int threads, FilmWriter& writer,
-                               Progress& progress)
-    : scene_(scene),
-      observers_(observers),
-      writer_(writer),
-      progress_(progress),
-      starts_(std::move(starts)) {
+SegmentWorkers::SegmentWorkers(const PanelSet& panels, std::vector<int> starts, int threads,
+                               FilmWriter& writer, Progress& progress)
+    : panels_(panels), writer_(writer), progress_(progress), starts_(std::move(starts)) {
     for (std::size_t i = 0; i + 1 < starts_.size(); ++i)
         segments_.push_back({starts_[i + 1] - starts_[i], {}});
     most_ahead_ = 2 * std::min(static_cast<std::size_t>(threads), segments_.size());
@@ -84,7 +79,7 @@ void SegmentWorkers::rethrow_if_failed() {
 
 void SegmentWorkers::work() {
     try {
-        FramePainter painter(scene_, observers_);
+        FramePainter painter(panels_);
         WorkerSeconds seconds;
         while (true) {
             std::size_t index = 0;

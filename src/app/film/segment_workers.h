@@ -28,8 +28,8 @@ class SegmentWorkers {
   public:
     /// `writer` and the others must outlive the workers. `starts` as from segment_starts(). Throws
     /// SystemError when threads cannot be started.
-    SegmentWorkers(const Scene& scene, const Observers& observers, std::vector<int> starts,
-                   int threads, FilmWriter& writer, Progress& progress);
+    SegmentWorkers(const PanelSet& panels, std::vector<int> starts, int threads,
+                   FilmWriter& writer, Progress& progress);
     ~SegmentWorkers();  ///< stops at once
 
     /// The next frame in order. Waits while too much waits to be drawn; rethrows a worker's error.
@@ -52,8 +52,7 @@ class SegmentWorkers {
     void fail(std::exception_ptr error);
     void rethrow_if_failed();
 
-    const Scene& scene_;
-    const Observers& observers_;
+    const PanelSet& panels_;
     FilmWriter& writer_;
     Progress& progress_;
 

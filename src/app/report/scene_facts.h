@@ -14,7 +14,7 @@ namespace carom {
 /// What the film of a scene needs, roughly: interpolated from films that were measured
 /// (docs/encoding.md), for quality `standard`, on a machine like the one they were made on.
 struct FilmCost {
-    std::string format;    ///< as in film_formats
+    std::string format;    ///< as in film_formats()
     double seconds = 0.0;  ///< of work on `cores` cores
     double bytes = 0.0;
     int cores = 1;
@@ -25,7 +25,8 @@ struct SceneFacts {
     double packing_fraction = 0.0;     ///< of the area; of the length on a wire
     std::optional<double> collisions;  ///< expected from 0 to `until`; none: no theory
     int frames = 0;                    ///< of the film; 0 without
-    std::vector<FilmCost> costs;       ///< in each of film_formats; none without a film
+    std::vector<std::string> passes;  ///< what its run is simulated for, each time; none without
+    std::vector<FilmCost> costs;       ///< in each of film_formats(); none without a film
 };
 
 /// Draws the particles, without placing them. `has_film`: whether a film can be made of it. Throws

@@ -9,6 +9,7 @@
 #include "panels/gas/velocity_arrows.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
+#include "util/archive.h"
 #include "util/text.h"
 
 namespace carom {
@@ -172,6 +173,7 @@ class SingleCollisionPanel : public Panel {
     void survey(const FrameInput& input) override { watch_.survey(input); }
     bool surveys_collisions() const override { return true; }
     void fix_axes() override { met_ = watch_.collision(); }
+    void archive(Archive& archive) override { archive(met_); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;

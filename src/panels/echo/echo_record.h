@@ -42,6 +42,9 @@ class EchoRecord {
     /// First pass, every frame in order; it measures at return_times().
     void survey(const FrameInput& input);
 
+    /// Writes or reads the steps.
+    void archive(auto& archive) { archive(steps_); }
+
     /// In order of time, from the first reversal on.
     const std::vector<Step>& steps() const { return steps_; }
 

@@ -10,6 +10,7 @@
 #include "panels/layout.h"
 #include "stats/histogram.h"
 #include "stats/speed_classes.h"
+#include "util/archive.h"
 #include "util/text.h"
 
 namespace carom {
@@ -95,6 +96,11 @@ void GasColors::fix_scale() {
     const double top = pool_.empty() ? 0.0 : 1.25 * quantile(pool_, 0.95);
     scale_top_ = top > 0.0 ? round_up_for_axis(top) : 1.0;
     pool_ = {};
+    shades_ = make_shades(theme_of(context_.scene.film.theme));
+}
+
+void GasColors::archive(Archive& archive) {
+    archive(scale_top_);
     shades_ = make_shades(theme_of(context_.scene.film.theme));
 }
 

@@ -25,6 +25,9 @@ class GasColors {
     void survey(const FrameInput& input);
     void fix_scale();
 
+    /// Writes or reads the scale.
+    void archive(Archive& archive);
+
     /// The colour of a particle at a speed, as an index into of_shades(); `mean_speed` is that of
     /// all.
     std::uint8_t shade(Eigen::Index particle, double speed, double mean_speed) const;

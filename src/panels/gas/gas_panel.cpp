@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/gas/gas_state.h"
@@ -49,6 +50,8 @@ void GasPanel::fix_axes() {
     const double side = context_.scene.gas.box.size.minCoeff();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
+
+void GasPanel::archive(Archive& archive) { archive(colors_, arrows_, flashes_); }
 
 // Those that should have a trail, and a single particle among many, which is what the film is
 // about.

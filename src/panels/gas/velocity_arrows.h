@@ -30,6 +30,11 @@ class VelocityArrows {
     void survey(const FrameInput& input);
     void fix_scale(double length);
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(fast_, reach_);
+    }
+
     /// The simulated time in which a particle goes as far as its arrow is long; 0 if all are at
     /// rest.
     double reach() const { return reach_; }

@@ -12,6 +12,8 @@ namespace carom {
 
 class WireMap {
   public:
+    WireMap() = default;  ///< to be read into
+
     /// `start` gives the order of the beads, which never changes.
     WireMap(const PanelContext& context, const Sample& start);
 
@@ -29,14 +31,19 @@ class WireMap {
     /// The same for one particle at x, near `last`.
     double place(Eigen::Index i, double x, double last) const;
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(true_length_, ring_, order_, radius_, true_, push_, length_);
+    }
+
   private:
-    double true_length_;
-    bool ring_;
+    double true_length_ = 0.0;
+    bool ring_ = false;
     std::vector<Eigen::Index> order_;
     Eigen::ArrayXd radius_;
     Eigen::Array<bool, Eigen::Dynamic, 1> true_;
     Eigen::ArrayXd push_;  ///< to the right of the true place
-    double length_;
+    double length_ = 0.0;
 };
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/line/line_state.h"
@@ -77,6 +78,11 @@ void WirePanel::fix_axes() {
     memory_ = std::min(until, bounded);
     if (memory_ < until) memory_ = round_up_for_axis(memory_);
     lines_.emplace(context_, *map_, colors_, memory_);
+}
+
+void WirePanel::archive(Archive& archive) {
+    archive(colors_, arrows_, flashes_, map_, memory_);
+    if (archive.is_reading()) lines_.emplace(context_, *map_, colors_, memory_);
 }
 
 std::shared_ptr<const PanelState> WirePanel::state(const FrameInput& input) {

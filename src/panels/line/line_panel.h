@@ -26,6 +26,7 @@ class WirePanel : public Panel {
 
     void survey(const FrameInput& input) override;
     void fix_axes() override;
+    void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;

@@ -9,6 +9,7 @@
 
 #include "panels/registry.h"
 #include "stats/speed_classes.h"
+#include "util/archive.h"
 #include "util/text.h"
 
 namespace carom {
@@ -215,6 +216,11 @@ void MonitorsPanel::survey(const FrameInput& input) {
     largest_energy_ = std::max(largest_energy_, input.energy.mean());
     smallest_speed_ = std::min(smallest_speed_, input.speed.mean());
     smallest_energy_ = std::min(smallest_energy_, input.energy.mean());
+}
+
+void MonitorsPanel::archive(Archive& archive) {
+    archive(largest_speed_, largest_energy_, smallest_speed_, smallest_energy_);
+    if (echo_) echo_->archive(archive);
 }
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) {

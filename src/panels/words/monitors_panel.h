@@ -20,6 +20,7 @@ class MonitorsPanel : public Panel {
 
     void survey(const FrameInput& input) override;
     bool wants_return_distances() const override { return echo_.has_value(); }
+    void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "app/film/letters.h"
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
+#include "media/image_writer.h"
 #include "physics/theory/theory.h"
 #include "scene/load.h"
 #include "support/process.h"
@@ -28,6 +29,12 @@ const fs::path root = carom::test::checkout();
 
 Scene scene(const std::string& name, const Overrides& overrides = {}) {
     return load_scene(root / "scenes" / (name + ".yaml"), test::resources(), overrides);
+}
+
+void draw_to(const fs::path& picture, const Scene& loaded, double at) {
+    Progress silent(Progress::Form::silent, "");
+    Canvas canvas = draw_still(prepare(loaded, {}, silent), at, output_format("png"), silent);
+    write_image(canvas, picture);
 }
 
 CollisionCounts collisions_in(const Scene& loaded) {
@@ -49,8 +56,7 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
         CHECK(loaded.subtitle.size() > 20);
         CHECK_NOTHROW(require_letters(loaded));
         const fs::path picture = folder.path() / (file.stem().string() + ".png");
-        Progress silent(Progress::Form::silent, "");
-        render_still(loaded, 0.3 * loaded.run.until, picture, silent);
+        draw_to(picture, loaded, 0.3 * loaded.run.until);
         CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
     }
 }
@@ -96,8 +102,7 @@ TEST_CASE("every template makes a picture of a plane and of a wire, in every the
                                                    {"film.fps", "2"},
                                                    {"film.size", "[256, 256]"}}});
                 const fs::path picture = folder.path() / "picture.png";
-                Progress silent(Progress::Form::silent, "");
-                render_still(loaded, 1.0, picture, silent);
+                draw_to(picture, loaded, 1.0);
                 CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
             }
 }

@@ -1,8 +1,9 @@
 // The words beside a film.
 #include <doctest/doctest.h>
 
-#include "app/film/film_words.h"
+#include "app/film/film_text.h"
 #include "app/film/webvtt.h"
+#include "panels/recording.h"
 #include "scene/time/event_words.h"
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"
@@ -21,14 +22,18 @@ Scene row_of_beads(const std::string& more) {
         more);
 }
 
-FilmWords words_of_span(const Scene& scene, const FrameSpan& span) {
-    Progress silent(Progress::Form::silent, "");
-    return words_of_film(scene, span, silent);
+FilmText words_of_span(const Scene& scene, const FrameSpan& span) {
+    const Simulation start(scene.gas, scene.run);
+    const std::vector<Tick> ticks = timeline(scene);
+    FilmTextMaker maker(scene, span, ticks, start.particles());
+    const Recording run(start, ticks, {},
+                        [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                            maker.see(tick, sample, advanced);
+                        });
+    return maker.text();
 }
 
-FilmWords words_of(const Scene& scene) {
-    return words_of_span(scene, {0, frame_count(scene.film)});
-}
+FilmText words_of(const Scene& scene) { return words_of_span(scene, {0, frame_count(scene.film)}); }
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -49,7 +54,7 @@ TEST_CASE("cues are WebVTT") {
 
 TEST_CASE("a film without events has its words by quarters, with the numbers of the gas") {
     const Scene scene = row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10}\n");
-    const FilmWords words = words_of(scene);
+    const FilmText words = words_of(scene);
     CHECK(words.captions == "WEBVTT\n");
     CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:05.000\nThe start\n"));
     CHECK(contains(words.chapters, "\n00:00:15.000 --> 00:00:20.000\nTime "));
@@ -75,7 +80,7 @@ TEST_CASE("captions and reversals are told when they come") {
         "run:\n  until: 9\n  events:\n    - {at: 0, caption: A bead & its speed, for: 4}\n"
         "    - {at: 4.5, reverse: velocities}\n    - {at: 5, caption: Back again}\n"
         "film: {seconds: 20, fps: 10}\n");
-    const FilmWords words = words_of(scene);
+    const FilmText words = words_of(scene);
     CHECK(contains(words.captions, "00:00:00.000 --> 00:00:04.000\nA bead &amp; its speed\n\n"));
     CHECK(contains(words.captions, "--> 00:00:20.000\nBack again\n"));
     CHECK(contains(words.chapters, "\nA bead &amp; its speed\n"));
@@ -84,7 +89,7 @@ TEST_CASE("captions and reversals are told when they come") {
     CHECK(contains(words.transcript, "All velocities are reversed. Time 4.50, 4 collisions"));
     CHECK(contains(words.transcript, "“Back again” Time 3.97"));
     // Of a part, times count from its first frame.
-    const FilmWords part = words_of_span(scene, {20, 60});
+    const FilmText part = words_of_span(scene, {20, 60});
     CHECK(contains(part.captions, "00:00:00.000 --> 00:00:02.000\nA bead"));
     CHECK(contains(part.transcript, "A silent film of 0:04."));
 }
@@ -95,7 +100,7 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
         "    - {at: 4.5, nudge: {particle: 0, by: 3e-40}}\n    - {at: 8, nudge: {particle: 2, by: "
         "-0.001}}\nfilm: {seconds: 20, fps: 10}\n";
     const Scene scene = row_of_beads(run);
-    const FilmWords words = words_of(scene);
+    const FilmText words = words_of(scene);
     CHECK(contains(words.transcript,
                    "All velocities are reversed. Particle 0 is moved by 3.00×10⁻⁴⁰. Time 4.50, "));
     CHECK(contains(words.transcript, "Particle 2 is moved by 0.00100. Time "));
@@ -116,7 +121,7 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
 }
 
 TEST_CASE("cards and marks are told too") {
-    const FilmWords words = words_of(row_of_beads(
+    const FilmText words = words_of(row_of_beads(
         "run: {until: 9, events: [{at: 3, mark: Where they were}]}\n"
         "film: {seconds: 30, fps: 10, title_card: true, end_card: Who has the speed now!}\n"));
     CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:03.000\nA row of beads\n"));

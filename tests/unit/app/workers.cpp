@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "app/film/in_order.h"
-#include "app/film/pipeline.h"
+#include "app/film/render.h"
 #include "app/film/segment_workers.h"
 #include "support/file_size_limit.h"
 #include "support/process.h"
@@ -35,11 +35,11 @@ class StillFilm {
     explicit StillFilm(const Scene& scene)
         : scene_(scene),
           simulation_(scene.gas, scene.run),
-          observers_(scene, simulation_.particles(), simulation_.sample()),
+          panels_(scene, simulation_.particles(), simulation_.sample()),
           tick_(timeline(scene).front()),
           advanced_(simulation_.advance_to(0.0)) {
-        observers_.survey(tick_, simulation_.sample(), advanced_);
-        observers_.fix_axes();
+        panels_.survey(tick_, simulation_.sample(), advanced_);
+        panels_.fix_axes();
     }
 
     VideoSettings settings() const {
@@ -54,19 +54,18 @@ class StillFilm {
         const int frames = frame_count(scene_.film);
         const auto writer = film_writer(path, settings(), frames);
         Progress silent(Progress::Form::silent, "");
-        SegmentWorkers workers(scene_, observers_, segment_starts(frames, segment), threads,
-                               *writer, silent);
+        SegmentWorkers workers(panels_, segment_starts(frames, segment), threads, *writer, silent);
         for (int i = 0; i < frames; ++i)
-            workers.frame(observers_.frame_data(tick_, simulation_.sample(), advanced_));
+            workers.frame(panels_.frame_data(tick_, simulation_.sample(), advanced_));
         workers.finish();
     }
 
-    const Observers& observers() const { return observers_; }
+    const PanelSet& panels() const { return panels_; }
 
   private:
     const Scene& scene_;
     Simulation simulation_;
-    Observers observers_;
+    PanelSet panels_;
     Tick tick_;
     AdvanceResult advanced_;
 };
@@ -108,7 +107,7 @@ TEST_CASE("a worker's error reaches the caller") {
     wrong.width = wrong.height = 0;
     const auto writer = film_writer(folder.path() / "film.mp4", wrong, 1);
     Progress silent(Progress::Form::silent, "");
-    SegmentWorkers workers(scene, film.observers(), {0, 1}, 1, *writer, silent);
+    SegmentWorkers workers(film.panels(), {0, 1}, 1, *writer, silent);
     CHECK_THROWS_AS(workers.finish(), std::exception);
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("words of collision maps are whole and apart at every size, in every t
     for (const Figure& figure : run.figures()) {
         CAPTURE(figure.spec->name);
         const TextLog log;
-        const Canvas canvas = draw_figure(run, figure, FigureFormat::png, {"title", "words"});
+        const Canvas canvas = draw_figure(run, figure, std::nullopt, {"title", "words"});
         for (std::size_t i = 0; i < log.lines.size(); ++i) {
             const DrawnLine& line = log.lines[i];
             CAPTURE(line.markup);

@@ -23,6 +23,8 @@ using test::run_of;
 
 namespace {
 
+constexpr std::optional<VectorFormat> pixels{};
+
 Scene scene_of(const std::string& figures, const std::string& gas = "count: 60, temperature: 2",
                const std::string& run = "until: 6", const Overrides& overrides = {}) {
     return test::scene_from("title: A gas\nseed: 5\nbox: {size: [40, 30]}\ngas: [{radius: 0.4, " +
@@ -168,7 +170,7 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
     const FigureWords words = words_of(together, figure);
     CHECK(words.caption.find("53 bits (260 disks, ") != std::string::npos);
     CHECK(words.caption.find("The growth law: distances double ") != std::string::npos);
-    for (const FigureFormat format : {FigureFormat::png, FigureFormat::svg})
+    for (const auto& format : {pixels, std::optional(VectorFormat::svg)})
         CHECK(draw_figure(together, figure, format, {"t", "d"}).file().size() > 1000);
 }
 
@@ -183,10 +185,10 @@ TEST_CASE("all runs find room on the axes") {
     const auto& panel = dynamic_cast<const HistogramPanel&>(*together.figures()[0].panel);
     for (const std::vector<Cell>& row : table_of(together.figures()[0]).rows)
         if (std::get<std::string>(row[1]) == "curve") CHECK(number(row[5]) <= panel.tallest());
-    const Canvas low = draw_figure(together, together.figures()[1], FigureFormat::png, {"", ""});
+    const Canvas low = draw_figure(together, together.figures()[1], pixels, {"", ""});
     const FigureRun alone = run_of(scene_of("  - {name: b, kind: temperature}\n"));
     CHECK(low.size().width ==
-          draw_figure(alone, alone.figures()[0], FigureFormat::png, {"", ""}).size().width);
+          draw_figure(alone, alone.figures()[0], pixels, {"", ""}).size().width);
 }
 
 TEST_CASE("each run may end at its own time, and is told to") {
@@ -232,11 +234,13 @@ TEST_CASE("a comparison changes no other figure, and threads change nothing") {
     REQUIRE(one.figures().size() == 3);
     CHECK(one.figures()[1].spec->name == "a");
     CHECK(one.figures()[2].spec->name == "y");
-    const auto bytes = [](const FigureRun& run, std::size_t index, FigureFormat format) {
+    const auto bytes = [](const FigureRun& run, std::size_t index,
+                          std::optional<VectorFormat> format) {
         return draw_figure(run, run.figures()[index], format, {"t", "d"}).file();
     };
-    CHECK(bytes(alone, 0, FigureFormat::png) == bytes(one, 0, FigureFormat::png));
-    for (const FigureFormat format : {FigureFormat::png, FigureFormat::svg, FigureFormat::pdf})
+    CHECK(bytes(alone, 0, pixels) == bytes(one, 0, pixels));
+    for (const auto& format :
+         {pixels, std::optional(VectorFormat::svg), std::optional(VectorFormat::pdf)})
         CHECK(bytes(one, 1, format) == bytes(four, 1, format));
     CHECK(csv(table_of(one.figures()[1])) == csv(table_of(four.figures()[1])));
 }

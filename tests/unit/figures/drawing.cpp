@@ -14,6 +14,8 @@ using test::run_of;
 
 namespace {
 
+constexpr std::optional<VectorFormat> pixels{};
+
 Scene scene_of(const std::string& figures) {
     return test::scene_from(
         "title: Ten disks\nbox: {size: [40, 30]}\n"
@@ -22,7 +24,7 @@ Scene scene_of(const std::string& figures) {
         figures);
 }
 
-Canvas drawn(const FigureRun& run, std::size_t index, FigureFormat format) {
+Canvas drawn(const FigureRun& run, std::size_t index, std::optional<VectorFormat> format = {}) {
     return draw_figure(run, run.figures()[index], format, {"title", "words"});
 }
 
@@ -35,13 +37,13 @@ TEST_CASE("a figure has the width of a column, a page or a slide, and type to ma
     const FigureRun run = run_of(scene);
     const auto centimetres = [](int pixels, double dots) { return pixels / dots * 2.54; };
     // Whole pixels: half of one is 0.04 mm in PNG, 0.13 mm in vector pictures.
-    CHECK(std::abs(centimetres(drawn(run, 0, FigureFormat::png).size().width, 300) - 8.9) < 0.005);
-    CHECK(std::abs(centimetres(drawn(run, 0, FigureFormat::svg).size().width, 96) - 8.9) < 0.014);
-    CHECK(std::abs(centimetres(drawn(run, 1, FigureFormat::pdf).size().width, 96) - 18.3) < 0.014);
-    const Canvas slide = drawn(run, 2, FigureFormat::png);
+    CHECK(std::abs(centimetres(drawn(run, 0).size().width, 300) - 8.9) < 0.005);
+    CHECK(std::abs(centimetres(drawn(run, 0, VectorFormat::svg).size().width, 96) - 8.9) < 0.014);
+    CHECK(std::abs(centimetres(drawn(run, 1, VectorFormat::pdf).size().width, 96) - 18.3) < 0.014);
+    const Canvas slide = drawn(run, 2);
     CHECK(slide.size().width == 1920);
     CHECK(slide.size().height == 1080);
-    const PixelSize own = drawn(run, 3, FigureFormat::png).size();
+    const PixelSize own = drawn(run, 3).size();
     CHECK(std::abs(centimetres(own.width, 300) - 10.0) < 0.005);
     CHECK(std::abs(centimetres(own.height, 300) - 5.0) < 0.005);
     // Type of 6 to 8 points in print, at least 24 on slides; titles are 1.15 times the smallest.
@@ -54,7 +56,7 @@ TEST_CASE("no figure of a text is higher than its page") {
     Scene scene = scene_of("  - {name: a, kind: gas, size: page}\n");
     scene.gas.box.size = {40, 400};
     const FigureRun run = run_of(scene);
-    CHECK(drawn(run, 0, FigureFormat::png).size().height <= std::lround(17.0 / 2.54 * 300));
+    CHECK(drawn(run, 0).size().height <= std::lround(17.0 / 2.54 * 300));
 }
 
 TEST_CASE("a figure shows the gas at its very time, whatever frames the film has") {
@@ -81,7 +83,8 @@ TEST_CASE("two runs give the same bytes in every format") {
     const Scene scene =
         scene_of("  - {name: a, kind: gas, strip: [0, 5]}\n  - {name: b, kind: speed-histogram}\n");
     const FigureRun one = run_of(scene), two = run_of(scene);
-    for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf, FigureFormat::png})
+    for (const std::optional<VectorFormat> format :
+         {std::optional(VectorFormat::svg), std::optional(VectorFormat::pdf), pixels})
         for (const std::size_t index : {0U, 1U})
             CHECK(drawn(one, index, format).file() == drawn(two, index, format).file());
 }
@@ -116,7 +119,7 @@ TEST_CASE("cards before and after a film change nothing in its figures") {
         const FigureRun run = run_of(scene);
         std::vector<std::string> all;
         for (const std::size_t index : {0U, 1U, 2U}) {
-            const auto bytes = drawn(run, index, FigureFormat::png).file();
+            const auto bytes = drawn(run, index).file();
             all.push_back({bytes.begin(), bytes.end()});
             all.push_back(csv(table_of(run.figures()[index])));
         }
@@ -135,9 +138,7 @@ TEST_CASE("a figure of one collision shows the whole of it and no present") {
         "  - {name: c, kind: single-collision}\n  - {name: d, kind: contact-time, at: 1}\n"
         "  - {name: e, kind: contact-time, at: 11}\n");
     const FigureRun run = run_of(scene);
-    const auto picture = [&](std::size_t index) {
-        return drawn(run, index, FigureFormat::png).file();
-    };
+    const auto picture = [&](std::size_t index) { return drawn(run, index).file(); };
     CHECK(picture(0) == picture(1));
     CHECK(picture(0) == picture(2));
     CHECK(picture(3) == picture(4));
@@ -157,7 +158,7 @@ TEST_CASE("in a figure the name of a disk keeps clear of the disks around it") {
             "figures: [{name: a, kind: gas, at: 0}]\n");
         const FigureRun run = run_of(scene);
         const TextLog log;
-        drawn(run, 0, FigureFormat::png);
+        drawn(run, 0);
         for (const DrawnLine& line : log.lines)
             if (line.markup == "hot") return line.ink.x;
         return 0.0;

@@ -112,7 +112,7 @@ TEST_CASE("a histogram's bars are redrawn from its table") {
     CHECK(rows.size() == bars.size() + 2);  // and no curve or mark that is not drawn
 
     // The picture: pixels of the bars' colour in the middle of each.
-    const Canvas canvas = draw_figure(run, figure, FigureFormat::png, {"t", "d"});
+    const Canvas canvas = draw_figure(run, figure, std::nullopt, {"t", "d"});
     const PixelView view = canvas.pixels();
     const std::uint32_t color = to_pixel(theme(ThemeKind::print).bar);
     const auto height = [&](int x) {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "media/film_writer.h"
+#include "media/formats.h"
 #include "media/gif_film.h"
 #include "media/gif_palette.h"
 #include "support/numbered_film.h"
@@ -39,10 +39,10 @@ Canvas numbered_canvas(const VideoSettings& settings, int number) {
 // The segments on threads of their own, the last one first, or one after the other.
 void write_gif(const std::filesystem::path& path, const VideoSettings& settings, bool in_threads) {
     const std::unique_ptr<FilmWriter> writer = film_writer(path, settings, total);
-    REQUIRE(writer->wanted_previews() > 1);
-    writer->preview(numbered_canvas(settings, 0));
-    writer->preview(numbered_canvas(settings, total - 1));
-    writer->previews_done();
+    PaletteMaker maker(settings.width, settings.height);
+    for (const int frame : {0, total - 1}) maker.add(numbered_canvas(settings, frame).pixels());
+    const GifPalette palette = maker.finish();
+    writer->use_colors({palette.begin(), palette.end()});
     std::vector<std::unique_ptr<FilmSegment>> segments(lengths.size());
     std::vector<std::thread> threads;
     for (std::size_t k = lengths.size(); k-- > 0;) {

@@ -24,7 +24,7 @@ struct Extent {
 struct Shot {
     Scene scene;
     Simulation simulation;
-    Observers observers;
+    PanelSet panels;
     std::unique_ptr<FramePainter> painter;
     PixelView view;
     Rect box;
@@ -36,16 +36,16 @@ struct Shot {
                                  "size: [1600, 1800], color_by: species, " +
                                  film + "}\n")),
           simulation(scene.gas, scene.run),
-          observers(scene, simulation.particles(), simulation.sample()) {
+          panels(scene, simulation.particles(), simulation.sample()) {
         Tick tick{};
-        observers.survey(tick, simulation.sample(), simulation.advance_to(0.0));
-        observers.fix_axes();
+        panels.survey(tick, simulation.sample(), simulation.advance_to(0.0));
+        panels.fix_axes();
         const AdvanceResult advanced = simulation.advance_to(time);
         tick.time = time;
-        const FrameData frame = observers.frame_data(tick, simulation.sample(), advanced);
-        painter = std::make_unique<FramePainter>(scene, observers);
+        const FrameData frame = panels.frame_data(tick, simulation.sample(), advanced);
+        painter = std::make_unique<FramePainter>(panels);
         view = painter->paint(frame).pixels();
-        box = observers.gas().frame_in(
+        box = panels.gas().frame_in(
             Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas));
     }
 
@@ -184,7 +184,7 @@ TEST_CASE("a bead that has gone round a ring has its arrow still") {
         "title: T\nbox: {length: 40, walls: periodic}\ngas: [{count: 1, radius: 1, color: teal, "
         "position: 36, velocity: 30}]\nrun: {until: 4}\nfilm: {seconds: 4, template: wide-gas, "
         "size: [1600, 1800], theme: dark, color_by: species, velocities: 0.1}\n"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const auto ink = [&](const FrameData& frame) {
         const PixelView view = painter.paint(frame).pixels();
         const std::uint32_t color = to_pixel(theme(ThemeKind::dark).ink) & 0xFFFFFF;

@@ -252,7 +252,7 @@ TEST_CASE("a print of a scene that names no colours has none") {
         if (has_own) continue;
         ++scenes;
         const Shot film(std::move(scene));
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         int coloured = 0;
         for (const std::size_t frame : {film.frames.size() / 3, film.frames.size() - 2})
             for (const std::uint32_t pixel : pixels_of(painter.paint(film.frames[frame]))) {
@@ -291,7 +291,7 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     CHECK(disk_sample(kind_color(0, print), print).find("●") != std::string::npos);
     CHECK(disk_sample(kind_color(1, print), print).find("○") != std::string::npos);
     TextLog log;
-    FramePainter painter(picture.scene, picture.observers);
+    FramePainter painter(picture.panels);
     const bool has_samples = std::ranges::any_of(log.lines, [](const DrawnLine& line) {
         return line.markup.find("–·–") != std::string::npos &&
                line.markup.find("- - -") != std::string::npos;

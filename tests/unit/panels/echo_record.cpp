@@ -118,7 +118,7 @@ TEST_CASE("a film's last distance is that of the run from its start") {
 
 TEST_CASE("the panel says when it begins, and then draws what it has seen") {
     const test::Shot film(lanes(reversal(6.0), 12.0));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const auto svg = [&](std::size_t frame) {
         Canvas canvas({640, 360}, VectorFormat::svg, {"T", "D"});
         painter.paint_on(canvas, film.frames[frame]);
@@ -132,8 +132,7 @@ TEST_CASE("a gas of many bits is compared in full: a distance no double of its p
     const test::Shot film(lanes(reversal(2.0) + ", {at: 2, nudge: {particle: 0, by: [1e-40, 0]}}",
                                 4.0, ", precision: 256"));
     const PanelState& last = *film.frames.back().states.back();
-    const Table table =
-        film.observers->panels().back().panel->table(last, theme_of(ThemeName::dark));
+    const Table table = film.panels->panels().back().panel->table(last, theme_of(ThemeName::dark));
     int seen = 0;
     for (const auto& row : table.rows) {
         if (std::get<std::string>(row[0]) != "line") continue;
@@ -158,7 +157,7 @@ Scene echo(const std::string& keys, const std::string& panel) {
 
 Table table_of(const test::Shot& film) {
     const PanelState& last = *film.frames.back().states.back();
-    return film.observers->panels().back().panel->table(last, theme_of(ThemeName::dark));
+    return film.panels->panels().back().panel->table(last, theme_of(ThemeName::dark));
 }
 
 std::vector<std::vector<Cell>> rows_of(const Table& table, const std::string& part,
@@ -257,7 +256,7 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
         scene.film.size = {width, 720};
         const test::Shot film(scene);
         TextLog log;
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         painter.paint(film.frames.back());
         std::string all;
         for (const DrawnLine& line : log.lines) all += line.markup + "\n";
@@ -274,7 +273,7 @@ TEST_CASE("the words at the level of a radius keep clear of a line that ends nea
                    test::resources(), {{{"film.template", "square"}, {"film.fps", "5"}}});
     const test::Shot film(scene);
     const TextLog log;
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const auto words = std::ranges::find(log.lines, "a radius", &DrawnLine::markup);
     REQUIRE(words != log.lines.end());
     const Rect ink = words->ink;  // the log goes on

@@ -45,8 +45,8 @@ struct Pair {
                   const std::string& film)
         : with(scene_of(box, gas, run, "flashes: true, " + film)),
           without(scene_of(box, gas, run, film)),
-          painter(with.scene, *with.observers),
-          plain(without.scene, *without.observers) {}
+          painter(*with.panels),
+          plain(*without.panels) {}
     Pixels at(std::size_t frame) {
         return {test::pixels_of(painter.paint(with.frames[frame])),
                 test::pixels_of(plain.paint(without.frames[frame]))};
@@ -70,7 +70,7 @@ struct Pair {
         return {{0.5 * (left + right), 0.5 * (top + bottom)}, right - left};
     }
     Rect box() const {
-        return with.observers->gas().frame_in(
+        return with.panels->gas().frame_in(
             Grid(with.scene.film.layout, with.scene.film.size).place(with.scene.film.layout.gas));
     }
 };
@@ -137,7 +137,7 @@ TEST_CASE("a picture says how many collisions flash where some are left out") {
     for (const std::string box : {"size: [40, 30]", "length: 40"}) {
         const auto remark = [&](const std::string& gas) {
             const Shot film(scene_of(box, gas, "until: 5", "seconds: 12, flashes: true"), 1);
-            FramePainter painter(film.scene, *film.observers);
+            FramePainter painter(*film.panels);
             const TextLog log;
             painter.paint(film.frames.front());
             return std::ranges::any_of(log.lines, [](const DrawnLine& line) {
@@ -260,5 +260,5 @@ TEST_CASE("a film without flashes has none") {
     const Shot film(
         scene_of("size: [40, 30]", "{count: 30, radius: 1, speed: 3}", "until: 2", "seconds: 4"),
         1);
-    CHECK_FALSE(film.observers->surveys_collisions());
+    CHECK_FALSE(film.panels->wants_collisions());
 }

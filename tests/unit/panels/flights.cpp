@@ -23,8 +23,8 @@ Pairs path_of(const std::string& scene, const std::string& panel) {
     const test::Shot film(test::scene_from(
         "title: T\n" + scene + "\nfilm: {seconds: 6, fps: 5, panels: [" + panel + "]}\n"));
     Pairs path;
-    const Table table = film.observers->panels().back().panel->table(
-        *film.frames.back().states.back(), theme(ThemeKind::light));
+    const Table table = film.panels->panels().back().panel->table(*film.frames.back().states.back(),
+                                                                  theme(ThemeKind::light));
     for (const std::vector<Cell>& row : table.rows)
         if (std::get<std::string>(row[0]) == "path")
             path.emplace_back(std::get<double>(row[3]), std::get<double>(row[4]));
@@ -86,7 +86,7 @@ TEST_CASE("in print the paths of two are whole lines") {
     const DrawContext dc{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
                          grid.unit(), theme(ThemeKind::print), disks};
     const Rect plot = plot_area(dc);
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     // At velocity -1, which is a share of the axis that the panel chose: some row is whole.
     int longest = 0;

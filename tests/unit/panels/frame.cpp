@@ -48,7 +48,7 @@ TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any
         "run: {until: 4, events: [{at: 1, mark: here}, {at: 0, caption: words}]}\n"
         "film: {seconds: 4, fps: 15, size: [320, 180], slow: [{factor: 0.5}], title_card: 1, "
         "end_card: The end}\n"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     std::vector<std::vector<std::uint32_t>> forward;
     for (const FrameData& frame : film.frames) forward.push_back(pixels_of(painter.paint(frame)));
     CHECK(forward.front() != forward.back());
@@ -57,7 +57,7 @@ TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any
     std::vector<int> differences(3, 0);
     for (std::size_t k = 0; k < differences.size(); ++k)
         threads.emplace_back([&, k] {
-            FramePainter other(film.scene, *film.observers);
+            FramePainter other(*film.panels);
             for (std::size_t i = film.frames.size(); i-- > 0;)
                 differences[k] += pixels_of(other.paint(film.frames[i])) != forward[i];
         });
@@ -69,7 +69,7 @@ TEST_CASE("a disk is drawn where it is, to an eighth of a pixel") {
     const Shot film(
         scene_of("seconds: 1, size: [1280, 720], theme: dark, color_by: species, panels: []",
                  "{count: 1, radius: 2, position: [13.37, 17.91], color: \"#ffffff\"}"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const Canvas& canvas = painter.paint(film.frames.front());
     // lecture's gas slot begins at (1.8, 6.4) units of 16 pixels and is 42.6 by 32 units: a box of
     // 40 : 30 fills its height.
@@ -105,7 +105,7 @@ TEST_CASE("a caption changes its own line and nothing else, in every template") 
                 "\"}]}\n"
                 "film: {seconds: 4, fps: 5, panels: [], size: [480, 480], template: " +
                 std::string(name) + "}\n"));
-            FramePainter painter(film.scene, *film.observers);
+            FramePainter painter(*film.panels);
             painter.paint(film.frames[7]);
             return std::pair{pixels_of(painter.paint(film.frames[9])), film.scene.film.layout};
         };
@@ -130,9 +130,9 @@ TEST_CASE("fewer panels than places share the height of the whole column") {
     const Scene two = scene_of("seconds: 1, panels: [speed-histogram, energy-histogram]");
     const Simulation simulation(two.gas, two.run);
     Simulation copy(two.gas, two.run);
-    const Observers observers(two, simulation.particles(), copy.sample());
-    const Slot& first = observers.panels()[2].slot;
-    const Slot& second = observers.panels()[3].slot;
+    const PanelSet panels(two, simulation.particles(), copy.sample());
+    const Slot& first = panels.panels()[2].slot;
+    const Slot& second = panels.panels()[3].slot;
     CHECK(first.y == doctest::Approx(6.4));
     CHECK(first.height == doctest::Approx(second.height));
     CHECK(second.y + second.height == doctest::Approx(43.2));
@@ -145,7 +145,7 @@ TEST_CASE("every frame of every theme and colouring can be drawn, odd and tiny p
             for (const std::string size : {"[65, 131]", "[333, 77]"}) {
                 const Shot film(scene_of("seconds: 0.2, theme: " + theme + ", color_by: " + color +
                                          ", size: " + size));
-                FramePainter painter(film.scene, *film.observers);
+                FramePainter painter(*film.panels);
                 for (const FrameData& frame : film.frames) painter.paint(frame);
                 CHECK(film.frames.size() == 6);
             }
@@ -159,7 +159,7 @@ TEST_CASE("a gas at rest, one particle, and infinite masses make a film without 
         const Shot film(scene_of("seconds: 0.5, size: [320, 180]", gas));
         Simulation simulation(film.scene.gas, film.scene.run);
         CHECK_FALSE(equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample()));
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         for (const FrameData& frame : film.frames) painter.paint(frame);
     }
 }
@@ -169,7 +169,7 @@ TEST_CASE("a caption that comes or goes is whole in a still") {
         test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
                          "run: {until: 4, events: [{at: 2, caption: words}]}\n"
                          "film: {seconds: 8, fps: 30, panels: [], size: [480, 480]}\n"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const std::vector<CaptionSpan> spans = caption_schedule(film.scene);
     const auto coming = static_cast<std::size_t>(spans[0].first);
     const auto brightest = [](const Canvas& canvas, const Rect& line) {
@@ -193,7 +193,7 @@ TEST_CASE("a caption that comes or goes is whole in a still") {
 
 TEST_CASE("a picture drawn at once on another canvas is the film's") {
     const Shot film(scene_of("seconds: 2, fps: 5, size: [320, 180]"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     Canvas canvas({320, 180});
     painter.paint(film.frames.front());
     painter.paint_on(canvas, film.frames.back());
@@ -214,7 +214,7 @@ TEST_CASE("the bars of a histogram are one shape: no seams at any size of a vect
 
     const Shot film(scene_of("seconds: 2, fps: 5, size: [640, 360], panels: [speed-histogram]",
                              "{count: 200, radius: 0.3, temperature: 1}"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     Canvas canvas({640, 360}, VectorFormat::svg, {});
     painter.paint_on(canvas, film.frames.back());
     const std::string svg = text_of(canvas);
@@ -228,7 +228,7 @@ TEST_CASE("the bars of a histogram are one shape: no seams at any size of a vect
 TEST_CASE("vector pictures hold no pixels, whatever they show") {
     const auto svg_of = [](const Scene& scene) {
         const Shot film(scene);
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         Canvas canvas({film.scene.film.size.width, film.scene.film.size.height}, VectorFormat::svg,
                       {"T", "D"});
         painter.paint_on(canvas, film.frames.back());
@@ -273,7 +273,7 @@ TEST_CASE(
         for (std::size_t i = 0; i < film.frames.size(); ++i)
             if (film.frames[i].tick.phase == Phase::reversing) stopped.push_back(i);
         REQUIRE(stopped.size() == 10);
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         const auto before = pixels_of(painter.paint(film.frames[stopped.front() - 1]));
         const LayoutSpec& layout = film.scene.film.layout;
         const Grid grid(layout, {320, 180});
@@ -309,7 +309,7 @@ TEST_CASE("the way back is lighter than the way out, on every ground") {
             "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
             "film: {seconds: 8, fps: 10, size: [1280, 720], panels: [energy-by-species], theme: " +
             std::string(theme) + "}\n"));
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         const Canvas& canvas = painter.paint(film.frames.back());
         const auto back = pixels_of(canvas);
         const auto pause = std::ranges::find_if(film.frames, [](const FrameData& frame) {
@@ -339,7 +339,7 @@ TEST_CASE("a card covers the whole picture and gives way to the gas without a ju
     const std::string rest = "seconds: 30, fps: 10, size: [320, 180], panels: [speed-histogram]";
     const Shot film(scene_of(rest + ", title_card: true, end_card: The end"));
     const Shot plain(scene_of("seconds: 23, fps: 10, size: [320, 180], panels: [speed-histogram]"));
-    FramePainter painter(film.scene, *film.observers), other(plain.scene, *plain.observers);
+    FramePainter painter(*film.panels), other(plain.scene, *plain.panels);
     const auto gas = pixels_of(other.paint(plain.frames.front()));
     const auto apart = [](const std::vector<std::uint32_t>& a,
                           const std::vector<std::uint32_t>& b) {

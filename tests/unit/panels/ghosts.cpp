@@ -39,13 +39,13 @@ struct Outline {
 };
 
 Outline outline(const Shot& with, const Shot& without, std::size_t frame, double x, bool wire) {
-    FramePainter painter(with.scene, *with.observers), plain(without.scene, *without.observers);
+    FramePainter painter(*with.panels), plain(without.scene, *without.panels);
     const auto a = test::pixels_of(painter.paint(with.frames[frame]));
     const auto b = test::pixels_of(plain.paint(without.frames[frame]));
     const LayoutSpec& layout = with.scene.film.layout;
     const Grid grid(layout, {1280, 720});
     const Rect area = grid.place(layout.gas);
-    const Rect box = with.observers->gas().frame_in(area);
+    const Rect box = with.panels->gas().frame_in(area);
     const double scale = wire ? (area.width - 4.0 * grid.unit()) / 40.0 : box.width / 40.0;
     const Point center =
         wire ? Point{area.x + 3.4 * grid.unit() + x * scale, area.y + 3.4 * grid.unit()}

@@ -91,12 +91,12 @@ TEST_CASE("a frame of a wire is a pure function of it: any order, any painter") 
         const Shot film(scene_of("length: 10, walls: " + walls, mixture,
                                  "seconds: 3, size: [320, 180]",
                                  "until: 8, events: [{at: 4, reverse: velocities}]"));
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         std::vector<std::vector<std::uint32_t>> forward;
         for (const FrameData& frame : film.frames)
             forward.push_back(pixels_of(painter.paint(frame)));
         CHECK(forward.front() != forward.back());
-        FramePainter other(film.scene, *film.observers);
+        FramePainter other(*film.panels);
         for (std::size_t i = film.frames.size(); i-- > 0;)
             REQUIRE(pixels_of(other.paint(film.frames[i])) == forward[i]);
     }
@@ -112,7 +112,7 @@ TEST_CASE("every theme and colouring of a wire can be drawn, odd and tiny pictur
                     "length: 10", gas,
                     "seconds: 0.2, size: [333, 77], theme: " + theme + ", color_by: " + color,
                     "until: 0.5"));
-                FramePainter painter(film.scene, *film.observers);
+                FramePainter painter(*film.panels);
                 for (const FrameData& frame : film.frames) painter.paint(frame);
                 CHECK(film.frames.size() == 6);
             }
@@ -122,7 +122,7 @@ TEST_CASE("the world lines of a busy wire reach back less far than those of a ca
     const auto memory = [](const std::string& speed) {
         const Shot film(scene_of("length: 10", "{count: 10, speed: " + speed + "}",
                                  "seconds: 40, fps: 60, size: [320, 180]", "until: 40"));
-        return dynamic_cast<const WirePanel&>(film.observers->gas()).memory();
+        return dynamic_cast<const WirePanel&>(film.panels->gas()).memory();
     };
     // A round number above 12 seconds of film at most, above 2.5 at least; the pace is nearly 1.
     // Most frames of a film hold no collision: that makes no calm wire.
@@ -144,10 +144,10 @@ TEST_CASE("the curve of energies is that of bars, where their density has no val
     const auto gas = equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample());
     REQUIRE(gas.has_value());
     const double first_bar = 100.0 * energy_probability(*gas, 0.0, 1.0);
-    const auto& panel = dynamic_cast<const HistogramPanel&>(*film.observers->panels().back().panel);
+    const auto& panel = dynamic_cast<const HistogramPanel&>(*film.panels->panels().back().panel);
     CHECK(panel.tallest() >= 1.2 * first_bar);  // 1.2 to 1.4 times the curve's top, rounded up
     CHECK(panel.tallest() <= round_up_for_axis(1.4 * first_bar));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const std::vector<std::uint32_t> pixels = pixels_of(painter.paint(film.frames.back()));
     CHECK(std::count(pixels.begin(), pixels.end(), to_pixel(theme(ThemeKind::dark).accent)) > 30);
 }

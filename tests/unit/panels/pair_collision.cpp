@@ -330,7 +330,7 @@ TEST_CASE("the time of the contact is written above it, as near as there is room
     DiskPainter disks;
     const DrawContext dc = page_of(film.scene, disks);
     const TextLog log;
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const Rect plot = plot_area(dc);
     const PairCollision met = pair_collision_in(film.scene);
     const double last = met.time + 1.75 * (met.other_root() - met.time);
@@ -352,7 +352,7 @@ TEST_CASE("the present moves on the curve: across with the time, up with the squ
                           "[contact-time]"));
     DiskPainter disks;
     const Rect plot = plot_area(page_of(film.scene, disks));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     std::vector<std::uint32_t> ground;
     {
         const Canvas& picture = painter.paint(film.frames.back());
@@ -382,7 +382,7 @@ TEST_CASE("the arrow before is drawn as long as it is") {
     DiskPainter disks;
     const DrawContext dc = page_of(film.scene, disks);
     const PairCollision met = pair_collision_in(film.scene);
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     // By the stages' own geometry, with the room that the panel leaves for words.
     const double unit = dc.unit;

@@ -30,9 +30,9 @@ Scene reversed_gas(const std::string& precision) {
 
 // The part of the picture where the gas is.
 std::vector<std::uint32_t> gas_of(const test::Shot& shot, const FrameData& frame) {
-    FramePainter painter(shot.scene, *shot.observers);
+    FramePainter painter(*shot.panels);
     const PixelView view = painter.paint(frame).pixels();
-    const Rect box = shot.observers->gas().frame_in(
+    const Rect box = shot.panels->gas().frame_in(
         Grid(shot.scene.film.layout, shot.scene.film.size).place(shot.scene.film.layout.gas));
     std::vector<std::uint32_t> pixels;
     for (int y = static_cast<int>(box.y); y < static_cast<int>(box.y + box.height); ++y)

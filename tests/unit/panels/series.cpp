@@ -188,7 +188,7 @@ TEST_CASE("points stand before the paths of all, and out from them") {
     const DrawContext dc{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
                          grid.unit(), theme(ThemeKind::light), disks};
     const Rect plot = plot_area(dc);
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     const PixelView view = painter.paint(film.frames.back()).pixels();
     const auto pixel = [&](double x, double y) {
         return view.data[static_cast<int>(y) * view.stride + static_cast<int>(x)] & 0xFFFFFF;
@@ -213,7 +213,7 @@ TEST_CASE("two beads have a line that they never cross, unless they go around") 
         const DrawContext dc{grid.place(shared_slots(film.scene.film.layout.panels, 1).front()),
                              grid.unit(), theme(ThemeKind::light), disks};
         const Rect plot = plot_area(dc);
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         const PixelView view = painter.paint(film.frames.back()).pixels();
         int drawn = 0;
         for (int i = 1; i < 100; ++i) {

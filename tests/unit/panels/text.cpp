@@ -98,7 +98,7 @@ TEST_CASE("a film with words that do not fit is refused with their place") {
 
 TEST_CASE("words are no markup") {
     const test::Shot film(scene_of("{kind: text, words: 'a < b & <b>c</b>'}"));
-    FramePainter painter(film.scene, *film.observers);
+    FramePainter painter(*film.panels);
     Canvas canvas({640, 360}, VectorFormat::svg, {"T", "D"});
     CHECK_NOTHROW(painter.paint_on(canvas, film.frames.front()));
     // As wide as all its letters: markup would have lost some.

@@ -75,7 +75,7 @@ TEST_CASE(
             const test::Shot film(load_scene(file, test::resources(), overrides));
             const double unit = Grid(film.scene.film.layout, film.scene.film.size).unit();
             TextLog log;  // the ground, which the painter draws once, and what changes on it
-            FramePainter painter(film.scene, *film.observers);
+            FramePainter painter(*film.panels);
             const std::vector<DrawnLine> ground = log.lines;
             const std::size_t last = film.frames.size() - 1;
             for (const std::size_t frame : {std::size_t{0}, last / 3, last / 2, last}) {
@@ -86,7 +86,7 @@ TEST_CASE(
                 seen += static_cast<int>(log.lines.size());
             }
             // Whatever the painter has drawn before, the frame is the same.
-            FramePainter fresh(film.scene, *film.observers);
+            FramePainter fresh(*film.panels);
             CHECK(pixels_of(painter.paint(film.frames[last / 2])) ==
                   pixels_of(fresh.paint(film.frames[last / 2])));
         }
@@ -98,7 +98,7 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
         const test::Shot film(load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: " + gas +
                                                   "\nrun: {until: 1}\nfilm: {seconds: 0.1}\n",
                                               "test", test::resources()));
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         const TextLog log;
         painter.paint(film.frames.front());
         std::string found;
@@ -121,7 +121,7 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
             "title: T\n" + rest + "\nfilm: {seconds: 4, panels: [" + panels + "]}\n", "test",
             test::resources()));
         const TextLog log;
-        FramePainter painter(film.scene, *film.observers);
+        FramePainter painter(*film.panels);
         painter.paint(film.frames.back());
         std::string found;
         for (const DrawnLine& line : log.lines) found += "|" + line.markup;

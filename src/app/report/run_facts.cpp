@@ -1,4 +1,4 @@
-#include "app/report/run_table.h"
+#include "app/report/run_facts.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,11 @@
 #include <cstddef>
 #include <numeric>
 
+#include "app/report/facts.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
-
-std::string row(const char* name, const std::string& words) {
-    return fmt::format("  {:<15} {}\n", name, words);
-}
 
 std::string number(std::optional<double> value) {
     return value && std::isfinite(*value) ? fmt::format("{:.5g}", *value) : "—";
@@ -31,15 +28,26 @@ std::string vector(const std::vector<std::optional<double>>& components) {
     return fmt::format("({})", fmt::join(words, ", "));
 }
 
-std::string collisions(const RunReport& report) {
+Json vector_value(const std::vector<std::optional<double>>& components) {
+    Json list = Json::array();
+    for (const auto& component : components) list.push_back(number_or_null(component));
+    return list;
+}
+
+Fact collisions(const RunReport& report) {
     const CollisionCounts& counts = report.collisions;
     const double of_each =
         2.0 * static_cast<double>(counts.particle) / static_cast<double>(report.particles);
-    return fmt::format("{} between particles ({:.3g} for each), {} with walls",
-                       grouped(counts.particle), of_each, grouped(counts.wall));
+    return {"collisions",
+            Json{{"particle", counts.particle},
+                 {"wall", counts.wall},
+                 {"per_particle", number_or_null(of_each)}},
+            "collisions",
+            fmt::format("{} between particles ({:.3g} for each), {} with walls",
+                        grouped(counts.particle), of_each, grouped(counts.wall))};
 }
 
-std::string energy(const RunSummary& summary) {
+std::string energy_words(const RunSummary& summary) {
     if (!summary.largest_energy_error) return "not conserved: an infinite mass moves";
     if (*summary.largest_energy_error == 0.0)
         return number(summary.energy_initial) + ", kept exactly";
@@ -47,17 +55,49 @@ std::string energy(const RunSummary& summary) {
                        *summary.largest_energy_error);
 }
 
-std::string pressure(const RunSummary& summary) {
+Fact energy(const RunSummary& summary) {
+    return {"energy",
+            Json{{"initial", number_or_null(summary.energy_initial)},
+                 {"final", number_or_null(summary.energy_final)},
+                 {"largest_relative_error", number_or_null(summary.largest_energy_error)}},
+            "energy", energy_words(summary)};
+}
+
+Fact momentum(const RunSummary& summary) {
+    return {"momentum",
+            Json{{"initial", vector_value(summary.momentum_initial)},
+                 {"final", vector_value(summary.momentum_final)}},
+            "momentum",
+            fmt::format("{} at the start, {} at the end", vector(summary.momentum_initial),
+                        vector(summary.momentum_final))};
+}
+
+std::string pressure_words(const RunSummary& summary) {
     const std::string wall = summary.wall_pressure ? number(summary.wall_pressure) + " on the walls"
                                                    : "no solid walls to press on";
     if (!summary.virial_pressure) return wall;
     return fmt::format("{}, {} by the virial", wall, number(summary.virial_pressure));
 }
 
+Fact pressure(const RunSummary& summary, int dimension) {
+    return {"pressure",
+            Json{{"wall", number_or_null(summary.wall_pressure)},
+                 {"virial", number_or_null(summary.virial_pressure)}},
+            dimension == 1 ? "force" : "pressure", pressure_words(summary)};
+}
+
 // Below round-off of the coordinates nothing can be told from touching.
-std::string overlap(double largest) {
-    if (largest == 0.0) return "none";
-    return fmt::format("at most {:.1e} of a contact distance", largest);
+Fact overlap(double largest) {
+    return {"overlap", Json{{"largest_relative", number_or_null(largest)}}, "overlap",
+            largest == 0.0 ? "none" : fmt::format("at most {:.1e} of a contact distance", largest)};
+}
+
+Fact precision(const Scene& scene, int bits) {
+    Fact fact{"precision_bits", bits};
+    if (bits == bits_of_double) return fact;
+    fact.label = "numbers";
+    fact.words = fmt::format("of {} bits{}", bits, scene.run.bits ? "" : ", found by trying");
+    return fact;
 }
 
 // Also of one for which there is no double.
@@ -78,6 +118,32 @@ std::string way_back(const ReversalReport& report) {
                        length(d.root_mean_square, d.log10_root_mean_square), events);
 }
 
+Json reversal(const ReversalReport& report, int bits) {
+    const auto length = [&](double ReturnDistance::*member) {
+        return report.distance ? number_or_null((*report.distance).*member) : Json();
+    };
+    return Json{{"at", report.at},
+                {"bits", bits},
+                {"largest_return_distance", length(&ReturnDistance::largest)},
+                {"root_mean_square", length(&ReturnDistance::root_mean_square)},
+                {"log10_largest_return_distance", length(&ReturnDistance::log10_largest)},
+                {"log10_root_mean_square", length(&ReturnDistance::log10_root_mean_square)},
+                {"events",
+                 {{"out", report.events_out},
+                  {"back", report.events_back ? Json(*report.events_back) : Json()}}}};
+}
+
+Facts reversals(const RunReport& report) {
+    Json list = Json::array();
+    Facts facts;
+    for (const ReversalReport& one : report.reversals) {
+        list.push_back(reversal(one, report.bits));
+        facts.push_back({"", nullptr, fmt::format("reversed at {}", one.at), way_back(one)});
+    }
+    facts.push_back({"reversals", std::move(list)});
+    return facts;
+}
+
 std::string species_rows(const Scene& scene, const RunSummary& summary) {
     std::size_t width = 7;
     for (const Species& species : scene.gas.species)
@@ -92,6 +158,16 @@ std::string species_rows(const Scene& scene, const RunSummary& summary) {
                             number(means.energy), number(means.speed));
     }
     return text;
+}
+
+Fact species(const Scene& scene, const RunSummary& summary) {
+    Json list = Json::array();
+    for (std::size_t s = 0; s < summary.species.size(); ++s)
+        list.push_back(Json{{"name", scene.gas.species[s].name},
+                            {"count", summary.species[s].count},
+                            {"mean_energy", number_or_null(summary.species[s].energy)},
+                            {"mean_speed", number_or_null(summary.species[s].speed)}});
+    return {"species", std::move(list), "", "\n" + species_rows(scene, summary) + "\n"};
 }
 
 // The bins that hold all but a two-hundredth of the counts.
@@ -123,6 +199,17 @@ std::string bars(const BinnedCounts& bins) {
     return text + fmt::format(" {:.4g}", bins.edges[end]);
 }
 
+Json histogram(const BinnedCounts& bins) {
+    return Json{{"edges", bins.edges}, {"counts", bins.counts}};
+}
+
+Facts histograms(const RunSummary& summary) {
+    return {{"", nullptr, "speeds", bars(summary.speeds)},
+            {"", nullptr, "energies", bars(summary.energies)},
+            {"histograms",
+             Json{{"speed", histogram(summary.speeds)}, {"energy", histogram(summary.energies)}}}};
+}
+
 std::string heading(const Scene& scene, const RunReport& report) {
     return fmt::format("{}\n{}: {} in {}, time 0 to {}, {} samples, seed {}\n\n", scene.title,
                        scene.source.path, counted(report.particles, "particle", "particles"),
@@ -130,27 +217,47 @@ std::string heading(const Scene& scene, const RunReport& report) {
                        scene.run.until, grouped(report.samples), scene.seed);
 }
 
+Facts facts_of(const Scene& scene, const RunReport& report) {
+    const RunSummary& summary = report.summary;
+    const auto events = static_cast<double>(report.collisions.particle + report.collisions.wall);
+    Facts facts{{"carom", CAROM_VERSION, "", heading(scene, report)},
+                {"scene", scene.source.path},
+                {"seed", scene.seed},
+                {"dimension", scene.gas.box.dimension},
+                {"particles", report.particles},
+                {"time", scene.run.until},
+                collisions(report),
+                energy(summary),
+                momentum(summary),
+                {"temperature", number_or_null(summary.temperature), "temperature",
+                 number(summary.temperature)},
+                pressure(summary, scene.gas.box.dimension),
+                overlap(summary.largest_overlap),
+                precision(scene, report.bits)};
+    const auto add = [&](const Facts& more) {
+        facts.insert(facts.end(), more.begin(), more.end());
+    };
+    add(reversals(report));
+    facts.push_back(species(scene, summary));
+    add(histograms(summary));
+    facts.push_back({"seconds", Json{{"total", report.seconds.total},
+                                     {"events_per_second", events / report.seconds.simulate}}});
+    return facts;
+}
+
 }  // namespace
 
 std::string run_table(const Scene& scene, const RunReport& report) {
-    const RunSummary& summary = report.summary;
-    std::string text = heading(scene, report);
-    text += row("collisions", collisions(report));
-    text += row("energy", energy(summary));
-    text += row("momentum",
-                fmt::format("{} at the start, {} at the end", vector(summary.momentum_initial),
-                            vector(summary.momentum_final)));
-    text += row("temperature", number(summary.temperature));
-    text += row(scene.gas.box.dimension == 1 ? "force" : "pressure", pressure(summary));
-    text += row("overlap", overlap(summary.largest_overlap));
-    if (report.bits > bits_of_double)
-        text += row("numbers", fmt::format("of {} bits{}", report.bits,
-                                           scene.run.bits ? "" : ", found by trying"));
-    for (const ReversalReport& reversal : report.reversals)
-        text += row(fmt::format("reversed at {}", reversal.at).c_str(), way_back(reversal));
-    text += "\n" + species_rows(scene, summary) + "\n";
-    text += row("speeds", bars(summary.speeds));
-    return text + row("energies", bars(summary.energies));
+    constexpr int label_width = 15;
+    return table_of(facts_of(scene, report), label_width);
+}
+
+// A line for each key: long lists of numbers do not fill the screen.
+std::string run_json(const Scene& scene, const RunReport& report) {
+    std::string text;
+    for (const auto& [name, value] : json_of(facts_of(scene, report)).items())
+        text += (text.empty() ? "{\n  " : ",\n  ") + text_of(name) + ": " + text_of(value);
+    return text + "\n}\n";
 }
 
 std::string run_timings(const RunReport& report) {

@@ -1,43 +1,23 @@
-#include "app/film/film_words.h"
+#include "app/film/film_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "app/film/webvtt.h"
 #include "app/progress.h"
-#include "app/simulate.h"
 #include "scene/time/captions.h"
 #include "scene/time/event_words.h"
 #include "scene/time/timeline.h"
 #include "stats/speed_classes.h"
 #include "util/atomic_file.h"
-#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
-
-// A frame at which a chapter begins, or the film ends, and how the gas is then.
-struct Moment {
-    int frame = 0;
-    double time = 0.0;
-    bool reversed = false;                 ///< just now
-    bool ends = false;                     ///< the film
-    bool is_title = false;                 ///< the title card
-    std::vector<std::string> nudges = {};  ///< of just now, in words
-    std::string mark = {};                 ///< the words of places that are marked just now
-    std::string end_card = {};
-    std::string caption = {};  ///< that comes up just now
-    std::int64_t collisions = 0;
-    double mean_speed = 0.0, mean_energy = 0.0;
-    std::vector<double> species_energy = {};
-    std::array<double, 3> shares{};
-};
 
 double seconds_at(int frame, const Scene& scene, const FrameSpan& span) {
     return static_cast<double>(frame - span.first) / scene.film.fps;
@@ -83,10 +63,10 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
     for (const RunEvent& event : scene.run.events)
-        if (const auto* nudge = std::get_if<Perturbation>(&event.action);
-            nudge && event.at >= begins)
+        if (const auto* moved = std::get_if<Perturbation>(&event.action);
+            moved && event.at >= begins)
             if (const auto frame = shown_from(event.at))
-                at(*frame).nudges.push_back(words_of(*nudge));
+                at(*frame).perturbations.push_back(words_of(*moved));
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = scene.film.end_card;
@@ -104,23 +84,6 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     }
     std::ranges::sort(found, {}, &Moment::frame);
     return found;
-}
-
-void look(Moment& moment, const Scene& scene, Simulation& simulation) {
-    const AdvanceResult advanced = simulation.advance_to(moment.time);
-    const Sample& sample = simulation.sample();
-    const Eigen::ArrayXd speed = speeds(sample);
-    const Eigen::ArrayXd energy = kinetic_energies(simulation.particles(), sample);
-    moment.collisions = advanced.counts.particle;
-    moment.mean_speed = speed.mean();
-    moment.mean_energy = energy.mean();
-    moment.shares = class_shares(speed, moment.mean_speed);
-    for (std::size_t k = 0; k < scene.gas.species.size(); ++k) {
-        const Eigen::Array<bool, Eigen::Dynamic, 1> members =
-            simulation.particles().species == static_cast<int>(k);
-        const double sum = members.select(energy, 0.0).sum();
-        moment.species_energy.push_back(sum / static_cast<double>(members.count()));
-    }
 }
 
 // "Time 6 of 12, 207 collisions so far. Mean speed 1.40, mean energy 2.24: ..."
@@ -159,7 +122,7 @@ std::string coloring(const Scene& scene) {
 }
 
 // What is beside the gas.
-std::string picture_words(const Scene& scene) {
+std::string picture_text(const Scene& scene) {
     std::vector<std::string> panels;
     for (const PanelSpec& panel : scene.film.panels) {
         std::string name = panel.title.value_or(panel.kind);
@@ -176,7 +139,7 @@ std::string happening(const Moment& moment) {
     std::string text;
     if (moment.ends) text += "The film ends. ";
     if (moment.reversed) text += "All velocities are reversed. ";
-    for (const std::string& nudge : moment.nudges) text += nudge + ". ";
+    for (const std::string& moved : moment.perturbations) text += moved + ". ";
     if (!moment.mark.empty())
         text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
                             moment.mark);
@@ -190,7 +153,7 @@ std::string heading(const Moment& moment, const Scene& scene) {
     if (!moment.end_card.empty()) return moment.end_card;
     if (moment.is_title) return scene.title;
     if (moment.reversed) return "Velocities reversed";
-    if (!moment.nudges.empty()) return moment.nudges.front();
+    if (!moment.perturbations.empty()) return moment.perturbations.front();
     if (!moment.mark.empty()) return moment.mark;
     if (moment.time == 0.0) return "The start";
     return "Time " + three_digits(folded_time(scene.run, moment.time));
@@ -201,7 +164,7 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
     if (moment.frame == span.first) {
         text = sentence(scene.title) + " ";
         if (!scene.subtitle.empty()) text += sentence(scene.subtitle) + " ";
-        text += sentence(scene.description) + " " + picture_words(scene) + " ";
+        text += sentence(scene.description) + " " + picture_text(scene) + " ";
     }
     text += happening(moment);
     if (!moment.end_card.empty()) return text;
@@ -214,7 +177,7 @@ std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments
     if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
     text += fmt::format("\nA silent film of {}.\n\n{}\n{}\n",
                         clock_text(static_cast<double>(span.frames()) / scene.film.fps),
-                        sentence(scene.description), picture_words(scene));
+                        sentence(scene.description), picture_text(scene));
     for (const Moment& moment : moments) {
         text += fmt::format("\n{}  ", clock_text(seconds_at(moment.frame, scene, span)));
         text += happening(moment);
@@ -228,49 +191,62 @@ std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments
 
 }  // namespace
 
-FilmWords words_of_film(const Scene& scene, const FrameSpan& span, Progress& progress) {
-    std::vector<Moment> moments = moments_of(scene, span, timeline(scene));
-    Simulation simulation = simulate(scene, progress);
-    progress.begin("describing", static_cast<double>(moments.size()), "moments");
-    for (Moment& moment : moments) {
-        throw_if_interrupted();
-        look(moment, scene, simulation);
-        progress.advance();
+FilmTextMaker::FilmTextMaker(const Scene& scene, const FrameSpan& span,
+                             const std::vector<Tick>& ticks, const Particles& particles)
+    : scene_(scene), span_(span), particles_(particles), moments_(moments_of(scene, span, ticks)) {}
+
+void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+    if (next_ == moments_.size() || moments_[next_].frame != tick.frame) return;
+    Moment& moment = moments_[next_++];
+    const Eigen::ArrayXd speed = speeds(sample);
+    const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
+    moment.collisions = advanced.counts.particle;
+    moment.mean_speed = speed.mean();
+    moment.mean_energy = energy.mean();
+    moment.shares = class_shares(speed, moment.mean_speed);
+    for (std::size_t k = 0; k < scene_.gas.species.size(); ++k) {
+        const Eigen::Array<bool, Eigen::Dynamic, 1> members =
+            particles_.species == static_cast<int>(k);
+        const double sum = members.select(energy, 0.0).sum();
+        moment.species_energy.push_back(sum / static_cast<double>(members.count()));
     }
-    const double begin = static_cast<double>(span.first) / scene.film.fps;
-    const double end = seconds_at(span.end, scene, span);
-    std::vector<Cue> captions, chapters, descriptions;
-    for (const CaptionSpan& caption : caption_schedule(scene))
-        captions.push_back({std::max(0.0, caption.start - begin),
-                            std::min(end, caption.end - begin), caption.words});
-    for (const Moment& moment : moments)
-        if (!moment.end_card.empty())
-            captions.push_back({seconds_at(moment.frame, scene, span), end, moment.end_card});
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-        const double start = seconds_at(moments[i].frame, scene, span);
-        const bool last = i + 1 == moments.size();
-        const double next = last ? end : seconds_at(moments[i + 1].frame, scene, span);
-        descriptions.push_back({start, next, description_of(moments[i], scene, span)});
-        if (moments[i].ends && !chapters.empty())
-            chapters.back().end = next;
-        else
-            chapters.push_back({start, next, heading(moments[i], scene)});
-    }
-    return {webvtt(captions), webvtt(chapters), webvtt(descriptions),
-            transcript_of(scene, moments, span)};
 }
 
-void write_words(const FilmWords& words, const std::filesystem::path& path) {
+FilmText FilmTextMaker::text() const {
+    const double begin = static_cast<double>(span_.first) / scene_.film.fps;
+    const double end = seconds_at(span_.end, scene_, span_);
+    std::vector<Cue> captions, chapters, descriptions;
+    for (const CaptionSpan& caption : caption_schedule(scene_))
+        captions.push_back({std::max(0.0, caption.start - begin),
+                            std::min(end, caption.end - begin), caption.words});
+    for (const Moment& moment : moments_)
+        if (!moment.end_card.empty())
+            captions.push_back({seconds_at(moment.frame, scene_, span_), end, moment.end_card});
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+        const double start = seconds_at(moments_[i].frame, scene_, span_);
+        const bool last = i + 1 == moments_.size();
+        const double next = last ? end : seconds_at(moments_[i + 1].frame, scene_, span_);
+        descriptions.push_back({start, next, description_of(moments_[i], scene_, span_)});
+        if (moments_[i].ends && !chapters.empty())
+            chapters.back().end = next;
+        else
+            chapters.push_back({start, next, heading(moments_[i], scene_)});
+    }
+    return {webvtt(captions), webvtt(chapters), webvtt(descriptions),
+            transcript_of(scene_, moments_, span_)};
+}
+
+void write_text(const FilmText& film, const std::filesystem::path& path) {
     std::filesystem::path stem = path;
     if (!stem.has_filename())
         stem = stem.parent_path();  // frames/
     else
         stem.replace_extension();
-    for (const auto& [what, text] : {std::pair{"captions", &words.captions},
-                                     {"chapters", &words.chapters},
-                                     {"descriptions", &words.descriptions},
-                                     {"transcript", &words.transcript}}) {
-        AtomicFile file(stem.string() + words_endings.at(what));
+    for (const auto& [what, text] : {std::pair{"captions", &film.captions},
+                                     {"chapters", &film.chapters},
+                                     {"descriptions", &film.descriptions},
+                                     {"transcript", &film.transcript}}) {
+        AtomicFile file(stem.string() + text_endings.at(what));
         file.write(*text);
         file.commit();
     }

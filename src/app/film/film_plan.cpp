@@ -1,0 +1,164 @@
+#include "app/film/film_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/resources.h"
+#include "app/simulate.h"
+#include "media/gif_palette.h"
+#include "panels/archived.h"
+#include "panels/precision.h"
+#include "scene/load.h"
+#include "scene/time/timeline.h"
+#include "util/atomic_file.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr std::int64_t most_plan_bytes = std::int64_t{4} << 30;
+
+// Of frames of the whole film, evenly spread.
+std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Progress& progress) {
+    progress.begin("choosing colours", static_cast<double>(plan.span.end));
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    FramePainter painter(*panels);
+    PaletteMaker maker(plan.scene.film.size.width, plan.scene.film.size.height);
+    const int wanted = std::min(previews, plan.frames());
+    int shown = 0;
+    plan.run.play(static_cast<std::size_t>(plan.span.end),
+                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                      const FrameData frame = panels->frame_data(tick, sample, advanced);
+                      const int next =
+                          plan.span.first + (plan.frames() - 1) * shown / std::max(1, wanted - 1);
+                      if (tick.frame == next && shown < wanted) {
+                          maker.add(painter.paint(frame).pixels());
+                          ++shown;
+                      }
+                      progress.advance();
+                  });
+    const GifPalette palette = maker.finish();
+    return {palette.begin(), palette.end()};
+}
+
+// What is simulated once serves all, where it is kept.
+std::vector<std::string> passes_for(const Scene& asked, bool kept, const FilmOptions& options) {
+    std::vector<std::string> passes;
+    if (!asked.run.bits) passes.emplace_back("precision");
+    std::vector<std::string> first{"axes"};
+    if (options.text) first.emplace_back("words");
+    std::vector<std::string> later;
+    if (options.previews > 0) later.emplace_back("colours");
+    later.emplace_back("pictures");
+    if (kept) first.insert(first.end(), later.begin(), later.end());
+    passes.push_back(listed(first));
+    if (!kept) passes.insert(passes.end(), later.begin(), later.end());
+    return passes;
+}
+
+// What a plan's scene is made from again, and what must still be as it was.
+struct SceneRecord {
+    std::string program = CAROM_VERSION;
+    SceneSource source;
+    std::optional<int> bits;
+
+    void archive(Archive& archive) {
+        archive(program, source.path, source.text, source.template_text, source.overrides, bits);
+    }
+};
+
+Scene scene_of(const SceneRecord& record, const Archive& archive) {
+    if (record.program != CAROM_VERSION)
+        archive.refuse("it was written by carom " + record.program);
+    Overrides overrides;
+    for (const std::string& change : record.source.overrides) {
+        const std::size_t equals = change.find('=');
+        overrides.values.emplace_back(change.substr(0, equals), change.substr(equals + 1));
+    }
+    Scene scene =
+        load_scene_text(record.source.text, record.source.path, scene_resources(), overrides);
+    if (scene.source.template_text != record.source.template_text)
+        archive.refuse("the template of its film has changed");
+    scene.run.bits = record.bits;
+    return scene;
+}
+
+// All but the scene, in writing and in reading.
+void archive_rest(Archive& archive, FilmPlan& plan, const std::function<Simulation()>& start) {
+    archive(plan.span, plan.segments, plan.particles, plan.start, plan.axes, plan.colors, plan.text,
+            plan.passes);
+    plan.run.archive(archive, start);
+}
+
+}  // namespace
+
+std::unique_ptr<PanelSet> FilmPlan::panels() const {
+    auto set = std::make_unique<PanelSet>(scene, particles, start);
+    Archive archive(axes, "what the first pass has fixed");
+    set->archive(archive);
+    archive.expect_end();
+    return set;
+}
+
+FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress) {
+    FilmPlan plan;
+    auto [scene, start] = start_scene(asked, progress);
+    plan.scene = std::move(scene);
+    plan.particles = start.particles();
+    plan.start = start.sample();
+    std::vector<Tick> ticks = timeline(plan.scene);
+    plan.span = frames_between(ticks, options.from, options.to);
+    plan.segments = segment_starts(plan.frames(), plan.particles.count());
+
+    PanelSet panels(plan.scene, plan.particles, plan.start);
+    std::optional<FilmTextMaker> text;
+    if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles);
+    progress.begin("simulating", static_cast<double>(ticks.size()));
+    const Recording::Wanted wanted{panels.wants_collisions(), panels.return_times(ticks)};
+    with_places_of_errors(plan.scene, [&] {
+        plan.run =
+            Recording(std::move(start), std::move(ticks), wanted,
+                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                          panels.survey(tick, sample, advanced);
+                          if (text) text->see(tick, sample, advanced);
+                          progress.advance();
+                      });
+    });
+    panels.fix_axes();
+    Archive axes;
+    panels.archive(axes);
+    plan.axes = axes.finished();
+    if (text) plan.text = text->text();
+    if (options.previews > 0) plan.colors = chosen_colors(plan, options.previews, progress);
+    plan.passes = passes_for(asked, plan.run.is_kept(), options);
+    return plan;
+}
+
+std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {
+    const bool kept = Recording::fits(static_cast<std::size_t>(frame_count(scene.film)), particles,
+                                      scene.gas.box.dimension);
+    return passes_for(scene, kept, {});
+}
+
+void write_plan(FilmPlan& plan, const std::filesystem::path& path) {
+    Archive archive;
+    SceneRecord record{.source = plan.scene.source, .bits = plan.scene.run.bits};
+    archive(record);
+    archive_rest(archive, plan, {});
+    AtomicFile file(path);
+    file.write(archive.finished());
+    file.commit();
+}
+
+FilmPlan read_plan(const std::filesystem::path& path, Progress& progress) {
+    Archive archive(read_file(path, most_plan_bytes), path.string());
+    SceneRecord record;
+    archive(record);
+    FilmPlan plan;
+    plan.scene = scene_of(record, archive);
+    archive_rest(archive, plan, [&] { return simulate(plan.scene, progress); });
+    archive.expect_end();
+    return plan;
+}
+
+}  // namespace carom

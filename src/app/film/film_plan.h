@@ -1,0 +1,61 @@
+// A film that is ready to be drawn: the settled first pass over its run, as a value. It can be
+// written, read back by another process, and drawn from there.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/film/film_text.h"
+#include "app/film/frame_span.h"
+#include "app/progress.h"
+#include "panels/frame.h"
+#include "panels/recording.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// What is wanted of a scene's film beyond what the scene says.
+struct FilmOptions {
+    std::optional<double> from = {},
+                          to = {};  ///< as frames_between() reads them; none: the whole film
+    bool text = false;              ///< its FilmText
+    int previews = 0;  ///< frames of the whole film from which its colours are chosen; 0: none are
+};
+
+struct FilmPlan {
+    Scene scene;                        ///< with the precision that it calculates with
+    FrameSpan span;                     ///< that is drawn
+    std::vector<int> segments;          ///< as segment_starts(), counted from span.first
+    Particles particles;
+    Sample start;                       ///< at time 0
+    Recording run;                      ///< of the whole film
+    std::string axes;                   ///< what the first pass has fixed of each panel
+    std::vector<std::uint32_t> colors;  ///< 0xffRRGGBB, where the format has few
+    FilmText text;                      ///< where it is wanted
+    std::vector<std::string> passes;    ///< what the run was simulated for, each time that it was
+
+    int frames() const { return span.frames(); }
+
+    /// The film's panels with their axes, ready for the second pass. Refers to the plan.
+    std::unique_ptr<PanelSet> panels() const;
+};
+
+/// Simulates the run of a scene, which fixes all that holds for the whole film. Throws SceneError
+/// (the gas cannot be placed, or does not return), SystemError, Interrupted.
+FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress);
+
+/// What a film will be simulated for, as far as is known before: of so many particles.
+std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
+
+/// Writes a plan, whole or not at all. Throws SystemError.
+void write_plan(FilmPlan& plan, const std::filesystem::path& path);
+
+/// Reads it back; a run that was too large for memory is placed and equilibrated anew. Throws
+/// SystemError where the file is damaged, of another version of carom, or its template changed.
+FilmPlan read_plan(const std::filesystem::path& path, Progress& progress);
+
+}  // namespace carom

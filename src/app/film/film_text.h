@@ -1,0 +1,82 @@
+// A film as text, for those who cannot see it and for players that show text of their own:
+// captions, chapters and descriptions as WebVTT, and a transcript. A silent film needs a text
+// alternative (WCAG 2.2, success criterion 1.2.1).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/film/frame_span.h"
+#include "physics/advance_result.h"
+#include "physics/particles.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// Whole files. Times count from the first frame of the span.
+struct FilmText {
+    std::string captions;      ///< what stands under the gas
+    std::string chapters;      ///< from event to event, or quarters of a film that has none
+    std::string descriptions;  ///< what is seen, and how the numbers stand when a chapter begins
+    std::string transcript;    ///< all of these as plain text
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(captions, chapters, descriptions, transcript);
+    }
+};
+
+/// A frame at which a chapter begins, or the film ends, and how the gas is then.
+struct Moment {
+    int frame = 0;
+    double time = 0.0;
+    bool reversed = false;                 ///< just now
+    bool ends = false;                     ///< the film
+    bool is_title = false;                 ///< the title card
+    std::vector<std::string> perturbations = {};  ///< of just now, in words
+    std::string mark = {};                 ///< the words of places that are marked just now
+    std::string end_card = {};
+    std::string caption = {};  ///< that comes up just now
+    std::int64_t collisions = 0;
+    double mean_speed = 0.0, mean_energy = 0.0;
+    std::vector<double> species_energy = {};
+    std::array<double, 3> shares{};
+};
+
+/// Makes the text of a film while its run is simulated.
+class FilmTextMaker {
+  public:
+    /// `span` is of `ticks`, the scene's timeline; all but these outlive it.
+    FilmTextMaker(const Scene& scene, const FrameSpan& span, const std::vector<Tick>& ticks,
+                  const Particles& particles);
+
+    /// Every frame of the timeline in order.
+    void see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
+
+    /// After the last frame.
+    FilmText text() const;
+
+  private:
+    const Scene& scene_;
+    FrameSpan span_;
+    const Particles& particles_;
+    std::vector<Moment> moments_;  ///< in order
+    std::size_t next_ = 0;         ///< to be seen
+};
+
+/// What their files are called, by what they hold: the film's name without its extension, and this.
+inline const std::map<std::string, std::string> text_endings = {
+    {"captions", ".captions.vtt"},
+    {"chapters", ".chapters.vtt"},
+    {"descriptions", ".descriptions.vtt"},
+    {"transcript", ".transcript.txt"}};
+
+/// Writes them beside the film at `path`, as film.captions.vtt, film.chapters.vtt,
+/// film.descriptions.vtt and film.transcript.txt (beside a folder of frames, with its name), each
+/// whole or not at all. Throws SystemError.
+void write_text(const FilmText& text, const std::filesystem::path& path);
+
+}  // namespace carom

@@ -1,0 +1,146 @@
+#include "app/film/render.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include "app/film/segment_workers.h"
+#include "scene/time/timeline.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+double seconds_of(clockid_t clock) {
+    timespec time = {};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Since it was made, on this thread.
+struct Stopwatch {
+    double begun = seconds_of(CLOCK_MONOTONIC), cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
+    double wall() const { return seconds_of(CLOCK_MONOTONIC) - begun; }
+    double cpu() const { return seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_begun; }
+};
+
+// All that makes the film again: the seed, what the command line changed, and the scene itself.
+std::string recipe(const Scene& scene, const RenderOptions& options) {
+    std::string text = fmt::format("seed: {}\n", scene.seed);
+    if (options.from) text += fmt::format("--from {}\n", *options.from);
+    if (options.to) text += fmt::format("--to {}\n", *options.to);
+    for (const std::string& change : scene.source.overrides)
+        text += fmt::format("--set {}\n", change);
+    return text + "\n" + scene.source.text;
+}
+
+Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) {
+    if (!format.vector) return FramePainter::blank(scene.film);
+    return Canvas(
+        {scene.film.size.width, scene.film.size.height}, *format.vector,
+        {scene.title, fmt::format("The frame at time {:.4g}. {}", time, scene.description)});
+}
+
+RenderReport write_film(const FilmPlan& plan, const RenderOptions& options, FilmWriter& writer,
+                        Progress& progress, const Stopwatch& watch) {
+    RenderReport report;
+    report.path = options.output;
+    report.frames = plan.frames();
+    report.passes = plan.passes;
+    draw_all(plan, options.threads, writer, progress, report);
+    report.simulate_seconds = watch.cpu();
+    writer.commit();
+    if (options.text) write_text(plan.text, options.output);
+    progress.finish();
+    report.bytes = writer.bytes();
+    report.wall_seconds = watch.wall();
+    return report;
+}
+
+}  // namespace
+
+VideoSettings film_settings(const Scene& scene, const RenderOptions& options) {
+    return {.width = scene.film.size.width,
+            .height = scene.film.size.height,
+            .fps = scene.film.fps,
+            .quality = options.quality,
+            .transparent = scene.film.transparent,
+            .behind = to_pixel(page_color(scene.film)),
+            .metadata = {{"title", scene.title},
+                         {"description", scene.description},
+                         {"comment", recipe(scene, options)}}};
+}
+
+RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress) {
+    const Stopwatch watch;
+    const FrameSpan span = frames_between(timeline(scene), options.from, options.to);
+    // Before the work: it may not be allowed to write.
+    const std::unique_ptr<FilmWriter> writer =
+        film_writer(options.output, film_settings(scene, options), span.frames());
+    const FilmPlan plan = prepare(scene,
+                                  {.from = options.from,
+                                   .to = options.to,
+                                   .text = options.text,
+                                   .previews = format_of_film(options.output).previews},
+                                  progress);
+    return write_film(plan, options, *writer, progress, watch);
+}
+
+RenderReport render(const FilmPlan& plan, const RenderOptions& options, Progress& progress) {
+    const Stopwatch watch;
+    const std::unique_ptr<FilmWriter> writer =
+        film_writer(options.output, film_settings(plan.scene, options), plan.frames());
+    return write_film(plan, options, *writer, progress, watch);
+}
+
+void draw_all(const FilmPlan& plan, int threads, FilmWriter& writer, Progress& progress,
+              RenderReport& report) {
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    if (!plan.colors.empty()) writer.use_colors(plan.colors);
+    progress.begin("rendering", static_cast<double>(plan.frames()));
+    SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
+    plan.run.play(static_cast<std::size_t>(plan.span.end),
+                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                      report.collisions = advanced.counts;
+                      FrameData frame = panels->frame_data(tick, sample, advanced);
+                      if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
+                  });
+    const WorkerSeconds seconds = workers.finish();
+    throw_if_interrupted();
+    report.draw_seconds = seconds.draw;
+    report.encode_seconds = seconds.encode;
+}
+
+std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, FilmWriter& writer) {
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    FramePainter painter(*panels);
+    const int first = plan.segments.at(segment), end = plan.segments.at(segment + 1);
+    std::unique_ptr<FilmSegment> drawn = writer.segment(first);
+    plan.run.play(static_cast<std::size_t>(plan.span.first + end),
+                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                      const FrameData frame = panels->frame_data(tick, sample, advanced);
+                      if (tick.frame >= plan.span.first + first) drawn->add(painter.paint(frame));
+                  });
+    drawn->finish();
+    return drawn;
+}
+
+Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
+    const auto end = static_cast<std::size_t>(frame_nearest_to(plan.run.ticks(), at)) + 1;
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    progress.begin("going to the frame", static_cast<double>(end));
+    FrameData frame;
+    plan.run.play(end, [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+        frame = panels->frame_data(tick, sample, advanced);
+        progress.advance();
+    });
+    progress.finish();
+    FramePainter painter(*panels);
+    Canvas canvas = blank_still(plan.scene, frame.tick.time, format);
+    painter.paint_on(canvas, frame);
+    return canvas;
+}
+
+}  // namespace carom

@@ -1,0 +1,97 @@
+#include "media/formats.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "media/gif_film.h"
+
+namespace carom {
+namespace {
+
+// MP4's costs are those in docs/encoding.md ("Wall time": 900 frames in 6.86 and 9.04 s on two
+// cores, 7.9 and 15.2 MB), the others by their ratio to it ("Rough costs" there). They hold to a
+// third up to 20,000 disks.
+constexpr double frames_measured = 900.0;
+constexpr PowerLaw mp4_seconds{2 * 6.86 / frames_measured, 2 * 9.04 / frames_measured};
+
+constexpr FormatCost mp4_cost{mp4_seconds, {7.9e6 / frames_measured, 15.2e6 / frames_measured}, 0.5};
+constexpr FormatCost webm_cost{
+    {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000}, {10.0e3, 21.0e3}, 0.5};
+constexpr FormatCost gif_cost{
+    {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, {27.3e3, 52.7e3}, 0.7, 0.7};
+constexpr FormatCost png_cost{
+    {5.1 * mp4_seconds.at_200, 6.2 * mp4_seconds.at_1000}, {269e3, 401e3}, 0.8};
+
+template <bool OutputFormat::*use>
+std::vector<std::string> names() {
+    std::vector<std::string> found;
+    for (const OutputFormat& format : output_formats())
+        if (format.*use) found.push_back(format.name);
+    return found;
+}
+
+}  // namespace
+
+double PowerLaw::at(double disks) const {
+    constexpr double few = 20.0;  // type and histograms are there with any number
+    const double power = std::log(at_1000 / at_200) / std::log(5.0);
+    return at_200 * std::pow(std::max(few, disks) / 200.0, power);
+}
+
+const std::vector<OutputFormat>& output_formats() {
+    static const std::vector<OutputFormat> formats{
+        {.name = "mp4",
+         .film = mp4_cost,
+         .no_transparency = "H.264 in MP4 has no transparency",
+         .make_film = mp4_film},
+        {.name = "webm", .film = webm_cost, .make_film = webm_film},
+        {.name = "gif",
+         .film = gif_cost,
+         .no_transparency = "the pixels of a GIF are either there or not, which would leave ragged "
+                            "letters",
+         .most_frames_per_second = most_gif_frames_per_second,
+         .large_bytes = 10e6,
+         .previews = 32,
+         .make_film = gif_film},
+        {.name = "svg", .stills = true, .figures = true, .vector = VectorFormat::svg},
+        {.name = "pdf", .stills = true, .figures = true, .vector = VectorFormat::pdf},
+        {.name = "png",
+         .stills = true,
+         .figures = true,
+         .film = png_cost,
+         .make_film = folder_of_frames},
+        {.name = "csv", .figures = true}};
+    return formats;
+}
+
+const OutputFormat& output_format(const std::string& name) {
+    const auto found = std::ranges::find(output_formats(), name, &OutputFormat::name);
+    assert(found != output_formats().end());
+    return *found;
+}
+
+const OutputFormat& format_of_film(const std::filesystem::path& path) {
+    if (!path.has_filename()) return output_format("png");
+    for (const OutputFormat& format : output_formats())
+        if (format.film && path.extension() == "." + format.name) return format;
+    return output_format("mp4");
+}
+
+std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
+                                        const VideoSettings& settings, int frames) {
+    return format_of_film(path).make_film(path, settings, frames);
+}
+
+std::vector<std::string> film_formats() {
+    std::vector<std::string> found;
+    for (const OutputFormat& format : output_formats())
+        if (format.film) found.push_back(format.name);
+    return found;
+}
+
+std::vector<std::string> still_formats() { return names<&OutputFormat::stills>(); }
+
+std::vector<std::string> figure_formats() { return names<&OutputFormat::figures>(); }
+
+}  // namespace carom

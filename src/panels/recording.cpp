@@ -1,0 +1,86 @@
+#include "panels/recording.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "panels/archived.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+std::size_t bytes_of_sample(std::int64_t particles, int dimension) {
+    return static_cast<std::size_t>(particles * dimension) * 2 * sizeof(double);
+}
+
+}  // namespace
+
+Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted,
+                     const Viewer& see, std::size_t most)
+    : ticks_(std::move(ticks)), with_collisions_(wanted.collisions), start_(std::move(start)) {
+    bool kept = true;
+    Simulation first = *start_;
+    first.measure_return(wanted.return_times);
+    simulate(std::move(first), ticks_.size(),
+             [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                 kept = kept && keep(sample, advanced, most);
+                 see(tick, sample, advanced);
+             });
+    if (kept) {
+        start_.reset();
+    } else {
+        samples_ = {};
+        frames_ = {};
+    }
+}
+
+bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, std::size_t most) {
+    if (samples_.empty() || samples_.back().time != sample.time) {
+        samples_.push_back(sample);
+        bytes_ += bytes_of_sample(sample.position.rows(), static_cast<int>(sample.position.cols()));
+    }
+    frames_.push_back(
+        {samples_.size() - 1, advanced, {advanced.collisions.begin(), advanced.collisions.end()}});
+    frames_.back().advanced.collisions = {};
+    bytes_ += sizeof(Frame) + advanced.collisions.size() * sizeof(Collision);
+    return bytes_ <= most;
+}
+
+void Recording::simulate(Simulation simulation, std::size_t end, const Viewer& see) const {
+    simulation.record_collisions(with_collisions_);
+    for (std::size_t i = 0; i < end; ++i) {
+        throw_if_interrupted();
+        const AdvanceResult advanced = simulation.advance_to(ticks_[i].time);
+        see(ticks_[i], simulation.sample(), advanced);
+    }
+}
+
+void Recording::play(std::size_t end, const Viewer& see) const {
+    if (!is_kept()) return simulate(*start_, end, see);
+    for (std::size_t i = 0; i < end; ++i) {
+        throw_if_interrupted();
+        AdvanceResult advanced = frames_[i].advanced;
+        advanced.collisions = frames_[i].collisions;
+        see(ticks_[i], samples_[frames_[i].sample], advanced);
+    }
+}
+
+bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) {
+    return frames * (bytes_of_sample(particles, dimension) + sizeof(Frame)) <= most_bytes;
+}
+
+void Recording::archive(Archive& archive, const std::function<Simulation()>& start) {
+    bool kept = is_kept();
+    archive(kept, with_collisions_, ticks_, samples_);
+    auto count = static_cast<std::int64_t>(frames_.size());
+    archive(count);
+    if (archive.is_reading()) frames_.resize(static_cast<std::size_t>(count));
+    for (Frame& frame : frames_) {
+        auto sample = static_cast<std::int64_t>(frame.sample);
+        archive(sample, frame.advanced, frame.collisions);
+        frame.sample = static_cast<std::size_t>(sample);
+    }
+    if (archive.is_reading() && !kept) start_ = start();
+}
+
+}  // namespace carom

@@ -1,0 +1,72 @@
+// The run of a film, frame by frame: simulated once, and shown again as often as it is wanted. From
+// memory, or where it is too large for that by simulating it again from its start.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "physics/simulation.h"
+#include "scene/time/timeline.h"
+
+namespace carom {
+
+class Archive;
+
+class Recording {
+  public:
+    /// Sees a frame: the state of the gas, and what happened since the frame before. All are valid
+    /// during the call only.
+    using Viewer = std::function<void(const Tick&, const Sample&, const AdvanceResult&)>;
+
+    /// Bytes of memory up to which a run is kept.
+    static constexpr std::size_t most_bytes = 128 << 20;
+
+    /// What is measured on the way, beyond the samples.
+    struct Wanted {
+        bool collisions = false;
+        std::vector<double> return_times = {};  ///< in the first pass only
+    };
+
+    Recording() = default;
+
+    /// Simulates the run at the times of `ticks`, which never fall, from a simulation at time 0;
+    /// `see` sees each frame. Throws Interrupted, and what `see` and the simulation throw.
+    Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted, const Viewer& see,
+              std::size_t most = most_bytes);
+
+    /// Shows the frames before number `end` again, in order: the same, bit for bit. From any
+    /// thread.
+    void play(std::size_t end, const Viewer& see) const;
+
+    const std::vector<Tick>& ticks() const { return ticks_; }
+
+    /// Whether it is in memory. If not, each play() simulates.
+    bool is_kept() const { return !start_.has_value(); }
+
+    /// Whether `frames` of so many particles could be kept, but for their collisions.
+    static bool fits(std::size_t frames, std::int64_t particles, int dimension);
+
+    /// Writes or reads it. What was not kept is not written; `start` gives its simulation when it
+    /// is read.
+    void archive(Archive& archive, const std::function<Simulation()>& start);
+
+  private:
+    struct Frame {
+        std::size_t sample = 0;  ///< frames that show one time share one
+        AdvanceResult advanced;  ///< without collisions
+        std::vector<Collision> collisions;
+    };
+    bool keep(const Sample& sample, const AdvanceResult& advanced, std::size_t most);
+    void simulate(Simulation simulation, std::size_t end, const Viewer& see) const;
+
+    std::vector<Tick> ticks_;
+    bool with_collisions_ = false;
+    std::vector<Sample> samples_;
+    std::vector<Frame> frames_;
+    std::size_t bytes_ = 0;
+    std::optional<Simulation> start_;  ///< of a run that is not kept
+};
+
+}  // namespace carom

@@ -254,8 +254,9 @@ std::string run_table(const Scene& scene, const RunReport& report) {
 
 // A line for each key: long lists of numbers do not fill the screen.
 std::string run_json(const Scene& scene, const RunReport& report) {
+    const Json object = json_of(facts_of(scene, report));
     std::string text;
-    for (const auto& [name, value] : json_of(facts_of(scene, report)).items())
+    for (const auto& [name, value] : object.items())
         text += (text.empty() ? "{\n  " : ",\n  ") + text_of(name) + ": " + text_of(value);
     return text + "\n}\n";
 }

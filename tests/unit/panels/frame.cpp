@@ -339,7 +339,7 @@ TEST_CASE("a card covers the whole picture and gives way to the gas without a ju
     const std::string rest = "seconds: 30, fps: 10, size: [320, 180], panels: [speed-histogram]";
     const Shot film(scene_of(rest + ", title_card: true, end_card: The end"));
     const Shot plain(scene_of("seconds: 23, fps: 10, size: [320, 180], panels: [speed-histogram]"));
-    FramePainter painter(*film.panels), other(plain.scene, *plain.panels);
+    FramePainter painter(*film.panels), other(*plain.panels);
     const auto gas = pixels_of(other.paint(plain.frames.front()));
     const auto apart = [](const std::vector<std::uint32_t>& a,
                           const std::vector<std::uint32_t>& b) {

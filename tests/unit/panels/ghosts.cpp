@@ -39,7 +39,7 @@ struct Outline {
 };
 
 Outline outline(const Shot& with, const Shot& without, std::size_t frame, double x, bool wire) {
-    FramePainter painter(*with.panels), plain(without.scene, *without.panels);
+    FramePainter painter(*with.panels), plain(*without.panels);
     const auto a = test::pixels_of(painter.paint(with.frames[frame]));
     const auto b = test::pixels_of(plain.paint(without.frames[frame]));
     const LayoutSpec& layout = with.scene.film.layout;

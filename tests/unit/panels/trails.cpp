@@ -54,7 +54,7 @@ TEST_CASE("trails are of species and single particles, and a species' own trail 
 TEST_CASE("a trail is drawn behind the particle that has one, and nowhere else") {
     const Shot with(scene_of("trails: {of: 3, seconds: 2}")),
         without(scene_of("trails: {of: 3, seconds: 0}"));
-    FramePainter painter(*with.panels), plain(without.scene, *without.panels);
+    FramePainter painter(*with.panels), plain(*without.panels);
     CHECK(test::pixels_of(painter.paint(with.frames.back())) !=
           test::pixels_of(plain.paint(without.frames.back())));
 }
@@ -80,7 +80,7 @@ std::vector<double> row_of_trail(const std::string& gas, const std::string& wall
                                      seconds + "}}\n"));
     };
     const Shot with = shot("2"), without = shot("0.05");
-    FramePainter painter(*with.panels), plain(without.scene, *without.panels);
+    FramePainter painter(*with.panels), plain(*without.panels);
     const PixelView view = painter.paint(with.frames.back()).pixels();
     const PixelView ground = plain.paint(without.frames.back()).pixels();
     const Grid grid(with.scene.film.layout, with.scene.film.size);

@@ -4,8 +4,10 @@
 
 namespace carom {
 
-std::optional<double> mirror_time(const std::vector<double>& reversals, double time) {
-    const auto next = std::ranges::upper_bound(reversals, time);
+std::optional<double> mirror_time(const std::vector<double>& reversals, double time,
+                                  bool ends_branch) {
+    const auto next = ends_branch ? std::ranges::lower_bound(reversals, time)
+                                  : std::ranges::upper_bound(reversals, time);
     if (next == reversals.begin()) return std::nullopt;
     const double last = *(next - 1);
     const double begin = next - reversals.begin() > 1 ? *(next - 2) : 0.0;
@@ -16,11 +18,11 @@ std::optional<double> mirror_time(const std::vector<double>& reversals, double t
 }
 
 EchoMeasurement::EchoMeasurement(const std::vector<double>& reversals, std::vector<double> times,
-                                 double present) {
+                                 double present, bool ends_branch) {
     std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     for (const double time : times) {
-        const auto mirror = mirror_time(reversals, time);
+        const auto mirror = mirror_time(reversals, time, ends_branch);
         if (!mirror || *mirror < present) continue;
         (*mirror == time ? reversals_ : mirrors_).push_back({*mirror, time});
     }

@@ -266,13 +266,13 @@ AdvanceResult Simulation::advance_to(double time) {
     });
 }
 
-void Simulation::measure_return(std::vector<double> times) {
+void Simulation::measure_return(std::vector<double> times, bool ends_branch) {
     Implementation& its = *implementation_;
     std::vector<double> reversals = its.reversed_at;
     for (std::size_t k = its.next_event; k < its.events.size(); ++k)
         if (std::holds_alternative<ReverseVelocities>(its.events[k].action))
             reversals.push_back(its.events[k].at);
-    its.echo = EchoMeasurement(reversals, std::move(times), its.present.time);
+    its.echo = EchoMeasurement(reversals, std::move(times), its.present.time, ends_branch);
 }
 
 void Simulation::replace_events(std::vector<RunEvent> events) {

@@ -66,7 +66,9 @@ class Simulation {
     /// mirror time, as long before the last reversal as the present is after it. Without it where
     /// the run was not at that time, or was before the present. Keeps the positions of each of
     /// these times from its mirror time on. Replaces what was asked for before.
-    void measure_return(std::vector<double> times);
+    /// A time that is a reversal's own is its start, at distance 0, or with `ends_branch` the end
+    /// of the branch before it.
+    void measure_return(std::vector<double> times, bool ends_branch = false);
 
     /// State of all particles at the present time.
     const Sample& sample();

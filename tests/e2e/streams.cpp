@@ -177,9 +177,11 @@ TEST_CASE("Ctrl-C ends the wait for a scene that does not come, or for a reader 
              "check - <>pipe", "render - -o a.mp4 <>pipe", "run '" + scene + "' --csv pipe",
              "run '" + scene + "' --json pipe"}) {
         CAPTURE(waiting);
-        // Until it is gone: the first may come before it waits.
+        // From when it handles the signal until it is gone: the first may come before it waits.
         const Outcome stopped = call(waiting +
-                                         " & p=$!; for i in $(seq 600); do kill -INT $p || "
+                                         " & p=$!; until grep -q '^SigCgt:.*[2367abef]$' "
+                                         "/proc/$p/status || ! kill -0 $p; do sleep 0.01; done "
+                                         "2>gone; for i in $(seq 600); do kill -INT $p || "
                                          "break; sleep 0.1; done 2>gone; wait $p",
                                      folder.path());
         CHECK(stopped.exit_code == 130);

@@ -89,7 +89,8 @@ std::string timings(const RenderReport& report) {
     const double events = static_cast<double>(report.collisions.particle + report.collisions.wall);
     const double frames = report.frames;
     row("simulate", report.simulate_seconds,
-        fmt::format("{:.3g} events in each of {}: {}", events,
+        fmt::format("{:.3g} events/s in {}: {}",
+                    events * static_cast<double>(report.passes.size()) / report.simulate_seconds,
                     counted(static_cast<int>(report.passes.size()), "run"),
                     fmt::join(report.passes, "; ")));
     row("draw", report.draw_seconds,
@@ -135,8 +136,8 @@ void tell(const RenderArguments& arguments, const Scene& scene, const RenderRepo
     fmt::print("{}", text);
 }
 
-RenderReport render_to_stream(const Scene& scene, RenderOptions options,
-                              const OutputFormat& format, Progress& progress) {
+RenderReport render_to_stream(const Scene& scene, RenderOptions options, const OutputFormat& format,
+                              Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
     options.output = folder.path() / ("film." + format.name);

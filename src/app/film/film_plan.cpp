@@ -103,6 +103,7 @@ std::unique_ptr<PanelSet> FilmPlan::panels() const {
 FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress) {
     FilmPlan plan;
     auto [scene, start] = start_scene(asked, progress);
+    if (options.when_placed) options.when_placed();
     plan.scene = std::move(scene);
     plan.particles = start.particles();
     plan.start = start.sample();

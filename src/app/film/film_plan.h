@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,12 +25,13 @@ struct FilmOptions {
                           to = {};  ///< as frames_between() reads them; none: the whole film
     bool text = false;              ///< its FilmText
     int previews = 0;  ///< frames of the whole film from which its colours are chosen; 0: none are
+    std::function<void()> when_placed = {};  ///< called once the gas has found its places
 };
 
 struct FilmPlan {
-    Scene scene;                        ///< with the precision that it calculates with
-    FrameSpan span;                     ///< that is drawn
-    std::vector<int> segments;          ///< as segment_starts(), counted from span.first
+    Scene scene;                ///< with the precision that it calculates with
+    FrameSpan span;             ///< that is drawn
+    std::vector<int> segments;  ///< as segment_starts(), counted from span.first
     Particles particles;
     Sample start;                       ///< at time 0
     Recording run;                      ///< of the whole film

@@ -76,14 +76,17 @@ VideoSettings film_settings(const Scene& scene, const RenderOptions& options) {
 RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress) {
     const Stopwatch watch;
     const FrameSpan span = frames_between(timeline(scene), options.from, options.to);
-    // Before the work: it may not be allowed to write.
-    const std::unique_ptr<FilmWriter> writer =
-        film_writer(options.output, film_settings(scene, options), span.frames());
+    // Before the work, as it may not be allowed to write; but not for a gas that finds no room.
+    std::unique_ptr<FilmWriter> writer;
+    const auto open = [&] {
+        writer = film_writer(options.output, film_settings(scene, options), span.frames());
+    };
     const FilmPlan plan = prepare(scene,
                                   {.from = options.from,
                                    .to = options.to,
                                    .text = options.text,
-                                   .previews = format_of_film(options.output).previews},
+                                   .previews = format_of_film(options.output).previews,
+                                   .when_placed = open},
                                   progress);
     return write_film(plan, options, *writer, progress, watch);
 }

@@ -45,7 +45,7 @@ class ReversalWatch {
         }
         std::stable_sort(marks_.begin(), marks_.end(),
                          [](const Mark& a, const Mark& b) { return a.time < b.time; });
-        simulation.measure_return(returns);
+        simulation.measure_return(returns, true);
     }
 
     /// When to look next; infinite after the last time.

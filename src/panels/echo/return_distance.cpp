@@ -341,7 +341,8 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     const std::string begins = "begins at time " + three_digits(run.reversals.front());
     Label label;
-    label.words = {begins + ", when all turn round", begins};
+    label.words = {begins + ", when all turn round", begins,
+                   "at time " + three_digits(run.reversals.front())};
     Point middle{0.5 * last_, 0.5 * (low_ + high_)};
     const double clear = 0.15 * (high_ - low_);
     if (run.radius > 0.0 && std::abs(middle.y - std::log10(run.radius)) < clear)
@@ -367,7 +368,7 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
             lines.entries.push_back({stroke(distance, 0), {distance.name, distance.short_name}});
     if (has_law())
         lines.entries.push_back(
-            {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law"}});
+            {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law", "growth"}});
     plot.notes = {std::move(lines)};
     std::vector<std::string> names;
     for (const auto& one : record_.runs) names.push_back(one.name);

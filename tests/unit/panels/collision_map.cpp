@@ -266,7 +266,7 @@ TEST_CASE("a walk needs one ellipse and not too many steps, and says so at its p
     const std::string third = message_of(
         wire("{name: a, position: [2, 6, 12], velocity: [1, 0, 0], mass: [1, 2, 1]}", 25.0), spec);
     CHECK(third.find("particle 2 strikes particle 1 at 13") != std::string::npos);
-    CHECK(third.find("`walk` is for two beads that meet only each other and walls") !=
+    CHECK(third.find("`walk` is for two beads that collide only with each other and with walls") !=
           std::string::npos);
     const std::string infinite =
         "{name: a, position: 2, velocity: 1}, {name: b, position: 9, mass: infinite}";
@@ -280,7 +280,7 @@ TEST_CASE("a walk needs one ellipse and not too many steps, and says so at its p
                                              "{name: heavy, position: 14, mass: 1e8, velocity: -1}",
                                              26.0),
                                         spec);
-    CHECK(many.find("meet each other and walls 31415 times") != std::string::npos);
+    CHECK(many.find("collide with each other and with walls 31415 times") != std::string::npos);
     CHECK(message_of(wire("{name: a, position: [2, 6], velocity: [-1, 1]}", 3.0), spec)
               .find("particles 0 and 1 do not collide") != std::string::npos);
 }

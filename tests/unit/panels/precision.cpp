@@ -87,10 +87,10 @@ TEST_CASE("what no bits can do is refused where it is written") {
     };
     const std::string too_long =
         message("run: {until: 4e5, precision: auto, events: [{at: 2e5, reverse: velocities}]}\n");
-    CHECK(too_long.starts_with("test:4:30: error: to bring the gas home after "));
+    CHECK(too_long.starts_with("test:4:30: error: a return after "));
     CHECK(too_long.find(" collisions of each particle takes some ") != std::string::npos);
     CHECK(too_long.find(" bits; the limit is 16384") != std::string::npos);
-    CHECK(too_long.find("hint: a reversal ") != std::string::npos);
+    CHECK(too_long.find("hint: reverse ") != std::string::npos);
     const std::string overlap = message(
         "run: {until: 9, events: [{at: 2, reverse: velocities}, "
         "{at: 2, nudge: {particle: 3, by: [-59.9, 0]}}]}\n");

@@ -182,7 +182,8 @@ TEST_CASE("walls, events and panels with options") {
     CHECK(!scene.film.panels[0].theory);
     CHECK(!scene.film.panels[0].mean_now.has_value());
     CHECK(scene.film.panels[0].title == "Speeds");
-    CHECK(scene.description.find("At time 20 and 30 every velocity") != std::string::npos);
+    CHECK(scene.description.find("At time 20 and 30 all velocities are reversed") !=
+          std::string::npos);
 }
 
 TEST_CASE("a panel's particles are chosen by all, species and number") {

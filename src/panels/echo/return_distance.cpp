@@ -341,10 +341,9 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     const std::string begins = "begins at time " + three_digits(run.reversals.front());
     Label label;
-    label.words = {begins + ", when all turn round", begins,
-                   "at time " + three_digits(run.reversals.front())};
+    label.words = {begins};
     Point middle{0.5 * last_, 0.5 * (low_ + high_)};
-    const double clear = 0.15 * (high_ - low_);
+    const double clear = 0.22 * (high_ - low_);
     if (run.radius > 0.0 && std::abs(middle.y - std::log10(run.radius)) < clear)
         middle.y = std::log10(run.radius) - 1.5 * clear;
     label.anchors = {{.at = middle, .offset = {0.0, 0.35}, .align = Align::center}};
@@ -368,7 +367,8 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
             lines.entries.push_back({stroke(distance, 0), {distance.name, distance.short_name}});
     if (has_law())
         lines.entries.push_back(
-            {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law", "growth"}});
+            {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law"}});
+    lines.wraps = true;
     plot.notes = {std::move(lines)};
     std::vector<std::string> names;
     for (const auto& one : record_.runs) names.push_back(one.name);

@@ -10,7 +10,7 @@
 namespace carom::plot {
 namespace {
 
-constexpr double sample_width = 1.8, sample_gap = 0.5, entry_gap = 1.2;  // of notes, units
+constexpr double sample_width = 2.6, sample_gap = 0.5, entry_gap = 1.5;  // of notes, units
 constexpr double first_baseline = 2.5;                                   // of notes, units
 constexpr double least_left = 3.0;         // for the labels of the axis up, units
 constexpr double most_of_title = 0.3;      // of the width: a longer title has a short form

@@ -342,11 +342,12 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
     const std::string begins = "begins at time " + three_digits(run.reversals.front());
     Label label;
     label.words = {begins};
-    Point middle{0.5 * last_, 0.5 * (low_ + high_)};
+    Point middle{0.5 * last_, low_ + 0.2 * (high_ - low_)};
     const double clear = 0.22 * (high_ - low_);
     if (run.radius > 0.0 && std::abs(middle.y - std::log10(run.radius)) < clear)
         middle.y = std::log10(run.radius) - 1.5 * clear;
     label.anchors = {{.at = middle, .offset = {0.0, 0.35}, .align = Align::center}};
+    label.may_be_left_out = true;
     plot.layers.emplace_back(std::move(label));
 }
 

@@ -339,6 +339,7 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
 // In the middle, and clear of the words at the level.
 void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
+    if (run.radius > 0.0) return;  // the words at the level need the room
     const std::string begins = "begins at time " + three_digits(run.reversals.front());
     Label label;
     label.words = {begins};

@@ -102,7 +102,8 @@ fs::path output_path(const std::string& output, bool several, const std::string&
     if (is_same_file(path, scene))
         throw UsageError(fmt::format("-o {}: this is the scene itself", output));
     if (std::ranges::find(extensions, path.extension().string()) == extensions.end())
-        throw UsageError(fmt::format("-o {}: the name must end in {}", output, listed(extensions, "or")));
+        throw UsageError(
+            fmt::format("-o {}: the name must end in {}", output, listed(extensions, "or")));
     return path;
 }
 

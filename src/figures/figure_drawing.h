@@ -16,9 +16,9 @@ double smallest_type(const FigureSpec& spec);
 /// Width and height, centimetres.
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
-/// The picture of a figure, in vectors or in pixels; `words` go with it. Of pixels there are 300 to the inch
-/// (a slide 144), vector pictures the same lengths in centimetres to a quarter of a millimetre.
-/// Throws SystemError.
+/// The picture of a figure, in vectors or in pixels; `words` go with it. Of pixels there are 300 to
+/// the inch (a slide 144), vector pictures the same lengths in centimetres to a quarter of a
+/// millimetre. Throws SystemError.
 Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,
                    const PictureWords& words);
 

@@ -15,7 +15,8 @@ namespace {
 constexpr double frames_measured = 900.0;
 constexpr PowerLaw mp4_seconds{2 * 6.86 / frames_measured, 2 * 9.04 / frames_measured};
 
-constexpr FormatCost mp4_cost{mp4_seconds, {7.9e6 / frames_measured, 15.2e6 / frames_measured}, 0.5};
+constexpr FormatCost mp4_cost{
+    mp4_seconds, {7.9e6 / frames_measured, 15.2e6 / frames_measured}, 0.5};
 constexpr FormatCost webm_cost{
     {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000}, {10.0e3, 21.0e3}, 0.5};
 constexpr FormatCost gif_cost{

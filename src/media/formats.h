@@ -27,11 +27,12 @@ struct FormatCost {
 struct OutputFormat {
     std::string name;  ///< as --format has it; behind a dot the ending of its files
     bool stills = false, figures = false;
-    std::optional<VectorFormat> vector = {};  ///< of stills and figures; none: pixels, or no picture
-    std::optional<FormatCost> film = {};      ///< of a film; none: there are no films of it
-    std::string no_transparency = {};         ///< why a film in it has none; empty: it can
-    int most_frames_per_second = 0;           ///< 0: any number
-    double large_bytes = 0.0;                 ///< from which a film is large for it; 0: never
+    std::optional<VectorFormat> vector =
+        {};                               ///< of stills and figures; none: pixels, or no picture
+    std::optional<FormatCost> film = {};  ///< of a film; none: there are no films of it
+    std::string no_transparency = {};     ///< why a film in it has none; empty: it can
+    int most_frames_per_second = 0;       ///< 0: any number
+    double large_bytes = 0.0;             ///< from which a film is large for it; 0: never
     int previews = 0;  ///< frames of the whole film from which its colours are chosen
     std::unique_ptr<FilmWriter> (*make_film)(const std::filesystem::path&, const VideoSettings&,
                                              int frames) = nullptr;

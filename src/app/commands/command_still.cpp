@@ -29,8 +29,8 @@ std::filesystem::path still_path(const StillArguments& arguments) {
     if (Output::is_standard_output(output)) return "still." + (format.empty() ? "png" : format);
     std::vector<std::string> extensions;
     for (const std::string& name : still_formats()) extensions.push_back("." + name);
-    std::ranges::rotate(extensions, std::ranges::find(extensions,
-                                                      "." + (format.empty() ? "png" : format)));
+    std::ranges::rotate(extensions,
+                        std::ranges::find(extensions, "." + (format.empty() ? "png" : format)));
     const std::filesystem::path path = output_path(output, false, arguments.scene, extensions);
     if (!format.empty() && path.extension() != "." + format)
         throw UsageError(fmt::format("-o {}: the name ends in {}, and --format asks for {}", output,

@@ -290,13 +290,12 @@ class Maker {
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
         const HiddenFolder hidden(set_.folder / ".film");
-        const RenderOptions options{.output = hidden.path / files.at("film"),
-                                    .threads = options_.threads,
-                                    .text = true};
+        const RenderOptions options{
+            .output = hidden.path / files.at("film"), .threads = options_.threads, .text = true};
         const FilmPlan plan = prepare(part.scene, {.text = true}, progress);
         render(plan, options, progress);
-        Canvas poster = draw_still(plan, poster_at * part.scene.run.until, output_format("png"),
-                                   progress);
+        Canvas poster =
+            draw_still(plan, poster_at * part.scene.run.until, output_format("png"), progress);
         write_image(poster, hidden.path / files.at("poster"));
         for (const auto& [what, file] : files)
             folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));

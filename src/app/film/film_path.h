@@ -15,8 +15,8 @@ struct FilmDestination {
     bool several = false;  ///< scenes
 };
 
-/// The path of the film of `scene`, as format_of_film() reads it, or `-` for standard output. Throws
-/// UsageError when -o and --format contradict one another, or what is there already.
+/// The path of the film of `scene`, as format_of_film() reads it, or `-` for standard output.
+/// Throws UsageError when -o and --format contradict one another, or what is there already.
 std::filesystem::path film_path(const FilmDestination& destination, const std::string& scene);
 
 /// The format of the film at such a path.

@@ -33,11 +33,11 @@ struct FilmText {
 struct Moment {
     int frame = 0;
     double time = 0.0;
-    bool reversed = false;                 ///< just now
-    bool ends = false;                     ///< the film
-    bool is_title = false;                 ///< the title card
+    bool reversed = false;                        ///< just now
+    bool ends = false;                            ///< the film
+    bool is_title = false;                        ///< the title card
     std::vector<std::string> perturbations = {};  ///< of just now, in words
-    std::string mark = {};                 ///< the words of places that are marked just now
+    std::string mark = {};                        ///< the words of places that are marked just now
     std::string end_card = {};
     std::string caption = {};  ///< that comes up just now
     std::int64_t collisions = 0;

@@ -28,8 +28,8 @@ class SegmentWorkers {
   public:
     /// `writer` and the others must outlive the workers. `starts` as from segment_starts(). Throws
     /// SystemError when threads cannot be started.
-    SegmentWorkers(const PanelSet& panels, std::vector<int> starts, int threads,
-                   FilmWriter& writer, Progress& progress);
+    SegmentWorkers(const PanelSet& panels, std::vector<int> starts, int threads, FilmWriter& writer,
+                   Progress& progress);
     ~SegmentWorkers();  ///< stops at once
 
     /// The next frame in order. Waits while too much waits to be drawn; rethrows a worker's error.

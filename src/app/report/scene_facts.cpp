@@ -47,8 +47,7 @@ SceneFacts facts_of(const Scene& scene, bool has_film, int cores) {
     const double events = rate.value_or(0.0) * (scene.run.until + scene.run.equilibrate);
     facts.passes = expected_passes(scene, facts.particles);
     for (const OutputFormat& format : output_formats())
-        if (format.film)
-            facts.costs.push_back(cost_of(format, scene.film, facts, events, cores));
+        if (format.film) facts.costs.push_back(cost_of(format, scene.film, facts, events, cores));
     return facts;
 }
 

@@ -25,7 +25,7 @@ struct SceneFacts {
     double packing_fraction = 0.0;     ///< of the area; of the length on a wire
     std::optional<double> collisions;  ///< expected from 0 to `until`; none: no theory
     int frames = 0;                    ///< of the film; 0 without
-    std::vector<std::string> passes;  ///< what its run is simulated for, each time; none without
+    std::vector<std::string> passes;   ///< what its run is simulated for, each time; none without
     std::vector<FilmCost> costs;       ///< in each of film_formats(); none without a film
 };
 

@@ -63,7 +63,8 @@ template <typename Scalar>
 }
 
 /// Bound on the rounding error of r . (v2 - v1), 4 epsilon sum |r_a| (|v1_a| + |v2_a|): an approach
-/// slower than that cannot be distinguished from none, and its impulse may round to nothing for ever.
+/// slower than that cannot be distinguished from none, and its impulse may round to nothing for
+/// ever.
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar approach_round_off(const RelativeMotion<Scalar>& m,
                                                         const Scalar& first_vx,

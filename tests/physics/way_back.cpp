@@ -161,7 +161,7 @@ TEST_CASE("what cannot come home is refused with what to change") {
     }
     CHECK(message.find("the limit is 16384") != std::string::npos);
     CHECK(message.find("collisions of each particle") != std::string::npos);
-    CHECK(hint.find("a reversal") != std::string::npos);
+    CHECK(hint.find("previous reversal") != std::string::npos);
 }
 
 TEST_CASE("a nudge moves one particle by what it says, to the last digit") {

@@ -336,19 +336,17 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
     plot.layers.emplace_back(std::move(marker));
 }
 
-// In the middle, and clear of the words at the level.
+// What an empty plot waits for.
 void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
-    if (run.radius > 0.0) return;  // the words at the level need the room
-    const std::string begins = "begins at time " + three_digits(run.reversals.front());
     Label label;
-    label.words = {begins};
-    Point middle{0.5 * last_, low_ + 0.2 * (high_ - low_)};
-    const double clear = 0.22 * (high_ - low_);
-    if (run.radius > 0.0 && std::abs(middle.y - std::log10(run.radius)) < clear)
-        middle.y = std::log10(run.radius) - 1.5 * clear;
-    label.anchors = {{.at = middle, .offset = {0.0, 0.35}, .align = Align::center}};
-    label.may_be_left_out = true;
+    label.words = {"begins at time " + three_digits(run.reversals.front())};
+    for (const double height : {0.5, 0.75, 0.25})
+        label.anchors.push_back({.at = {0.5, height},
+                                 .x_is_share = true,
+                                 .y_is_share = true,
+                                 .offset = {0.0, 0.35},
+                                 .align = Align::center});
     plot.layers.emplace_back(std::move(label));
 }
 

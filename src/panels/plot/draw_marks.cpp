@@ -30,6 +30,8 @@ struct Place {
     Point baseline;
     Align align;
     Rect rect;
+    std::string words = {};
+    bool is_free = true;
 };
 
 bool lies_on_x_axis(const Frame& frame, const Rect& words) {
@@ -56,36 +58,49 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
     return {};
 }
 
-}  // namespace
+TextStyle style_of(const Frame& frame, const Label& label) {
+    TextStyle style = label_style(frame.dc);
+    style.color = legible(color_of(label.role, frame.dc.theme), frame.dc.theme);
+    return style;
+}
 
-void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
-    const DrawContext& dc = frame.dc;
-    TextStyle style = label_style(dc);
-    style.color = legible(color_of(label.role, dc.theme), dc.theme);
-    std::optional<Place> place;
+// Where a label goes, and which of its words; nothing where it is left out.
+std::optional<Place> place_of(const Frame& frame, const Label& label) {
     std::string words;
     double width = 0.0;
     for (const Text& text : label.words) {
-        words = markup_of(text, dc.theme);
-        width = measure_text(words, style).width;
-        place = free_place(frame, label.anchors, width);
-        if (place) break;
+        words = markup_of(text, frame.dc.theme);
+        width = measure_text(words, style_of(frame, label)).width;
+        std::optional<Place> place = free_place(frame, label.anchors, width);
+        if (!place) continue;
+        place->words = words;
+        return place;
     }
-    if (!place && (label.may_be_left_out || label.anchors.empty())) return;
-    const bool has_plate = label.has_plate || !place;
-    if (!place) {
-        const Point at = place_of(frame, label.anchors.front());
-        place = {at, label.anchors.front().align,
-                 rect_of(frame, at, label.anchors.front().align, width)};
-    }
+    if (label.may_be_left_out || label.anchors.empty()) return {};
+    const Anchor& first = label.anchors.front();
+    const Point at = place_of(frame, first);
+    return Place{at, first.align, rect_of(frame, at, first.align, width), words, false};
+}
+
+}  // namespace
+
+void keep_clear_of(const Frame& frame, const Label& label) {
+    if (const auto place = place_of(frame, label)) frame.placer.keep_clear(place->rect);
+}
+
+void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
+    const DrawContext& dc = frame.dc;
+    const std::optional<Place> place = place_of(frame, label);
+    if (!place) return;
     const Rect& rect = place->rect;
-    if (has_plate) {
+    if (label.has_plate || !place->is_free) {
         const double air = frame.pixels(0.3);
         canvas.fill({rect.x - air, rect.y, rect.width + 2.0 * air, rect.height},
                     with_alpha(dc.theme.page, plate_alpha));
     }
+    TextStyle style = style_of(frame, label);
     style.align = place->align;
-    draw_text(canvas, place->baseline, words, style);
+    draw_text(canvas, place->baseline, place->words, style);
     frame.placer.keep_clear(rect);
     if (!label.sample) return;
     const double y = place->baseline.y - frame.pixels(0.35);

@@ -238,13 +238,37 @@ struct Obstacles {
     void operator()(const Layer&) const {}
 };
 
+// The words of a layer; nullptr: none.
+const Label* label_of(const AnyLayer& layer) {
+    const auto of = [](const auto& part) { return part && part->label ? &*part->label : nullptr; };
+    if (const Label* level = of(std::get_if<Level>(&layer))) return level;
+    if (const Label* marker = of(std::get_if<Marker>(&layer))) return marker;
+    return std::get_if<Label>(&layer);
+}
+
 bool has_labels(const Plot& plot, bool still) {
     return std::ranges::any_of(plot.layers, [&](const AnyLayer& layer) {
-        if (common(layer).still != still) return false;
-        if (const auto* level = std::get_if<Level>(&layer)) return level->label.has_value();
-        if (const auto* marker = std::get_if<Marker>(&layer)) return marker->label.has_value();
-        return std::holds_alternative<Label>(layer);
+        return common(layer).still == still && label_of(layer) != nullptr;
     });
+}
+
+// Layers of a part in the order in which they are drawn.
+std::vector<const AnyLayer*> layers_of(const Plot& plot, bool still) {
+    std::vector<const AnyLayer*> layers;
+    for (const AnyLayer& layer : plot.layers)
+        if (common(layer).still == still) layers.push_back(&layer);
+    std::ranges::stable_sort(layers, std::ranges::greater{},
+                             [](const AnyLayer* layer) { return common(*layer).depth; });
+    return layers;
+}
+
+// What the labels of a part must not lie on; those that change, not on those that stand still.
+void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
+    if (!has_labels(plot, still)) return;
+    for (const AnyLayer& layer : plot.layers) std::visit(Obstacles{frame}, layer);
+    if (still) return;
+    for (const AnyLayer* layer : layers_of(plot, true))
+        if (const Label* label = label_of(*layer)) keep_clear_of(frame, *label);
 }
 
 }  // namespace
@@ -266,13 +290,8 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         draw_axes(canvas, frame, plot);
     }
     draw_notes(canvas, frame, plot, part);
-    if (has_labels(plot, still))
-        for (const AnyLayer& layer : plot.layers) std::visit(Obstacles{frame}, layer);
-    std::vector<const AnyLayer*> layers;
-    for (const AnyLayer& layer : plot.layers)
-        if (common(layer).still == still) layers.push_back(&layer);
-    std::ranges::stable_sort(layers, std::ranges::greater{},
-                             [](const AnyLayer* layer) { return common(*layer).depth; });
+    keep_labels_clear(frame, plot, still);
+    const std::vector<const AnyLayer*> layers = layers_of(plot, still);
     const auto last_bars = std::ranges::find_if(
         layers.rbegin(), layers.rend(),
         [](const AnyLayer* layer) { return std::holds_alternative<Bars>(*layer); });

@@ -37,6 +37,9 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
 void draw_layer(Canvas& canvas, const Frame& frame, const Ellipse& ellipse);
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
+/// Keeps other labels off where this one goes.
+void keep_clear_of(const Frame& frame, const Label& label);
+
 /// A role's colour on the theme, and that of a stroke, with its shade and its fading.
 Color color_of(const Role& role, const Theme& theme);
 Color color_of(const Stroke& stroke, const Theme& theme);

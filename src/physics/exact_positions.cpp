@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "physics/multiprecision/multiprecision.h"
-#include "physics/nearest_image.h"
 
 namespace carom {
 namespace {
@@ -17,7 +16,7 @@ ReturnDistance distance_of(const Box& box, const Eigen::ArrayXXd& from, const Ei
     if (apart.rows() == 0) return {};
     for (Eigen::Index axis = 0; axis < apart.cols(); ++axis)
         for (double& one : apart.col(axis))
-            one -= box.size[axis] * turns(box, static_cast<std::size_t>(axis), one);
+            one -= box.size[axis] * box.turns(static_cast<std::size_t>(axis), one);
     const Eigen::ArrayXd square = apart.square().rowwise().sum();
     const double largest = std::sqrt(square.maxCoeff()), mean = std::sqrt(square.mean());
     return {largest, mean, std::log10(largest), std::log10(mean)};
@@ -36,8 +35,8 @@ ReturnDistance distance_of(const Box& box, const std::vector<Real>& from,
         Real square = 0.0;
         for (std::size_t axis = 0; axis < dimension; ++axis) {
             Real apart = to[k + axis] - from[k + axis];
-            const double times = turns(box, axis, static_cast<double>(apart));
-            apart -= as_precise_as(apart, box.size[static_cast<Eigen::Index>(axis)]) * times;
+            const double times = box.turns(axis, static_cast<double>(apart));
+            apart -= as_precise_as(apart, box.length(axis)) * times;
             square += apart * apart;
         }
         largest = std::max(largest, square);

@@ -6,6 +6,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -15,21 +18,49 @@ namespace carom {
 
 enum class Wall { solid, periodic };
 
-/// The box [0, size_x] x [0, size_y], or the wire [0, size_x] when `dimension` is 1.
+/// The box [0, size_x] x [0, size_y], or the line [0, size_x] when `dimension` is 1.
 struct Box {
     int dimension = 2;
     Eigen::Array2d size{0.0, 0.0};
     std::array<Wall, 2> walls{Wall::solid, Wall::solid};  ///< of the sides across x, across y
+
+    bool is_periodic(std::integral auto axis) const {
+        return walls[static_cast<std::size_t>(axis)] == Wall::periodic;
+    }
+
+    /// Its size along an axis.
+    double length(std::integral auto axis) const { return size[static_cast<Eigen::Index>(axis)]; }
+
+    /// A coordinate, which on a periodic axis is brought into [0, length).
+    double wrapped(std::integral auto axis, double x) const {
+        if (!is_periodic(axis)) return x;
+        const double inside = x - length(axis) * std::floor(x / length(axis));
+        return inside < length(axis) ? inside : 0.0;
+    }
+
+    /// How many lengths of the box lie between the nearest images of two points that are
+    /// `separation` apart along an axis; 0 where the box is not periodic.
+    double turns(std::integral auto axis, double separation) const {
+        return is_periodic(axis) ? std::round(separation / length(axis)) : 0.0;
+    }
+
+    /// The shortest vector between two points that are `separation` apart: across periodic sides
+    /// where the box has them. Nearest images are found here and in turns() only, but for the
+    /// search for contacts, which asks for many at once (plane/contact_search.h).
+    Eigen::Array2d nearest(const Eigen::Array2d& separation) const {
+        return {separation[0] - size[0] * turns(0, separation[0]),
+                separation[1] - size[1] * turns(1, separation[1])};
+    }
 };
 
-struct UniformLaw {
+struct UniformDistribution {
     double low, high;
 };
-struct NormalLaw {
+struct NormalDistribution {
     double mean, deviation;
 };
-/// One number for all, one for each particle, or a law to draw from.
-using Quantity = std::variant<double, std::vector<double>, UniformLaw, NormalLaw>;
+/// One number for all, one for each particle, or a distribution to draw from.
+using Quantity = std::variant<double, std::vector<double>, UniformDistribution, NormalDistribution>;
 
 struct Infinite {};
 struct Density {

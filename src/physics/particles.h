@@ -13,6 +13,12 @@ struct Particles {
     Eigen::ArrayXi species;       ///< N, index into Gas::species
 
     Eigen::Index count() const { return radius.size(); }
+
+    /// All have one radius and one mass.
+    bool are_equal() const {
+        return count() == 0 ||
+               ((radius == radius[0]).all() && (inverse_mass == inverse_mass[0]).all());
+    }
 };
 
 /// Positions and velocities of all particles at one time.

@@ -37,7 +37,7 @@ struct Run {
     std::optional<int> bits = bits_of_double;  ///< none: as many as it takes for the gas to return
                                                ///< after each reversal (bits_for_return())
     double tolerance = 1e-9;  ///< largest return distance, in units of the smallest radius, or on a
-                              ///< wire of points of the mean spacing
+                              ///< line of points of the mean spacing
 };
 
 /// When velocities are reversed, in order.

@@ -28,11 +28,11 @@ std::string species_words(const Species& species, int dimension, bool several) {
 
 std::string box_words(const Box& box) {
     if (box.dimension == 1)
-        return box.walls[0] == Wall::periodic
+        return box.is_periodic(0)
                    ? fmt::format("on a wire of length {} whose ends are joined", box.size[0])
                    : fmt::format("on a wire of length {} between two walls", box.size[0]);
-    const bool across = box.walls[0] == Wall::periodic;
-    const bool up = box.walls[1] == Wall::periodic;
+    const bool across = box.is_periodic(0);
+    const bool up = box.is_periodic(1);
     const std::string size = fmt::format("box of {} by {}", box.size[0], box.size[1]);
     if (across && up) return "in a periodic " + size;
     if (across) return fmt::format("in a {} with solid walls below and above,", size);
@@ -42,11 +42,11 @@ std::string box_words(const Box& box) {
 
 std::string passage_words(const Box& box) {
     if (box.dimension == 1)
-        return box.walls[0] == Wall::periodic
+        return box.is_periodic(0)
                    ? " What leaves at the right end enters at the left, and the other way round."
                    : "";
-    const bool across = box.walls[0] == Wall::periodic;
-    const bool up = box.walls[1] == Wall::periodic;
+    const bool across = box.is_periodic(0);
+    const bool up = box.is_periodic(1);
     if (across && up) return " What leaves on one side enters on the opposite side.";
     if (across) return " What leaves on the left enters on the right, and the other way round.";
     if (up) return " What leaves at the top enters at the bottom, and the other way round.";

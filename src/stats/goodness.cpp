@@ -45,12 +45,12 @@ Below velocities_below(double b, double root) {
             -0.5 * mean_size * std::pow(std::max(0.0, 1.0 - u), b) / deviation};
 }
 
-Below below(const EquilibriumGas& gas, Law law, double edge) {
+Below below(const EquilibriumGas& gas, TestedQuantity quantity, double edge) {
     const MassGroup& group = gas.groups.front();
     const double most = gas.energy * group.largest_share;
-    if (law == Law::energy) return energies_below(gas.alpha, gas.beta, edge / most);
+    if (quantity == TestedQuantity::energy) return energies_below(gas.alpha, gas.beta, edge / most);
     const double root = std::sqrt(0.5 * group.mass / most) * edge;
-    if (law == Law::speed)
+    if (quantity == TestedQuantity::speed)
         return energies_below(gas.alpha, gas.beta, root > 0.0 ? root * root : 0.0);
     return velocities_below(gas.alpha + gas.beta - 0.5, std::clamp(root, -1.0, 1.0));
 }
@@ -128,7 +128,8 @@ double weighted_tail(double statistic, double freedom, std::span<const double> w
     constexpr double negligible = 1e-9;
     if (weight < negligible) return weighted_tail(statistic, freedom, others);
     constexpr int steps = 64;
-    // Far out in the tail the integrand falls as a normal law of variance 1 / (1 - weight).
+    // Far out in the tail the integrand falls as a normal distribution of variance 1 / (1 -
+    // weight).
     const double whole = std::sqrt(statistic / weight);
     const double far = weight < 1.0 ? 10.0 / std::sqrt(1.0 - weight) : whole;
     const double most = std::min(far, whole);
@@ -144,10 +145,10 @@ double weighted_tail(double statistic, double freedom, std::span<const double> w
     return std::min(1.0, inside + beyond);
 }
 
-Expected expected_counts(const EquilibriumGas& gas, Law law, const std::vector<double>& edges,
-                         double particles, double values_each) {
+Expected expected_counts(const EquilibriumGas& gas, TestedQuantity quantity,
+                         const std::vector<double>& edges, double particles, double values_each) {
     const double values = particles * values_each;
-    const bool is_velocity = law == Law::velocity;
+    const bool is_velocity = quantity == TestedQuantity::velocity;
     const double part = is_velocity ? 0.5 : gas.alpha;
     Expected expected;
     expected.conserved.push_back({{}, values * part / (gas.alpha + gas.beta)});
@@ -155,7 +156,7 @@ Expected expected_counts(const EquilibriumGas& gas, Law law, const std::vector<d
         expected.conserved.push_back({{}, particles * (1.0 - gas.groups.front().largest_share)});
     Below last{0.0, 0.0, 0.0};
     for (std::size_t k = 0; k <= edges.size(); ++k) {
-        const Below next = k < edges.size() ? below(gas, law, edges[k]) : Below{1.0, 0.0, 0.0};
+        const Below next = k < edges.size() ? below(gas, quantity, edges[k]) : Below{1.0, 0.0, 0.0};
         expected.count.push_back(values * (next.chance - last.chance));
         expected.conserved[0].moment.push_back(values * (next.energy - last.energy));
         if (is_velocity)

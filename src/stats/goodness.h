@@ -10,12 +10,12 @@
 
 namespace carom {
 
-/// The chance of more than `statistic` in a chi-squared law with `freedom` degrees of freedom,
-/// which need not be whole. Both positive.
+/// The chance of more than `statistic` in a chi-squared distribution with `freedom` degrees of
+/// freedom, which need not be whole. Both positive.
 double chi_squared_tail(double statistic, double freedom);
 
-/// The same for a chi-squared law of `freedom` degrees, none included, and squares of further
-/// normal numbers times `weights`, not negative. Accurate to 1e-3 of itself or better.
+/// The same for a chi-squared distribution of `freedom` degrees, none included, and squares of
+/// further normal numbers times `weights`, not negative. Accurate to 1e-3 of itself or better.
 double weighted_tail(double statistic, double freedom, std::span<const double> weights);
 
 /// A sum over all particles that never changes, as far as the counted values have a part in it.
@@ -31,13 +31,13 @@ struct Expected {
     std::vector<Conserved> conserved;
 };
 
-enum class Law { speed, energy, velocity };
+enum class TestedQuantity { speed, energy, velocity };
 
 /// What is expected of `particles` particles of one mass, `values_each` components of velocity of
 /// each of them, in the classes below the first of some rising edges, between them and from the
 /// last on. Exact for a finite gas: energy shares are Beta distributed (see theory.h).
-Expected expected_counts(const EquilibriumGas& gas, Law law, const std::vector<double>& edges,
-                         double particles, double values_each);
+Expected expected_counts(const EquilibriumGas& gas, TestedQuantity quantity,
+                         const std::vector<double>& edges, double particles, double values_each);
 
 struct ChiSquared {
     double statistic = 0.0;
@@ -48,10 +48,11 @@ struct ChiSquared {
 
 /// Pearson's test. Neighbouring classes are pooled from the lowest on until at least 5 values are
 /// expected in each. The number of values is given, and so are the conserved sums: instead of a
-/// chi-squared law of (classes - 1) degrees the statistic has that of a sum of squares of which as
-/// many as there are sums weigh less than 1, by the part of each that the classes see (compare
-/// Chernoff and Lehmann 1954, doi:10.1214/aoms/1177728726). Degrees of freedom are the mean of this
-/// law, the sum of the weights; p is its tail. Nothing where fewer than three classes are left.
+/// chi-squared distribution of (classes - 1) degrees the statistic has that of a sum of squares of
+/// which as many as there are sums weigh less than 1, by the part of each that the classes see
+/// (compare Chernoff and Lehmann 1954, doi:10.1214/aoms/1177728726). Degrees of freedom are the
+/// mean of this distribution, the sum of the weights; p is its tail. Nothing where fewer than three
+/// classes are left.
 std::optional<ChiSquared> pearson(const std::vector<double>& observed, const Expected& expected);
 
 }  // namespace carom

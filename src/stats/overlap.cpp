@@ -22,7 +22,7 @@ double overlap_of_disks(const Box& box, const Particles& particles, const Sample
     return deepest;
 }
 
-// Beads cannot pass one another: only neighbours along the wire can overlap.
+// Beads cannot pass one another: only neighbours along the line can overlap.
 double overlap_of_beads(const Box& box, const Particles& particles, const Sample& sample) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -35,8 +35,7 @@ double overlap_of_beads(const Box& box, const Particles& particles, const Sample
         if (contact > 0.0) deepest = std::max(deepest, 1.0 - (x[b] + turn - x[a]) / contact);
     };
     for (std::size_t k = 1; k < order.size(); ++k) look(order[k - 1], order[k], 0.0);
-    if (box.walls[0] == Wall::periodic && order.size() > 1)
-        look(order.back(), order.front(), box.size[0]);
+    if (box.is_periodic(0) && order.size() > 1) look(order.back(), order.front(), box.size[0]);
     return deepest;
 }
 

@@ -10,10 +10,6 @@ std::optional<double> if_finite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-bool is_solid(const Box& box, int axis) {
-    return box.walls[static_cast<std::size_t>(axis)] == Wall::solid;
-}
-
 // The length, in 1-D the number, of the two walls across an axis.
 double extent_of_walls(const Box& box, int axis) {
     return box.dimension == 1 ? 2.0 : 2.0 * box.size[1 - axis];
@@ -26,7 +22,7 @@ double mean_radius(const Particles& particles) {
 
 double size_of_room(const Box& box, double radius) {
     const auto reach = [&](int axis) {
-        return box.size[axis] - (is_solid(box, axis) ? 2.0 * radius : 0.0);
+        return box.size[axis] - (box.is_periodic(axis) ? 0.0 : 2.0 * radius);
     };
     if (box.dimension == 1) return reach(0);
     return 0.5 * (box.size[0] * reach(1) + box.size[1] * reach(0));
@@ -38,7 +34,7 @@ std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulse
     double momentum = 0.0;
     double extent = 0.0;
     for (int axis = 0; axis < box.dimension; ++axis) {
-        if (!is_solid(box, axis)) continue;
+        if (box.is_periodic(axis)) continue;
         const std::size_t side = 2 * static_cast<std::size_t>(axis);
         momentum += impulses.wall[side] + impulses.wall[side + 1];
         extent += extent_of_walls(box, axis);

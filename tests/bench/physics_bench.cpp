@@ -80,7 +80,7 @@ void print_row(const Gas& gas, double packing, double seconds) {
     const double speed = million_collisions_per_second(gas, packing, seconds);
     const double reference = 0.5 * (before + reference_speed());
     fmt::print("{:7.2f} {:10} {:>9} {:22.2f} {:29.4f}\n", packing, count,
-               gas.box.walls[0] == Wall::periodic ? "periodic" : "solid", speed, speed / reference);
+               gas.box.is_periodic(0) ? "periodic" : "solid", speed, speed / reference);
 }
 
 // Of the event loop when it runs; its particles' constants and samples (some 50 bytes each) belong

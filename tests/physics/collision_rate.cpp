@@ -73,7 +73,7 @@ TEST_CASE("a mixture of sizes and masses between walls collides as often as expe
         gas.species = {{.name = "small", .count = 300, .radius = 0.4, .velocity = Temperature{2.0}},
                        {.name = "large",
                         .count = 60,
-                        .radius = UniformLaw{0.8, 1.6},
+                        .radius = UniformDistribution{0.8, 1.6},
                         .mass = Density{Quantity{5.0}},
                         .velocity = Temperature{2.0}}};
         const double time = 40000.0 / expected(gas);
@@ -86,8 +86,10 @@ TEST_CASE("a mixture of sizes and masses between walls collides as often as expe
 TEST_CASE("equal beads on a wire meet exactly as often as expected") {
     for (const Wall wall : {Wall::solid, Wall::periodic}) {
         Gas gas = wire(wall, 30.0);
-        gas.species = {
-            {.name = "rods", .count = 20, .radius = 0.25, .velocity = Speed{UniformLaw{0.5, 3.0}}}};
+        gas.species = {{.name = "rods",
+                        .count = 20,
+                        .radius = 0.25,
+                        .velocity = Speed{UniformDistribution{0.5, 3.0}}}};
         const double time = 20000.0;
         const double most_apart = 190.0 / (expected(gas) * time);
         agree(gas, 0.0, time, most_apart);

@@ -1,10 +1,10 @@
 // The laws of equilibrium, exact for any number of particles, any masses, sizes and densities:
 // energy shares and, on a wire, places.
 //
-// Each law is tested on independent samples (taken far apart in time, their correlation is looked
-// at) by Kolmogorov and Smirnov's test. All tests of fit together fail by chance once in a hundred
-// choices of seeds: Bonferroni's share of that for each, which holds although the shares of one gas
-// depend on each other. The seeds are fixed, so a run never fails by chance.
+// Each distribution is tested on independent samples (taken far apart in time, their correlation is
+// looked at) by Kolmogorov and Smirnov's test. All tests of fit together fail by chance once in a
+// hundred choices of seeds: Bonferroni's share of that for each, which holds although the shares of
+// one gas depend on each other. The seeds are fixed, so a run never fails by chance.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -27,15 +27,15 @@ constexpr int tests_of_fit = 8 + 2 + 1 + 5 + 24;
 constexpr double level = 0.01 / tests_of_fit;
 constexpr int samples = 3000;
 
-using Law = std::function<double(double)>;        // a distribution function
-using Series = std::vector<std::vector<double>>;  // of each quantity its samples
+using Distribution = std::function<double(double)>;  // a distribution function
+using Series = std::vector<std::vector<double>>;     // of each quantity its samples
 
 // Beta(1, b), as a share of at most `most`.
-Law shares_law(double b, double most = 1.0) {
+Distribution shares_below(double b, double most = 1.0) {
     return [=](double x) { return 1.0 - std::pow(std::max(0.0, 1.0 - x / most), b); };
 }
 
-void check_law(const std::vector<double>& values, const Law& below) {
+void check_distribution(const std::vector<double>& values, const Distribution& below) {
     CHECK(test::chance(values, below) > level);
     // Four standard errors: looked at for as many series as there are tests
     CHECK(std::abs(test::correlation_with_next(values)) < 4.0 / std::sqrt(values.size()));
@@ -91,20 +91,20 @@ TEST_CASE("energy shares between walls follow Beta(1, N - 1), whatever masses an
         // The laws of ten disks and of eleven are 0.039 apart: so many samples are expected to give
         // the wrong one a chance of 1e-10, where 3000 would give it just that of `level`.
         const Series found = energy_shares(simulation, 60.0, 8000);
-        check_law(found.front(), shares_law(light + 1.0));
-        check_law(found.back(), shares_law(light + 1.0));
-        CHECK(test::chance(found.front(), shares_law(light + 2.0)) < level);  // it can tell
+        check_distribution(found.front(), shares_below(light + 1.0));
+        check_distribution(found.back(), shares_below(light + 1.0));
+        CHECK(test::chance(found.front(), shares_below(light + 2.0)) < level);  // it can tell
     }
 }
 
-TEST_CASE("energy shares of a dense gas follow the same law") {
+TEST_CASE("energy shares of a dense gas follow the same distribution") {
     Gas gas;
     gas.box.size = {4.3, 4.3};
     gas.species = {{.name = "", .count = 14, .velocity = Speed{1.0}, .position = LatticePlaces{}}};
     Simulation simulation(gas, Run{});  // packing 0.59
     const Series found = energy_shares(simulation, 10.0);
-    check_law(found[0], shares_law(13.0));
-    CHECK(test::chance(found[0], shares_law(15.0)) < level);
+    check_distribution(found[0], shares_below(13.0));
+    CHECK(test::chance(found[0], shares_below(15.0)) < level);
 }
 
 TEST_CASE("energy shares in a periodic box follow (1 - m/M) Beta(1, N - 2)") {
@@ -119,18 +119,18 @@ TEST_CASE("energy shares in a periodic box follow (1 - m/M) Beta(1, N - 2)") {
                     .velocity = Speed{1.0}}};
     Simulation simulation(gas, Run{});
     const Series found = energy_shares(simulation, 60.0);
-    check_law(found[0], shares_law(3.0, 1.0 - 1.0 / 9.0));
-    check_law(found[3], shares_law(3.0, 1.0 - 3.0 / 9.0));
-    CHECK(test::chance(found[3], shares_law(4.0)) < level);
+    check_distribution(found[0], shares_below(3.0, 1.0 - 1.0 / 9.0));
+    check_distribution(found[3], shares_below(3.0, 1.0 - 3.0 / 9.0));
+    CHECK(test::chance(found[3], shares_below(4.0)) < level);
 }
 
 TEST_CASE("energy shares of beads follow Beta(1/2, (N - 1)/2)") {
     Simulation simulation = unequal_beads(5, 9.0, 0.0);
     const Series found = energy_shares(simulation, 300.0);
     // N = 5: one component of a direction in space of five dimensions, squared.
-    const Law law = [](double x) { return 0.5 * std::sqrt(x) * (3.0 - x); };
+    const Distribution below = [](double x) { return 0.5 * std::sqrt(x) * (3.0 - x); };
     for (const std::vector<double>& shares : found) {
-        check_law(shares, law);
+        check_distribution(shares, below);
         CHECK(test::chance(shares, [](double x) { return std::sqrt(x); }) < level);  // of N = 3
     }
 }
@@ -153,8 +153,8 @@ TEST_CASE("bead k of N lies at Beta(k, N + 1 - k) of a wire, whatever the masses
                 const int bead = std::stoi(row[1]);
                 CAPTURE(bead);
                 const std::vector<double>& places = found[static_cast<std::size_t>(bead - 1)];
-                check_law(places,
-                          [&](double x) { return test::beta_below(bead, count + 1 - bead, x); });
+                check_distribution(
+                    places, [&](double x) { return test::beta_below(bead, count + 1 - bead, x); });
                 double mean = 0.0;
                 for (const double x : places) mean += x / samples;
                 const double error = std::sqrt(test::fraction(row[3]) / samples);

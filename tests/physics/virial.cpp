@@ -75,7 +75,7 @@ TEST_CASE("momentum on the walls, virial and boundary term add up at every time"
                 const double energy = thermal_motion(box, simulation.particles(), sample).energy;
                 double walls = 0.0;
                 for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
-                    walls += (box.size[static_cast<Eigen::Index>(a)] - 2.0 * radius) * 0.5 *
+                    walls += (box.length(a) - 2.0 * radius) * 0.5 *
                              (impulses.wall[2 * a] + impulses.wall[2 * a + 1]);
                 const double boundary = momentum_times_place(simulation, sample) - begun;
                 const double gas = 2.0 * energy * time + impulses.virial - boundary;

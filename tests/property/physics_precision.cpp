@@ -6,8 +6,8 @@
 #include "physics/events/event_loop.h"
 #include "physics/placement/placement.h"
 #include "support/same_events.h"
+#include "support/slow_line.h"
 #include "support/slow_simulator.h"
-#include "support/slow_wire.h"
 #include "support/small_scenes.h"
 
 using namespace carom;
@@ -25,7 +25,7 @@ TEST_CASE("with many bits the same events in the same order as the slow, obvious
         }
         const Gas gas = test::small_wire(seed);
         const auto [particles, start] = place(gas);
-        beads += test::require_same_events<1, test::SlowWire, Real>(gas.box, particles, start, 1e5,
+        beads += test::require_same_events<1, test::SlowLine, Real>(gas.box, particles, start, 1e5,
                                                                     100, arithmetic);
     }
     CHECK(disks > 1000);

@@ -34,13 +34,12 @@ double deepest_overlap(const Box& box, const Particles& particles, const Sample&
             if (particles.inverse_mass[i] + particles.inverse_mass[j] == 0.0) continue;
             Eigen::Array2d r = (sample.position.row(i) - sample.position.row(j)).transpose();
             for (int a = 0; a < 2; ++a)
-                if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic)
-                    r[a] = std::remainder(r[a], box.size[a]);
+                if (box.is_periodic(a)) r[a] = std::remainder(r[a], box.size[a]);
             const double sigma = particles.radius[i] + particles.radius[j];
             deepest = std::max(deepest, sigma - std::hypot(r[0], r[1]));
         }
         for (int a = 0; a < 2; ++a) {
-            if (box.walls[static_cast<std::size_t>(a)] == Wall::periodic) continue;
+            if (box.is_periodic(a)) continue;
             const double x = sample.position(i, a);
             deepest = std::max(deepest, particles.radius[i] - std::min(x, box.size[a] - x));
         }
@@ -133,7 +132,7 @@ TEST_CASE("no overlap after any event, energy and momentum are kept") {
             if (driven) continue;
             REQUIRE(energy_of(sample) == relative(energy_of(start), 1e-13));
             for (int a = 0; a < 2; ++a) {
-                if (fixed || gas.box.walls[static_cast<std::size_t>(a)] == Wall::solid) continue;
+                if (fixed || !gas.box.is_periodic(a)) continue;
                 const double scale = (masses * speeds(start)).sum();
                 const double change =
                     (masses * (sample.velocity.col(a) - start.velocity.col(a))).sum();
@@ -224,12 +223,12 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
                             .velocity = Temperature{30.0}},
                            {.name = "middle",
                             .count = 10,
-                            .radius = UniformLaw{1.0, 3.0},
+                            .radius = UniformDistribution{1.0, 3.0},
                             .mass = Density{1.0},
                             .velocity = Temperature{30.0}},
                            {.name = "dust",
                             .count = 400,
-                            .radius = UniformLaw{0.1, 0.4},
+                            .radius = UniformDistribution{0.1, 0.4},
                             .mass = Density{1.0},
                             .velocity = Temperature{30.0}}};
             require_hard_disks(gas, 30'000, 60);
@@ -333,7 +332,7 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
     gas.box.walls = {Wall::solid, Wall::periodic};
     gas.species = {{.name = "",
                     .count = 6000,
-                    .radius = UniformLaw{0.3, 0.9},
+                    .radius = UniformDistribution{0.3, 0.9},
                     .mass = Density{1.0},
                     .velocity = Temperature{1.0}}};
     const auto [particles, start] = place(gas);

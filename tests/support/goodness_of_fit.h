@@ -1,5 +1,5 @@
-// Whether numbers follow a law: Kolmogorov and Smirnov's test, whose chance is known far into the
-// tail, where a correction for many tests needs it.
+// Whether numbers follow a distribution: Kolmogorov and Smirnov's test, whose chance is known far
+// into the tail, where a correction for many tests needs it.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace carom::test {
 
-/// The chance of a larger Kolmogorov-Smirnov distance than that of `values` from the law with the
-/// distribution function `below`, for independent values (Stephens 1970's correction for their
-/// number).
+/// The chance of a larger Kolmogorov-Smirnov distance than that of `values` from the distribution
+/// with the distribution function `below`, for independent values (Stephens 1970's correction for
+/// their number).
 inline double chance(std::vector<double> values, const std::function<double(double)>& below) {
     std::sort(values.begin(), values.end());
     const double n = static_cast<double>(values.size());

@@ -15,7 +15,7 @@
 namespace carom::test {
 
 /// Requires that the event loop finds the same collisions in the same order as `Slow`, a
-/// SlowSimulator or SlowWire: at most `most` of them, before the time `end`. Round-off of the
+/// SlowSimulator or SlowLine: at most `most` of them, before the time `end`. Round-off of the
 /// doubles grows with every collision of a particle (of disks by some 4 to 13 bits); events are
 /// compared while it is small, and a wrong event shows as a jump. Returns how many were compared.
 template <int dimension, class Slow, class Scalar = double>

@@ -13,8 +13,8 @@ SlowSimulator::SlowSimulator(const Box& box, const Particles& particles, const S
 }
 
 void SlowSimulator::look_at_pairs(Candidate& best) const {
-    const int images_x = box_.walls[0] == Wall::periodic ? 2 : 0;
-    const int images_y = box_.walls[1] == Wall::periodic ? 2 : 0;
+    const int images_x = box_.is_periodic(0) ? 2 : 0;
+    const int images_y = box_.is_periodic(1) ? 2 : 0;
     for (std::size_t i = 0; i < disks_.size(); ++i) {
         for (std::size_t j = i + 1; j < disks_.size(); ++j) {
             const Disk &a = disks_[i], &b = disks_[j];
@@ -45,7 +45,7 @@ void SlowSimulator::look_at_walls(Candidate& best) const {
     for (std::size_t i = 0; i < disks_.size(); ++i) {
         const Disk& d = disks_[i];
         for (int axis = 0; axis < 2; ++axis) {
-            if (box_.walls[static_cast<std::size_t>(axis)] == Wall::periodic) continue;
+            if (box_.is_periodic(axis)) continue;
             const long double x = axis == 0 ? d.x : d.y, v = axis == 0 ? d.vx : d.vy;
             if (v == 0.0L) continue;
             const long double wall = v > 0.0L ? box_.size[axis] - d.radius : d.radius;
@@ -89,8 +89,8 @@ void SlowSimulator::fly(long double wait) {
     for (Disk& d : disks_) {
         d.x += d.vx * wait;
         d.y += d.vy * wait;
-        if (box_.walls[0] == Wall::periodic) d.x = wrap(d.x, box_.size[0]);
-        if (box_.walls[1] == Wall::periodic) d.y = wrap(d.y, box_.size[1]);
+        if (box_.is_periodic(0)) d.x = wrap(d.x, box_.size[0]);
+        if (box_.is_periodic(1)) d.y = wrap(d.y, box_.size[1]);
     }
 }
 

@@ -24,8 +24,8 @@ inline Gas small_scene(std::uint64_t seed) {
     const double r = 0.5 * std::sqrt(gas.box.size.prod()) * random.uniform(0.08, 0.2);
     gas.species.push_back({.name = "small",
                            .count = 1 + static_cast<int>(random.below(5)),
-                           .radius = UniformLaw{0.3 * r, r},
-                           .mass = UniformLaw{0.1, 10.0},
+                           .radius = UniformDistribution{0.3 * r, r},
+                           .mass = UniformDistribution{0.1, 10.0},
                            .velocity = Temperature{1.0}});
     gas.species.push_back({.name = "large",
                            .count = 1 + static_cast<int>(random.below(3)),
@@ -60,7 +60,7 @@ inline Gas small_wire(std::uint64_t seed) {
     gas.species.push_back({.name = "points",
                            .count = 1 + static_cast<int>(random.below(5)),
                            .radius = 0.0,
-                           .mass = UniformLaw{0.1, 10.0},
+                           .mass = UniformDistribution{0.1, 10.0},
                            .velocity = Temperature{1.0}});
     gas.species.push_back({.name = "rods",
                            .count = static_cast<int>(random.below(5)),

@@ -27,9 +27,9 @@ std::string about(double value) {
 }
 
 std::string walls(const Box& box) {
-    const bool across = box.walls[0] == Wall::periodic;
+    const bool across = box.is_periodic(0);
     if (box.dimension == 1) return across ? "ends joined" : "between walls";
-    const bool up = box.walls[1] == Wall::periodic;
+    const bool up = box.is_periodic(1);
     if (across == up) return across ? "periodic" : "solid walls";
     return across ? "periodic across, solid below and above"
                   : "periodic up and down, solid left and right";

@@ -7,7 +7,7 @@ namespace carom {
 
 Flights::Flights(const Box& box, Eigen::Index axis, std::vector<Eigen::Index> particles)
     : axis_(axis),
-      period_(box.walls[static_cast<std::size_t>(axis)] == Wall::periodic ? box.size[axis] : 0.0),
+      period_(box.is_periodic(axis) ? box.size[axis] : 0.0),
       particles_(std::move(particles)) {}
 
 double Flights::within(double place) const {

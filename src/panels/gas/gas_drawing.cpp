@@ -9,7 +9,6 @@
 #include "panels/gas/bead_words.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/gas/gas_state.h"
-#include "physics/nearest_image.h"
 #include "util/text.h"
 
 namespace carom {
@@ -36,7 +35,7 @@ Mapping mapping(const GasPanel& panel, const DrawContext& dc, const Box& box) {
 
 // How far away a disk that reaches over a periodic side is seen again; 0 if it is not.
 double image_shift(const Box& box, int axis, double at, double radius) {
-    if (box.walls[static_cast<std::size_t>(axis)] != Wall::periodic) return 0.0;
+    if (!box.is_periodic(axis)) return 0.0;
     if (at < radius) return box.size[axis];
     return at > box.size[axis] - radius ? -box.size[axis] : 0.0;
 }
@@ -266,9 +265,8 @@ void GasPanel::draw_arrows(Canvas& canvas, const DrawContext& dc, const PanelSta
     if (gas.vx.empty()) return;
     const Box& box = context_.scene.gas.box;
     const Mapping to_pixels = mapping(*this, dc, box);
-    const ArrowField field{to_pixels.box,
-                           to_pixels.scale,
-                           {box.walls[0] == Wall::periodic, box.walls[1] == Wall::periodic}};
+    const ArrowField field{
+        to_pixels.box, to_pixels.scale, {box.is_periodic(0), box.is_periodic(1)}};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (std::size_t i = 0; i < gas.vx.size(); ++i) {
         const double radius = context_.particles.radius[static_cast<Eigen::Index>(i)];
@@ -330,8 +328,8 @@ void GasPanel::draw_trails(Canvas& canvas, const DrawContext& dc, const PanelSta
             strength = now;
             if (piece.empty()) piece.push_back(to_pixels(from.x, from.y));
             // A step goes through a periodic side rather than through more than half the box.
-            const double across = box.size[0] * turns(box, 0, from.x - to.x);
-            const double up = box.size[1] * turns(box, 1, from.y - to.y);
+            const double across = box.size[0] * box.turns(0, from.x - to.x);
+            const double up = box.size[1] * box.turns(1, from.y - to.y);
             piece.push_back(to_pixels(to.x + across, to.y + up));
             if (across == 0.0 && up == 0.0) continue;
             draw_piece();  // and on from the opposite side

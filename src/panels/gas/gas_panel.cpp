@@ -35,10 +35,7 @@ void GasPanel::survey(const FrameInput& input) {
         Eigen::Array2d at = collision.first_position +
                             share * (collision.second_position - collision.first_position);
         const Box& box = context_.scene.gas.box;
-        for (int axis = 0; axis < 2; ++axis)
-            if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
-                at[axis] -= box.size[axis] * std::floor(at[axis] / box.size[axis]);
-        return Point{at[0], at[1]};
+        return Point{box.wrapped(0, at[0]), box.wrapped(1, at[1])};
     });
 }
 

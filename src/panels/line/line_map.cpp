@@ -22,7 +22,7 @@ double drawn_radius(const PanelContext& context, Eigen::Index i) {
 
 WireMap::WireMap(const PanelContext& context, const Sample& start)
     : true_length_(context.scene.gas.box.size[0]),
-      ring_(context.scene.gas.box.walls[0] == Wall::periodic),
+      ring_(context.scene.gas.box.is_periodic(0)),
       order_(static_cast<std::size_t>(context.particles.count())),
       radius_(context.particles.count()),
       true_(context.particles.count()),

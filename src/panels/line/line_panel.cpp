@@ -22,7 +22,7 @@ double film_seconds_of(const Scene& scene) {
 
 }  // namespace
 
-bool WirePanel::is_ring() const { return context_.scene.gas.box.walls[0] == Wall::periodic; }
+bool WirePanel::is_ring() const { return context_.scene.gas.box.is_periodic(0); }
 
 void WirePanel::survey(const FrameInput& input) {
     if (!map_) map_.emplace(context_, input.sample);

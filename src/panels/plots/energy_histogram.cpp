@@ -12,7 +12,7 @@ std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const 
                              .values = [](const FrameInput& o) { return o.energy; },
                              .density = energy_density,
                              .unit = reduced::energy,
-                             .law = Law::energy};
+                             .tested = TestedQuantity::energy};
     if (context.equilibrium && context.equilibrium->alpha < 1.0)
         subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));

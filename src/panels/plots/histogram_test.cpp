@@ -17,7 +17,7 @@ Expected HistogramPanel::expected(const HistogramSeries& series) const {
     std::optional<Expected> all;
     for (const EquilibriumGas& gas : series.equilibria) {
         const Expected one =
-            expected_counts(gas, *subject_.law, edges, series.particles, series.values_each);
+            expected_counts(gas, *subject_.tested, edges, series.particles, series.values_each);
         if (!all) {
             all = one;
             continue;
@@ -29,8 +29,8 @@ Expected HistogramPanel::expected(const HistogramSeries& series) const {
     return all.value();
 }
 
-// Particles of several masses, with so many of each, do not make counts of one law; and fixed ones
-// have no part in the energy.
+// Particles of several masses, with so many of each, do not make counts of one distribution; and
+// fixed ones have no part in the energy.
 void HistogramPanel::require_testable(const HistogramSeries& series) const {
     Diagnostic error = spec_.place;
     if (series.equilibria.size() < axes_.runs) {
@@ -44,8 +44,8 @@ void HistogramPanel::require_testable(const HistogramSeries& series) const {
         error.hint = "choose them in `of`: the name of one species";
         throw SceneError({error});
     }
-    const Expected law = expected(series);
-    if (pearson(law.count, law)) return;
+    const Expected classes = expected(series);
+    if (pearson(classes.count, classes)) return;
     error.message = "too few particles for the test: not three bars have 5 expected in each";
     error.hint = "leave out `test`, or give the gas more particles";
     throw SceneError({error});

@@ -41,7 +41,7 @@ class Displacements {
         for (Eigen::Index axis = 0; axis < moved_.cols(); ++axis) {
             const Eigen::ArrayXd inside = position.col(axis) - start_.col(axis);
             const double period = box_.size[axis];
-            const bool wraps = box_.walls[static_cast<std::size_t>(axis)] == Wall::periodic;
+            const bool wraps = box_.is_periodic(axis);
             moved_.col(axis) =
                 wraps ? inside + period * ((moved_.col(axis) - inside) / period).round() : inside;
         }

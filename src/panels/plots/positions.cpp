@@ -43,7 +43,7 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
                     points.push_back({corner.place[0], corner.place[1]});
                 return points;
             },
-        .never_equal = box.dimension == 1 && box.walls[0] == Wall::solid,  // they keep their order
+        .never_equal = box.dimension == 1 && !box.is_periodic(0),  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
         .columns = {column_name("position of " + name_of(context, spec.of[0]), reduced::length),

@@ -100,8 +100,7 @@ plot::Text title(const PanelSpec& spec, bool has_walls) {
 std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     const Box& box = context.scene.gas.box;
-    const bool walls =
-        box.walls[0] == Wall::solid || (box.dimension == 2 && box.walls[1] == Wall::solid);
+    const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));
     const Gauge gauge(context, over);
     SeriesSubject subject{
         .measure = gauge,

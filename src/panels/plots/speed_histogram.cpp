@@ -11,7 +11,7 @@ std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const P
                              .beyond = "faster",
                              .values = [](const FrameInput& o) { return o.speed; },
                              .density = speed_density,
-                             .law = Law::speed};
+                             .tested = TestedQuantity::speed};
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 

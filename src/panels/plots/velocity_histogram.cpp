@@ -22,7 +22,7 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
                              .density = velocity_density,
                              .symmetric = true,
                              .means = false,
-                             .law = Law::velocity};
+                             .tested = TestedQuantity::velocity};
     subject.values = [both, first](const FrameInput& o) -> Eigen::ArrayXXd {
         return both ? o.sample.velocity : o.sample.velocity.col(first);
     };

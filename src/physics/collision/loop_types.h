@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -80,11 +79,5 @@ inline void advance_body(Body& b, const Scalar& now) {
 /// that depends on it.
 template <typename Body>
 void body_has_changed(Body&) {}
-
-/// A periodic coordinate, brought into [0, length).
-inline double wrapped(double x, double length) {
-    const double inside = x - length * std::floor(x / length);
-    return inside < length ? inside : 0.0;
-}
 
 }  // namespace carom

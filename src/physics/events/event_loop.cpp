@@ -67,8 +67,7 @@ void EventLoop<Dimension, Scalar>::start(const Sample& state) {
         b.time = now_;
         for (std::size_t a = 0; a < Dimension; ++a) {
             const auto axis = static_cast<Eigen::Index>(a);
-            const double x = state.position(number_[k], axis);
-            b.x[a] = with_bits(box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x);
+            b.x[a] = with_bits(box_.wrapped(a, state.position(number_[k], axis)));
             b.v[a] = with_bits(state.velocity(number_[k], axis));
         }
         body_has_changed(b);
@@ -189,8 +188,8 @@ std::optional<Partner> EventLoop<Dimension, Scalar>::displace(std::int64_t parti
     const auto obstacle = overlapped(moved);
     if constexpr (Dimension == 2) {
         for (std::size_t a = 0; a < Dimension; ++a) {
-            const double size = box_.size[static_cast<Eigen::Index>(a)];
-            if (box_.walls[a] == Wall::solid) continue;
+            const double size = box_.length(a);
+            if (!box_.is_periodic(a)) continue;
             if (b.x[a] < 0.0) b.x[a] += size;
             if (b.x[a] >= size) b.x[a] -= size;
         }
@@ -208,8 +207,8 @@ std::optional<Partner> EventLoop<Dimension, Scalar>::overlapped(std::size_t move
     const Body& b = bodies_[moved];
     const double radius = geometry_.properties(bodies_, moved).radius;
     for (std::size_t a = 0; a < Dimension; ++a) {
-        if (box_.walls[a] == Wall::periodic) continue;
-        const double size = box_.size[static_cast<Eigen::Index>(a)];
+        if (box_.is_periodic(a)) continue;
+        const double size = box_.length(a);
         if (b.x[a] < radius - slack * size) return static_cast<Side>(2 * a);
         if (b.x[a] > size - radius + slack * size) return static_cast<Side>(2 * a + 1);
     }
@@ -262,8 +261,7 @@ void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
         for (std::size_t a = 0; a < Dimension; ++a) {
             const auto axis = static_cast<Eigen::Index>(a);
             const auto x = static_cast<double>(position(b, a, local));
-            state.position(number_[k], axis) =
-                box_.walls[a] == Wall::periodic ? wrapped(x, box_.size[axis]) : x;
+            state.position(number_[k], axis) = box_.wrapped(a, x);
             state.velocity(number_[k], axis) = static_cast<double>(b.v[a]);
         }
     }

@@ -11,7 +11,7 @@ namespace carom {
 template <typename Scalar>
 Line<Scalar>::Line(const Box& box, const Particles& particles, const Arithmetic&)
     : length_(box.size[0]),
-      periodic_(box.walls[0] == Wall::periodic),
+      periodic_(box.is_periodic(0)),
       count_(static_cast<std::int32_t>(particles.count())) {}
 
 template <typename Scalar>

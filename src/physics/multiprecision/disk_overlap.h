@@ -6,7 +6,6 @@
 
 #include "physics/gas.h"
 #include "physics/multiprecision/multiprecision.h"
-#include "physics/nearest_image.h"
 
 namespace carom {
 
@@ -24,8 +23,8 @@ std::optional<std::size_t> disk_overlapped(const Geometry& geometry,
         auto square = as_precise_as(x[0], 0.0);
         for (std::size_t a = 0; a < 2; ++a) {
             auto apart = bodies[k].x[a] - x[a];
-            const double size = box.size[static_cast<Eigen::Index>(a)];
-            apart -= as_precise_as(apart, size) * turns(box, a, static_cast<double>(apart));
+            const double size = box.length(a);
+            apart -= as_precise_as(apart, size) * box.turns(a, static_cast<double>(apart));
             square += apart * apart;
         }
         if (square < as_precise_as(x[0], sigma) * sigma * (1.0 - 2.0 * slack)) return k;

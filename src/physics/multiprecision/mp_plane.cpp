@@ -5,8 +5,6 @@
 #include <limits>
 #include <numeric>
 
-#include "physics/nearest_image.h"
-
 namespace carom {
 namespace {
 
@@ -31,8 +29,7 @@ MpPlane::MpPlane(const Box& box, const Particles& particles, const Arithmetic& a
     cell_size_ = {grid_.cell_width(), grid_.cell_height()};
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
     for (std::size_t a = 0; a < 2; ++a)
-        narrow_[a] = box.walls[a] == Wall::periodic &&
-                     4.0 * largest > 0.99 * box.size[static_cast<Eigen::Index>(a)];
+        narrow_[a] = box.is_periodic(a) && 4.0 * largest > 0.99 * box.length(a);
     for (Real* number : {&here_[0], &here_[1], &r_[0], &r_[1], &v_[0], &v_[1], &approach_, &time_,
                          &a_, &b_, &c_, &sigma_square_})
         *number = Real(0.0, bits_);
@@ -260,7 +257,7 @@ void MpPlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
     if (cell >= 0 && cell <= last) {
         body.cell[axis] = static_cast<std::uint16_t>(cell);
     } else {
-        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        const double size = box_.length(axis);
         body.x[axis].set_sum(body.x[axis], up ? -size : size);
         body.cell[axis] = static_cast<std::uint16_t>(up ? 0 : last);
         body_has_changed(body);
@@ -276,8 +273,8 @@ MpPlane::Border MpPlane::border_ahead(const Viewer& a, std::size_t axis) const {
     const int up = v > 0.0 ? 1 : 0;
     const unsigned side = 2U * static_cast<unsigned>(axis) + static_cast<unsigned>(up);
     Border border{cell_size_[axis] * (in + up), first_cell_side + side, never<double>};
-    if (box_.walls[axis] == Wall::solid) {
-        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+    if (!box_.is_periodic(axis)) {
+        const double size = box_.length(axis);
         const double wall = up ? size - d.radius : d.radius;
         if (in == (up ? last_cell_[axis] : 0) ||
             (up ? wall <= border.place : wall >= border.place)) {
@@ -342,11 +339,11 @@ bool MpPlane::find_image(const MpDisk& a, const MpDisk& b) {
     std::array<std::array<double, 2>, 2> shifts{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         v_[axis].set_difference(b.v[axis], a.v[axis]);
-        if (box_.walls[axis] == Wall::solid) continue;
-        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        if (!box_.is_periodic(axis)) continue;
+        const double size = box_.length(axis);
         r_[axis].set_difference(b.x[axis], a.x[axis]);
         const auto plain = static_cast<double>(r_[axis]);
-        const double nearest = -size * turns(box_, axis, plain);
+        const double nearest = -size * box_.turns(axis, plain);
         shifts[axis] = {nearest, plain + nearest > 0.0 ? nearest - size : nearest + size};
     }
     const std::size_t along_x = narrow_[0] ? 2 : 1, along_y = narrow_[1] ? 2 : 1;

@@ -25,9 +25,9 @@ double draw_one(const Quantity& quantity, Eigen::Index i, Random& random) {
     if (const auto* number = std::get_if<double>(&quantity)) return *number;
     if (const auto* list = std::get_if<std::vector<double>>(&quantity))
         return (*list)[static_cast<std::size_t>(i)];
-    if (const auto* uniform = std::get_if<UniformLaw>(&quantity))
+    if (const auto* uniform = std::get_if<UniformDistribution>(&quantity))
         return random.uniform(uniform->low, uniform->high);
-    const auto& normal = std::get<NormalLaw>(quantity);
+    const auto& normal = std::get<NormalDistribution>(quantity);
     return normal.mean + normal.deviation * random.normal();
 }
 
@@ -41,7 +41,7 @@ Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const Quantity
     for (Eigen::Index i = 0; i < values.size(); ++i) {
         values[i] = draw_one(quantity, i, random);
         for (int tries = 1; !is_good(values[i]); ++tries) {
-            if (tries == most_tries || !std::holds_alternative<NormalLaw>(quantity))
+            if (tries == most_tries || !std::holds_alternative<NormalDistribution>(quantity))
                 throw PlacementError({.kind = Problem::Kind::not_positive,
                                       .species = species,
                                       .value = values[i],
@@ -58,7 +58,7 @@ void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
     if (inverse_masses.size() < 2 || (inverse_masses == 0.0).any()) return;
     const Eigen::ArrayXd masses = inverse_masses.inverse();
     for (int axis = 0; axis < box.dimension; ++axis)
-        if (box.walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+        if (box.is_periodic(axis))
             velocities.col(axis) -= (masses * velocities.col(axis)).sum() / masses.sum();
 }
 
@@ -80,7 +80,7 @@ Eigen::ArrayXXd left_or_right(const Gas& gas, std::size_t species, const Quantit
                               Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
     Eigen::ArrayXXd velocities(count, 1);
-    const bool ring = gas.box.walls[0] == Wall::periodic;
+    const bool ring = gas.box.is_periodic(0);
     Eigen::Index to_the_right = (count + static_cast<Eigen::Index>(random.below(2))) / 2;
     for (Eigen::Index i = 0; i < count; ++i) {
         const double v = draw_one(speed, i, random);
@@ -103,88 +103,11 @@ Eigen::ArrayXXd thermal(const Gas& gas, std::size_t species, double temperature,
     return velocities;
 }
 
-constexpr std::int64_t most_particles = 50'000'000;
-
-// The species that has more particles than a gas may have, together with those before it.
-std::optional<Problem> too_many(const Gas& gas) {
-    std::int64_t left = most_particles;
-    for (std::size_t s = 0; s < gas.species.size(); ++s) {
-        const std::int64_t count = gas.species[s].count;
-        assert(count >= 0);
-        if (count > left)
-            return Problem{.kind = Problem::Kind::too_many,
-                           .species = s,
-                           .count = count,
-                           .bound = static_cast<double>(most_particles)};
-        left -= count;
-    }
-    return std::nullopt;
-}
-
-Eigen::Index total_count(const Gas& gas) {
-    std::int64_t sum = 0;
-    for (const Species& species : gas.species) sum += species.count;
-    return static_cast<Eigen::Index>(sum);
-}
-
-}  // namespace
-
-bool lists_fit(const Gas& gas) {
-    return std::ranges::all_of(gas.species, [](const Species& species) {
-        const auto fits = [&](const Quantity& quantity) {
-            const auto* list = std::get_if<std::vector<double>>(&quantity);
-            return list == nullptr || std::ssize(*list) == species.count;
-        };
-        const auto* mass = std::get_if<Quantity>(&species.mass);
-        const auto* density = std::get_if<Density>(&species.mass);
-        const auto* speed = std::get_if<Speed>(&species.velocity);
-        const auto* velocity = std::get_if<Velocity>(&species.velocity);
-        const auto* places = std::get_if<Places>(&species.position);
-        return fits(species.radius) && (!mass || fits(*mass)) &&
-               (!density || fits(density->value)) && (!speed || fits(speed->value)) &&
-               (!velocity || velocity->values.size() == 1 ||
-                std::ssize(velocity->values) == species.count) &&
-               (!places || std::ssize(places->values) == species.count);
-    });
-}
-
-std::pair<Particles, Sample> draw_gas(const Gas& gas) {
-    std::vector<Problem> problems;
-    auto drawn = draw_gas(gas, problems);
-    if (!problems.empty()) throw PlacementError(problems.front(), gas);
-    return drawn;
-}
-
-std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& problems) {
-    const auto more = too_many(gas);
-    if (more) problems.push_back(*more);
-    const Eigen::Index count = more ? 0 : total_count(gas);
-    Particles particles{Eigen::ArrayXd::Zero(count), Eigen::ArrayXd::Ones(count),
-                        Eigen::ArrayXi::Zero(count)};
-    Sample start{0.0, Eigen::ArrayXXd::Zero(count, gas.box.dimension),
-                 Eigen::ArrayXXd::Zero(count, gas.box.dimension)};
-    Eigen::Index first = 0;
-    for (std::size_t s = 0; s < gas.species.size() && !more; ++s) {
-        const auto its_count = static_cast<Eigen::Index>(gas.species[s].count);
-        auto radii = particles.radius.segment(first, its_count);
-        auto inverse_masses = particles.inverse_mass.segment(first, its_count);
-        particles.species.segment(first, its_count).setConstant(static_cast<int>(s));
-        try {
-            radii = draw_radii(gas, s);
-            inverse_masses = draw_inverse_masses(gas, s, radii);
-            start.velocity.middleRows(first, its_count) = draw_velocities(gas, s, inverse_masses);
-        } catch (const PlacementError& error) {
-            problems.push_back(error.problem());
-        }
-        first += its_count;
-    }
-    return {std::move(particles), std::move(start)};
-}
-
 Eigen::ArrayXd draw_radii(const Gas& gas, std::size_t species) {
     return draw_positive(gas, species, gas.species[species].radius, "radius", true);
 }
 
+// 0 for an infinite mass.
 Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
                                    const Eigen::ArrayXd& radii) {
     const MassRule& rule = gas.species[species].mass;
@@ -221,6 +144,98 @@ Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
         velocities = thermal(gas, species, temperature->value, inverse_masses);
     remove_momentum(gas.box, inverse_masses, velocities);
     return velocities;
+}
+
+constexpr std::int64_t most_particles = 50'000'000;
+
+// The species that has more particles than a gas may have, together with those before it.
+std::optional<Problem> too_many(const Gas& gas) {
+    std::int64_t left = most_particles;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        const std::int64_t count = gas.species[s].count;
+        assert(count >= 0);
+        if (count > left)
+            return Problem{.kind = Problem::Kind::too_many,
+                           .species = s,
+                           .count = count,
+                           .bound = static_cast<double>(most_particles)};
+        left -= count;
+    }
+    return std::nullopt;
+}
+
+Eigen::Index total_count(const Gas& gas) {
+    std::int64_t sum = 0;
+    for (const Species& species : gas.species) sum += species.count;
+    return static_cast<Eigen::Index>(sum);
+}
+
+}  // namespace
+
+FittingRules fitting_rules(const Species& species) {
+    const auto fits = [&](const Quantity& quantity) {
+        const auto* list = std::get_if<std::vector<double>>(&quantity);
+        return list == nullptr || std::ssize(*list) == species.count;
+    };
+    const auto* mass = std::get_if<Quantity>(&species.mass);
+    const auto* density = std::get_if<Density>(&species.mass);
+    const auto* speed = std::get_if<Speed>(&species.velocity);
+    const auto* velocity = std::get_if<Velocity>(&species.velocity);
+    const auto* places = std::get_if<Places>(&species.position);
+    return {.radius = fits(species.radius),
+            .mass = (!mass || fits(*mass)) && (!density || fits(density->value)),
+            .velocity =
+                (!speed || fits(speed->value)) && (!velocity || velocity->values.size() == 1 ||
+                                                   std::ssize(velocity->values) == species.count),
+            .position = !places || std::ssize(places->values) == species.count};
+}
+
+std::optional<std::pair<Particles, Sample>> try_draw_gas(const Gas& gas) {
+    constexpr double most_drawn = 1e7;  // gases that are too large are refused for that
+    double count = 0.0;
+    for (const Species& species : gas.species) {
+        const FittingRules fits = fitting_rules(species);
+        if (!fits.radius || !fits.mass || !fits.velocity || !fits.position) return std::nullopt;
+        count += static_cast<double>(species.count);
+    }
+    if (count > most_drawn) return std::nullopt;
+    std::vector<Problem> problems;
+    auto drawn = draw_gas(gas, problems);
+    if (!problems.empty()) return std::nullopt;
+    return drawn;
+}
+
+std::pair<Particles, Sample> draw_gas(const Gas& gas) {
+    std::vector<Problem> problems;
+    auto drawn = draw_gas(gas, problems);
+    if (!problems.empty()) throw PlacementError(problems.front(), gas);
+    return drawn;
+}
+
+std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& problems) {
+    const auto more = too_many(gas);
+    if (more) problems.push_back(*more);
+    const Eigen::Index count = more ? 0 : total_count(gas);
+    Particles particles{Eigen::ArrayXd::Zero(count), Eigen::ArrayXd::Ones(count),
+                        Eigen::ArrayXi::Zero(count)};
+    Sample start{0.0, Eigen::ArrayXXd::Zero(count, gas.box.dimension),
+                 Eigen::ArrayXXd::Zero(count, gas.box.dimension)};
+    Eigen::Index first = 0;
+    for (std::size_t s = 0; s < gas.species.size() && !more; ++s) {
+        const auto its_count = static_cast<Eigen::Index>(gas.species[s].count);
+        auto radii = particles.radius.segment(first, its_count);
+        auto inverse_masses = particles.inverse_mass.segment(first, its_count);
+        particles.species.segment(first, its_count).setConstant(static_cast<int>(s));
+        try {
+            radii = draw_radii(gas, s);
+            inverse_masses = draw_inverse_masses(gas, s, radii);
+            start.velocity.middleRows(first, its_count) = draw_velocities(gas, s, inverse_masses);
+        } catch (const PlacementError& error) {
+            problems.push_back(error.problem());
+        }
+        first += its_count;
+    }
+    return {std::move(particles), std::move(start)};
 }
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,11 +14,16 @@
 
 namespace carom {
 
-/// Whether every list gives one value for each particle of its species, which all functions here
-/// and place() take for granted.
-bool lists_fit(const Gas& gas);
+/// Which rules of a species give one value for all of its particles or one for each, as the
+/// functions here and place() take for granted.
+struct FittingRules {
+    bool radius, mass, velocity, position;
+};
+FittingRules fitting_rules(const Species& species);
 
-/// All particles of a gas with their velocities; their places are zero. Throws PlacementError.
+/// All particles of a gas with their velocities; their places are zero. Species with a speed or a
+/// temperature have no total momentum along periodic axes, unless they have one particle only.
+/// Throws PlacementError.
 std::pair<Particles, Sample> draw_gas(const Gas& gas);
 
 /// The same without throwing: adds to `problems` what cannot be drawn, one for a species. Its
@@ -25,17 +31,8 @@ std::pair<Particles, Sample> draw_gas(const Gas& gas);
 /// many.
 std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& problems);
 
-/// `count` radii, length. Throws PlacementError where the rule gives none above zero.
-Eigen::ArrayXd draw_radii(const Gas& gas, std::size_t species);
-
-/// Inverse masses for particles of these radii; 0 for an infinite mass. Throws PlacementError where
-/// the rule gives no mass above zero.
-Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
-                                   const Eigen::ArrayXd& radii);
-
-/// Velocities, count x dimension. Species with a speed or a temperature have no total momentum
-/// along periodic axes, unless they have one particle only.
-Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
-                                const Eigen::ArrayXd& inverse_masses);
+/// The same, or nothing for a gas that cannot be drawn: also if a rule does not fit the number of
+/// particles.
+std::optional<std::pair<Particles, Sample>> try_draw_gas(const Gas& gas);
 
 }  // namespace carom

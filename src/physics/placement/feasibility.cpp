@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "physics/nearest_image.h"
 #include "physics/placement/draws.h"
 #include "physics/placement/jam.h"
 #include "physics/placement/lattice.h"
@@ -141,7 +140,7 @@ class PlacementCheck {
                 const double radius = particles_.radius[i];
                 bool inside = true;
                 for (int axis = 0; axis < box_.dimension; ++axis) {
-                    const bool solid = box_.walls[static_cast<std::size_t>(axis)] == Wall::solid;
+                    const bool solid = !box_.is_periodic(axis);
                     const double size = box_.size[axis], x = places->values[k][axis];
                     const double margin =
                         solid ? radius * (1.0 - tolerance_of_radius) - tolerance_of_size * size
@@ -172,7 +171,7 @@ class PlacementCheck {
                          .particle = i,
                          .other = *other,
                          .value = std::sqrt(
-                             nearest_image(box_, place - places[static_cast<std::size_t>(*other)])
+                             box_.nearest(place - places[static_cast<std::size_t>(*other)])
                                  .square()
                                  .sum()),
                          .bound = radius + particles_.radius[*other]});
@@ -191,7 +190,7 @@ class PlacementCheck {
         std::ranges::stable_sort(beads);
         for (std::size_t k = 0; k + 1 < beads.size(); ++k)
             check_apart(beads[k].second, beads[k + 1].second, beads[k + 1].first - beads[k].first);
-        if (box_.walls[0] == Wall::periodic && beads.size() > 1)
+        if (box_.is_periodic(0) && beads.size() > 1)
             check_apart(beads.back().second, beads.front().second,
                         beads.front().first + box_.size[0] - beads.back().first);
     }

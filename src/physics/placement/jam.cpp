@@ -79,7 +79,7 @@ std::optional<Jam> jam_along(int axis, const Box& box, const Particles& particle
     std::ranges::sort(order, {}, level);
     const double same_level = touching_tolerance * box.size[across];
     const double length = box.size[axis];
-    const bool periodic = box.walls[static_cast<std::size_t>(axis)] == Wall::periodic;
+    const bool periodic = box.is_periodic(axis);
     for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
         std::vector<Link> links;
         for (; end != order.end() && level(*end) <= level(*begin) + same_level; ++end) {

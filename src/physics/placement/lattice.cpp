@@ -9,13 +9,9 @@
 namespace carom {
 namespace {
 
-bool periodic(const Box& box, int axis) {
-    return box.walls[static_cast<std::size_t>(axis)] == Wall::periodic;
-}
-
 // Spacing between `count` rows (or sites in a row, `shift` more for the shifted rows).
 double spacing_along(const Box& box, int axis, double count, double shift, double radius) {
-    if (periodic(box, axis)) return box.size[axis] / count;
+    if (box.is_periodic(axis)) return box.size[axis] / count;
     const double gaps = count - 1.0 + shift;
     const double room = box.size[axis] - 2.0 * radius;
     return gaps > 0.0 ? room / gaps : box.size[axis];
@@ -29,11 +25,11 @@ HexagonalLattice make(const Box& box, int rows, int columns, bool equal_rows, do
     const double shift = equal_rows && rows > 1 ? 0.5 : 0.0;
     lattice.spacing = {spacing_along(box, 0, columns, shift, radius),
                        spacing_along(box, 1, rows, 0.0, radius)};
-    const double along = columns > 1 || periodic(box, 0) ? lattice.spacing[0] : box.size.sum();
+    const double along = columns > 1 || box.is_periodic(0) ? lattice.spacing[0] : box.size.sum();
     const double diagonal = std::hypot(0.5 * lattice.spacing[0], lattice.spacing[1]);
     const double two_rows = rows > 2 ? 2.0 * lattice.spacing[1] : box.size.sum();
     lattice.nearest = std::min({along, rows > 1 ? diagonal : along, two_rows});
-    if (rows == 1 && periodic(box, 1)) lattice.nearest = std::min(along, box.size[1]);
+    if (rows == 1 && box.is_periodic(1)) lattice.nearest = std::min(along, box.size[1]);
     return lattice;
 }
 
@@ -45,10 +41,10 @@ std::vector<HexagonalLattice> fitting_lattices(const Box& box, int count, double
     const int most_rows =
         static_cast<int>(std::min(box.size[1] / least_between_rows + 1.0, count + 1.0));
     for (int rows = 1; rows <= most_rows; ++rows) {
-        if (periodic(box, 1) && rows > 1 && rows % 2 == 1) continue;
+        if (box.is_periodic(1) && rows > 1 && rows % 2 == 1) continue;
         const int columns = (count + rows - 1) / rows;
         lattices.push_back(make(box, rows, columns, true, radius));
-        if (!periodic(box, 0) && rows > 1) {
+        if (!box.is_periodic(0) && rows > 1) {
             const int shorter = rows / 2;
             lattices.push_back(make(box, rows, (count + shorter + rows - 1) / rows, false, radius));
         }
@@ -67,7 +63,7 @@ std::vector<Eigen::Array2d> lattice_sites(const Box& box, const HexagonalLattice
     // Against a wall the outermost disks touch it; a single row or column stands in the middle.
     const auto start = [&](int axis, int count) {
         const double spacing = lattice.spacing[axis];
-        if (periodic(box, axis)) return (axis == 0 ? 0.25 : 0.5) * spacing;
+        if (box.is_periodic(axis)) return (axis == 0 ? 0.25 : 0.5) * spacing;
         return count > 1 ? radius : 0.5 * box.size[axis];
     };
     const bool one_column = lattice.columns == 1 && lattice.rows == 1;

@@ -32,7 +32,7 @@ class LinePlacement {
     explicit LinePlacement(const Gas& gas)
         : gas_(gas),
           length_(gas.box.size[0]),
-          ring_(gas.box.walls[0] == Wall::periodic),
+          ring_(gas.box.is_periodic(0)),
           room_(gas.box),
           random_(gas.seed, "places on the wire") {}
 

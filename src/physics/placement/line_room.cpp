@@ -113,7 +113,7 @@ class RandomSharing {
 
 }  // namespace
 
-LineRoom::LineRoom(const Box& box) : length_(box.size[0]), ring_(box.walls[0] == Wall::periodic) {}
+LineRoom::LineRoom(const Box& box) : length_(box.size[0]), ring_(box.is_periodic(0)) {}
 
 void LineRoom::take(std::vector<Stretch> beads) {
     const auto by_place = [](const Stretch& a, const Stretch& b) { return a.low < b.low; };

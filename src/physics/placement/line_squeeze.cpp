@@ -31,7 +31,7 @@ struct Chamber {
 class Chambers {
   public:
     Chambers(const Box& box, const Particles& particles, const Sample& start)
-        : ring_(box.walls[0] == Wall::periodic) {
+        : ring_(box.is_periodic(0)) {
         std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "physics/nearest_image.h"
 namespace carom {
 
 PlacedDisks::PlacedDisks(const Box& box, std::int64_t count, double typical_radius) : box_(box) {
@@ -20,7 +19,7 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
     std::array<int, 2> low{}, high{};
     for (int a = 0; a < 2; ++a) {
         const auto s = static_cast<std::size_t>(a);
-        const bool periodic = box_.walls[s] == Wall::periodic;
+        const bool periodic = box_.is_periodic(s);
         low[s] = static_cast<int>(std::floor((centre[a] - radius) / cell_size_[a]));
         high[s] = static_cast<int>(std::floor((centre[a] + radius) / cell_size_[a]));
         if (!periodic) {
@@ -45,7 +44,7 @@ void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Fun
             ++compared_;
             const Entry& entry = entries_[static_cast<std::size_t>(e)];
             const Disk& other = disks_[static_cast<std::size_t>(entry.disk)];
-            go_on = f(other, nearest_image(box_, other.centre - centre).square().sum());
+            go_on = f(other, box_.nearest(other.centre - centre).square().sum());
             e = entry.next;
         }
     });

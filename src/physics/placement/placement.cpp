@@ -152,7 +152,7 @@ class Placement {
             high = within->region.high;
         }
         for (int a = 0; a < 2; ++a) {
-            if (!within && gas_.box.walls[static_cast<std::size_t>(a)] == Wall::periodic) continue;
+            if (!within && gas_.box.is_periodic(a)) continue;
             low[a] += radius;
             high[a] -= radius;
             if (low[a] > high[a]) return false;

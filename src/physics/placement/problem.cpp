@@ -107,7 +107,7 @@ ProblemText on_lattice(const Problem& p, const Gas& gas) {
 ProblemText outside(const Problem& p, const Gas& gas) {
     Eigen::Array2d low{0.0, 0.0}, high = gas.box.size;
     for (int axis = 0; axis < gas.box.dimension; ++axis)
-        if (gas.box.walls[static_cast<std::size_t>(axis)] == Wall::solid) {
+        if (!gas.box.is_periodic(axis)) {
             low[axis] += p.value;
             high[axis] -= p.value;
         }

@@ -118,8 +118,8 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
     rows_ = cells_along(box.size[1], least);
     width_ = box.size[0] / columns_;
     height_ = box.size[1] / rows_;
-    const bool periodic_x = box.walls[0] == Wall::periodic;
-    const bool periodic_y = box.walls[1] == Wall::periodic;
+    const bool periodic_x = box.is_periodic(0);
+    const bool periodic_y = box.is_periodic(1);
     overhang_ = {overhang_of(width_, diameter, box.size[0], periodic_x),
                  overhang_of(height_, diameter, box.size[1], periodic_y)};
     coarse_column_ = merge(columns_, width_, std::max(2.0 * (largest + overhang_[0]), width_));

@@ -240,8 +240,8 @@ template <typename... Arguments>
 Pairing Pairing::nearest(const Box& box) {
     Pairing pairing;
     for (std::size_t a = 0; a < 2; ++a) {
-        const bool periodic = box.walls[a] == Wall::periodic;
-        const double size = box.size[static_cast<Eigen::Index>(a)];
+        const bool periodic = box.is_periodic(a);
+        const double size = box.length(a);
         pairing.half[a] = periodic ? 0.5 * size : never<double>;
         pairing.size[a] = periodic ? size : 0.0;
     }

@@ -5,10 +5,8 @@ namespace carom {
 DiskProperties::DiskProperties(const Particles& particles) {
     const auto count = static_cast<std::size_t>(particles.count());
     if (count == 0) return;
-    const double radius = particles.radius[0], inverse_mass = particles.inverse_mass[0];
-    const bool same =
-        (particles.radius == radius).all() && (particles.inverse_mass == inverse_mass).all();
-    alike_ = same && radius > 0.0 && inverse_mass > 0.0;
+    const bool same = particles.are_equal();
+    alike_ = same && particles.radius[0] > 0.0 && particles.inverse_mass[0] > 0.0;
     mask_ = same ? 0 : ~std::size_t{0};
     each_.resize(same ? 1 : count);
     for (std::size_t i = 0; i < each_.size(); ++i) {

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "physics/collision/pair_collision.h"
-#include "physics/nearest_image.h"
 
 namespace carom {
 namespace {
@@ -47,8 +46,8 @@ Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
     last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
     if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * largest;
     for (std::size_t a = 0; a < 2; ++a) {
-        const double size = box.size[static_cast<Eigen::Index>(a)];
-        const bool periodic = box.walls[a] == Wall::periodic;
+        const double size = box.length(a);
+        const bool periodic = box.is_periodic(a);
         narrow_[a] = periodic && 4.0 * largest > 0.99 * size;
         last_cells_[a] = last_cell_[a];
         box_size_[a] = size;
@@ -116,8 +115,8 @@ bool Plane::separation_of_images(const Body& a, const Body& b, double sigma, dou
     std::array<std::array<double, 2>, 2> along{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double plain = b.x[axis] - a.x[axis];
-        const double size = box_.size[static_cast<Eigen::Index>(axis)];
-        const double nearest = plain - size * turns(box_, axis, plain);
+        const double size = box_.length(axis);
+        const double nearest = plain - size * box_.turns(axis, plain);
         along[axis] = {nearest, nearest > 0.0 ? nearest - size : nearest + size};
     }
     double best = std::numeric_limits<double>::infinity();
@@ -174,7 +173,7 @@ void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
         body.x[0] += body.v[0] * (now - body.time);
         body.x[1] += body.v[1] * (now - body.time);
         body.time = now;
-        const double size = box_.size[static_cast<Eigen::Index>(axis)];
+        const double size = box_.length(axis);
         body.x[axis] += up == 1 ? -size : size;
     }
     grid_.move(i, properties_[i].radius, from, body.cell);

@@ -159,7 +159,7 @@ class PrecisionSearch {
             Simulation start(gas_, in_bits(run_, bits), in_trial(on_progress_, bits));
             const TrialResult result = try_out(start);
             if (result.succeeded()) return start;
-            if (bits == most_bits) refuse_at_ceiling();
+            if (bits == most_bits) refuse_at_limit();
             if (bits > 8.0 * guess + 1024.0) refuse_for_no_reason_known(bits);
             const double more =
                 result.same_partners ? bits + result.log2_excess + 32.0 : 1.5 * bits;
@@ -223,7 +223,7 @@ class PrecisionSearch {
                         "start, or let disks fill more of the box",
                         longest_ * most_bits / bits));
     }
-    [[noreturn]] void refuse_at_ceiling() const {
+    [[noreturn]] void refuse_at_limit() const {
         throw PrecisionError(
             fmt::format("even {} bits, the limit, do not return the gas to its start {}", most_bits,
                         after_how_many()),

@@ -71,7 +71,7 @@ double contact_density(const Box& box, double s) {
     double density = 1.0;
     double lost = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
-        const bool solid = box.walls[static_cast<std::size_t>(axis)] == Wall::solid;
+        const bool solid = !box.is_periodic(axis);
         const double room = solid ? box.size[axis] - s : box.size[axis];
         if (room <= 0.0) return 1.0 / box.size.prod();
         density /= room;
@@ -97,7 +97,7 @@ double rate_in_plane(const Box& box, const Particles& particles, const Sample& s
 
 // Sums over all pairs of numbers in rising order: the k-th is the greater one in k pairs.
 double rate_of_exchange(const Box& box, const Sample& sample) {
-    const bool ring = box.walls[0] == Wall::periodic;
+    const bool ring = box.is_periodic(0);
     const Eigen::ArrayXd velocity = sample.velocity.col(0);
     Eigen::ArrayXd order = ring ? velocity : velocity.abs();
     std::sort(order.begin(), order.end());
@@ -110,7 +110,7 @@ double rate_of_exchange(const Box& box, const Sample& sample) {
     return sum;
 }
 
-double rate_on_wire(const Box& box, const Particles& particles, const Sample& sample) {
+double rate_on_line(const Box& box, const Particles& particles, const Sample& sample) {
     const double room = box.size[0] * (1.0 - packing_fraction(box, particles));
     const bool equal = (particles.inverse_mass == particles.inverse_mass[0]).all();
     if (equal) return rate_of_exchange(box, sample) / room;
@@ -133,7 +133,7 @@ std::optional<double> expected_collision_rate(const Box& box, const Particles& p
     if (particles.count() < 2 || !(particles.inverse_mass > 0.0).any()) return 0.0;
     constexpr double rounding = 1e-12;
     if (packing_fraction(box, particles) >= 1.0 - rounding) return std::nullopt;
-    return box.dimension == 1 ? rate_on_wire(box, particles, sample)
+    return box.dimension == 1 ? rate_on_line(box, particles, sample)
                               : rate_in_plane(box, particles, sample);
 }
 

@@ -11,7 +11,7 @@ namespace carom {
 
 /// Collisions between particles in a unit of time, of all particles together, 1/time; velocities
 /// are used, positions are not. Nothing where an infinite mass moves (energy is not conserved) or
-/// the beads of a wire leave no room.
+/// the beads of a line leave no room.
 ///
 /// In a plane Enskog's rate, a sum over all pairs: 2 s chi g / A for disks with the contact
 /// distance s, mean relative speed g = sqrt(pi T / (2 mu)) at the temperature T that their energy
@@ -20,14 +20,14 @@ namespace carom {
 /// Within 3 % of simulations of fluids at equilibrium; centres stay off solid walls, to first order
 /// in s over the box.
 ///
-/// On a wire beads move as points on the length that they leave free. Equal masses only exchange
+/// On a line beads move as points on the length that they leave free. Equal masses only exchange
 /// velocities: between walls every pair meets max(|v|, |w|) / L, on a ring |v - w| / L times in a
 /// unit of time, which is exact over long times. Otherwise g / L for all pairs with
 /// g = sqrt(2 T / (pi mu)).
 std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
                                               const Sample& sample);
 
-/// The part of the box that particles cover: of the area, or of the length on a wire.
+/// The part of the box that particles cover: of the area, or of the length on a line.
 double packing_fraction(const Box& box, const Particles& particles);
 
 }  // namespace carom

@@ -23,10 +23,6 @@ constexpr std::size_t most_groups = 1024;
 // Momentum left by round-off carries this part of the energy at most.
 constexpr double negligible_share = 1e-12;
 
-bool is_periodic(const Box& box, int axis) {
-    return box.walls[static_cast<std::size_t>(axis)] == Wall::periodic;
-}
-
 std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
     std::sort(masses.begin(), masses.end());
     std::vector<MassGroup> groups;
@@ -56,7 +52,7 @@ bool beads_are_together(const Box& box, const Particles& particles, const Sample
         return sample.position(a, 0) < sample.position(b, 0);
     });
     const auto moves = [&](std::size_t k) { return particles.inverse_mass[order[k]] > 0.0; };
-    int stretches = moves(0) && !(is_periodic(box, 0) && moves(order.size() - 1)) ? 1 : 0;
+    int stretches = moves(0) && !(box.is_periodic(0) && moves(order.size() - 1)) ? 1 : 0;
     for (std::size_t k = 1; k < order.size(); ++k) stretches += moves(k) && !moves(k - 1);
     return stretches <= 1;
 }
@@ -88,7 +84,7 @@ std::optional<NoEquilibrium> why_not(const Box& box, const Particles& particles,
             return NoEquilibrium{.why = Why::moving_infinite_mass,
                                  .species = static_cast<std::size_t>(particles.species[i])};
     const bool free = finite.all();
-    const bool along_x = free && is_periodic(box, 0), along_y = free && is_periodic(box, 1);
+    const bool along_x = free && box.is_periodic(0), along_y = free && box.is_periodic(1);
     if (box.dimension == 2 && along_x != along_y)
         return NoEquilibrium{.why = along_x ? Why::momentum_along_x : Why::momentum_along_y};
     const Eigen::Index count = finite.count();
@@ -128,7 +124,7 @@ std::variant<EquilibriumGas, NoEquilibrium> find_equilibrium(const Box& box,
                                                              const Sample& sample) {
     if (const auto reason = why_not(box, particles, sample)) return *reason;
     const auto finite = particles.inverse_mass > 0.0;
-    const bool momentum = finite.all() && is_periodic(box, 0);
+    const bool momentum = finite.all() && box.is_periodic(0);
     const Eigen::ArrayXd masses = finite.select(particles.inverse_mass.inverse(), 0.0);
     const Eigen::ArrayXd square_speed = sample.velocity.square().rowwise().sum();
     EquilibriumGas gas;
@@ -174,13 +170,9 @@ std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& 
 }
 
 std::optional<NoEquilibrium> why_no_equilibrium(const Gas& gas) {
-    constexpr double most_drawn = 1e7;  // gases that are too large are refused for that
-    double count = 0.0;
-    for (const Species& species : gas.species) count += static_cast<double>(species.count);
-    if (count > most_drawn || !lists_fit(gas)) return std::nullopt;
-    std::vector<Problem> problems;
-    auto [particles, sample] = draw_gas(gas, problems);
-    if (!problems.empty()) return std::nullopt;
+    auto drawn = try_draw_gas(gas);
+    if (!drawn) return std::nullopt;
+    auto& [particles, sample] = *drawn;
     set_known_places(gas, particles, sample);
     return why_not(gas.box, particles, sample);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 
 namespace carom {
@@ -12,11 +13,18 @@ double bits_lost_per_collision(double packing) {
 
 std::optional<double> bits_lost_per_collision(const Box& box, const Particles& particles) {
     if (box.dimension != 2 || particles.count() < 2) return std::nullopt;
-    const double radius = particles.radius[0], inverse_mass = particles.inverse_mass[0];
-    const bool equal =
-        (particles.radius == radius).all() && (particles.inverse_mass == inverse_mass).all();
-    if (!equal || !(radius > 0.0) || !(inverse_mass > 0.0)) return std::nullopt;
+    if (!particles.are_equal() || !(particles.radius[0] > 0.0) ||
+        !(particles.inverse_mass[0] > 0.0))
+        return std::nullopt;
     return bits_lost_per_collision(packing_fraction(box, particles));
+}
+
+std::optional<std::string> why_no_growth_law(const Gas& gas) {
+    if (gas.box.dimension == 1)
+        return "no growth law is known for beads on a wire, where errors grow far more slowly";
+    const auto drawn = try_draw_gas(gas);
+    if (!drawn || bits_lost_per_collision(gas.box, drawn->first)) return std::nullopt;
+    return "no growth law is known for this gas, only for disks of one radius and one finite mass";
 }
 
 }  // namespace carom

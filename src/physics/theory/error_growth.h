@@ -1,8 +1,9 @@
-// How fast the smallest of differences grows in a gas of hard disks, as a law: what leads a
-// reversed gas astray, whether it began as round-off or as a nudge. Measures nothing itself.
+// How fast the smallest of differences grows in a gas of hard disks, in theory: what leads a
+// reversed gas astray, whether it began as round-off or as a perturbation. Measures nothing itself.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
@@ -21,8 +22,12 @@ namespace carom {
 /// particle's collision rate (Dellago, Posch and Hoover, Phys. Rev. E 53, 1485, 1996).
 double bits_lost_per_collision(double packing);
 
-/// The same for a gas that the law is known for: two equal disks or more, none of infinite mass.
-/// Nothing for mixtures, and on a wire, where neighbours part far more slowly.
+/// The same for a gas whose growth law is known: two equal disks or more, none of infinite mass.
+/// Nothing for mixtures, and on a line, where neighbours part far more slowly.
 std::optional<double> bits_lost_per_collision(const Box& box, const Particles& particles);
+
+/// Why the growth law of a gas is not known, before it is placed; nothing if it is, and of a gas
+/// that cannot be drawn.
+std::optional<std::string> why_no_growth_law(const Gas& gas);
 
 }  // namespace carom

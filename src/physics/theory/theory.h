@@ -1,7 +1,7 @@
-// What a gas in equilibrium looks like, exactly, for any finite number of particles: the laws of
-// one particle's energy and speed when the total energy is fixed. Momenta are uniform on the energy
-// sphere whatever the masses, sizes and density, so an energy share is Beta-distributed.
-// Does not measure anything (stats/). Any function may be called from any thread.
+// What a gas in equilibrium looks like, exactly, for any finite number of particles: the
+// distributions of one particle's energy and speed when the total energy is fixed. Momenta are
+// uniform on the energy sphere whatever the masses, sizes and density, so an energy share is
+// Beta-distributed. Does not measure anything (stats/). Any function may be called from any thread.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,7 +35,7 @@ struct EquilibriumGas {
 /// The equilibrium towards which the gas tends, or nothing where there is none: energy not
 /// conserved (moving infinite masses), momentum conserved along one axis only or not zero, no
 /// energy, points of a plane that never meet, or too few particles to share the energy in more than
-/// one way. On a wire also none where masses are equal (velocities only change hands), where fixed
+/// one way. On a line also none where masses are equal (velocities only change hands), where fixed
 /// beads part those that move, and for two beads between walls or three on a ring: these move as a
 /// point in a triangle (Glashow and Mittag 1997), which need not come near all its states.
 /// `species` selects whose distribution is asked for; empty: all particles of finite mass.

@@ -1,10 +1,10 @@
 #include "scene/feasibility/feasibility.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <string_view>
 
+#include "physics/placement/draws.h"
 #include "physics/placement/feasibility.h"
 #include "scene/limits.h"
 
@@ -19,24 +19,13 @@ constexpr std::string_view region = "`within`";
 // them holds as well.
 Species known_part(const SpeciesDraft& draft) {
     Species species = draft.species;
-    const auto is_known = [&](const Quantity& quantity) {
-        const auto* list = std::get_if<std::vector<double>>(&quantity);
-        return list == nullptr || std::ssize(*list) == species.count;
-    };
-    const auto* mass = std::get_if<Quantity>(&species.mass);
-    const auto* density = std::get_if<Density>(&species.mass);
-    const auto* speed = std::get_if<Speed>(&species.velocity);
-    const auto* velocity = std::get_if<Velocity>(&species.velocity);
-    const auto* places = std::get_if<Places>(&species.position);
-    const bool radius_known = draft.radius_known && is_known(species.radius);
+    const FittingRules fits = fitting_rules(species);
+    const bool radius_known = draft.radius_known && fits.radius;
+    const bool needs_radius = std::holds_alternative<Density>(species.mass);
     if (!radius_known) species.radius = 0.0;
-    if ((mass && !is_known(*mass)) || (density && !(radius_known && is_known(density->value))))
-        species.mass = Quantity{1.0};
-    if ((speed && !is_known(speed->value)) ||
-        (velocity && velocity->values.size() != 1 && std::ssize(velocity->values) != species.count))
-        species.velocity = AtRest{};
-    if (!draft.position_known || (places && std::ssize(places->values) != species.count))
-        species.position = RandomPlaces{};
+    if (!fits.mass || (needs_radius && !radius_known)) species.mass = Quantity{1.0};
+    if (!fits.velocity) species.velocity = AtRest{};
+    if (!draft.position_known || !fits.position) species.position = RandomPlaces{};
     return species;
 }
 

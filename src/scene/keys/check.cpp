@@ -71,8 +71,8 @@ void check_number(Node& node, double value, const Form& form, const std::vector<
                   Context context) {
     if (in_range(value, form)) return;
     std::string hint;
-    if (value > form.range.high && !form.range.ceiling.empty())
-        hint = fmt::format("the limit is {} {}", number_text(form.range.high), form.range.ceiling);
+    if (value > form.range.high && !form.range.meaning.empty())
+        hint = fmt::format("the limit is {} {}", number_text(form.range.high), form.range.meaning);
     else if (value > 0.0 && value < form.range.low && form.range.low == smallest_quantity.value)
         hint = fmt::format("the smallest is {}", smallest_quantity.value);
     mismatch(node, forms, hint, context);
@@ -94,7 +94,7 @@ void check_text(Node& node, const Form& form, Context context) {
     const int length = code_points(node.text);
     if (static_cast<std::size_t>(length) > form.longest)
         return refuse(node, fmt::format("{} has {} characters", context.what, length),
-                      fmt::format("the limit is {} {}", form.longest, form.ceiling),
+                      fmt::format("the limit is {} {}", form.longest, form.meaning),
                       context.errors);
     const std::size_t end = node.text.find_last_not_of(" \t\n") + 1;
     if (end == 0 && form.shortest > 0) return mismatch(node, {form}, "", context);
@@ -179,8 +179,8 @@ void check_length(Node& node, const Form& form, const std::vector<Form>& forms, 
     const std::size_t length = node.items.size();
     if (length >= form.shortest && length <= form.longest) return;
     std::string hint;
-    if (length > form.longest && !form.ceiling.empty())
-        hint = fmt::format("the limit is {} {}", form.longest, form.ceiling);
+    if (length > form.longest && !form.meaning.empty())
+        hint = fmt::format("the limit is {} {}", form.longest, form.meaning);
     mismatch(node, forms, hint, context);
 }
 

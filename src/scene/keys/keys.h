@@ -15,11 +15,11 @@ namespace carom {
 
 enum class Shape { number, integer, flag, text, word, color, list, mapping };
 
-/// Allowed numbers, both ends included; the ends that are ceilings say so.
+/// Allowed numbers, both ends included; the ends that are limits say so.
 struct Range {
     double low = -largest_quantity.value;
     double high = largest_quantity.value;
-    std::string_view ceiling = largest_quantity.meaning;  ///< what `high` counts; may be empty
+    std::string_view meaning = largest_quantity.meaning;  ///< what `high` counts; may be empty
 };
 
 inline constexpr Range any_number{};
@@ -44,7 +44,7 @@ struct Form {
     std::vector<Form> items = {};                 ///< list: what each item may be
     std::size_t shortest = 1;                     ///< list, text: least length
     std::size_t longest = 0;                      ///< list, text: greatest length
-    std::string_view ceiling = {};                ///< list: what `longest` counts
+    std::string_view meaning = {};                ///< list: what `longest` counts
     std::string instead_of_list = {};             ///< no list: what to do where one is given
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape

@@ -22,7 +22,7 @@ Notation<std::string> text_form(bool lines, std::size_t shortest, Limit most) {
               .lines = lines,
               .shortest = shortest,
               .longest = most.count(),
-              .ceiling = most.meaning}},
+              .meaning = most.meaning}},
             [](const Node& node, Reading&) -> std::optional<std::string> {
                 if (!node.is_scalar()) return std::nullopt;
                 return without_space_at_end(node.text);
@@ -38,7 +38,7 @@ struct Distribution {
 KeyTable<Distribution> distribution(Range range) {
     const auto ordered = [](const Eigen::Array2d& ends, const Node& list,
                             Reading& reading) -> std::optional<Quantity> {
-        if (ends[0] <= ends[1]) return UniformLaw{ends[0], ends[1]};
+        if (ends[0] <= ends[1]) return UniformDistribution{ends[0], ends[1]};
         reading.errors.add(
             list,
             fmt::format("expected [low, high] for `uniform`, found {} above {}", ends[0], ends[1]));
@@ -46,13 +46,13 @@ KeyTable<Distribution> distribution(Range range) {
     };
     const auto positive_mean = [range](const Eigen::Array2d& parameters, const Node& list,
                                        Reading& reading) -> std::optional<Quantity> {
-        if (parameters[0] >= range.low) return NormalLaw{parameters[0], parameters[1]};
+        if (parameters[0] >= range.low) return NormalDistribution{parameters[0], parameters[1]};
         reading.errors.add(list.items[0],
                            fmt::format("expected a positive mean for `normal`, found {}",
                                        in_quotes(list.items[0].text)));
         return std::nullopt;
     };
-    const Range spread{0.0, range.high, range.ceiling};
+    const Range spread{0.0, range.high, range.meaning};
     return {.name = "a distribution",
             .keys = {bind_key("uniform", &Distribution::value,
                               parsed(pair_of(range, "[low, high]"), ordered),
@@ -107,12 +107,12 @@ Notation<std::string> word(const std::vector<std::string>& words) {
 }
 
 Form notation::list_form(std::vector<Form> items, std::size_t shortest, std::size_t longest,
-                         std::string_view ceiling, std::string phrase) {
+                         std::string_view meaning, std::string phrase) {
     return {.shape = Shape::list,
             .items = std::move(items),
             .shortest = shortest,
             .longest = longest,
-            .ceiling = ceiling,
+            .meaning = meaning,
             .phrase = std::move(phrase)};
 }
 

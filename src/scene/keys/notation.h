@@ -51,7 +51,7 @@ struct Notation {
 
 Notation<double> number(Range range);
 
-/// A whole number from `low` up to the ceiling.
+/// A whole number from `low` up to the limit.
 Notation<std::int64_t> whole(double low, Limit most);
 
 Notation<bool> flag();
@@ -170,7 +170,7 @@ Notation<V> either(Notation<V> first, Notation<V> second) {
 namespace notation {
 
 Form list_form(std::vector<Form> items, std::size_t shortest, std::size_t longest,
-               std::string_view ceiling, std::string phrase);
+               std::string_view meaning, std::string phrase);
 
 template <typename V>
 Notation<std::vector<V>> list(Notation<V> item, Form form) {

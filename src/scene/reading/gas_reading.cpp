@@ -279,7 +279,7 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item,
 // Nothing for a normal distribution, which has no largest value.
 std::optional<double> largest_of(const Quantity& quantity) {
     if (const auto* number = std::get_if<double>(&quantity)) return *number;
-    if (const auto* uniform = std::get_if<UniformLaw>(&quantity)) return uniform->high;
+    if (const auto* uniform = std::get_if<UniformDistribution>(&quantity)) return uniform->high;
     const auto* list = std::get_if<std::vector<double>>(&quantity);
     return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
 }

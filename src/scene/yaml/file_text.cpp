@@ -20,7 +20,7 @@ std::string cause(int error) { return std::generic_category().message(error); }
 
 }  // namespace
 
-// Up to one byte over the ceiling, which the reader then refuses.
+// Up to one byte over the limit, which the reader then refuses.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
     std::string text(most_file_bytes.count() + 1, '\0');
     std::size_t size = 0;

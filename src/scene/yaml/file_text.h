@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// All of a stream up to one byte over the ceiling of a file, which the reader then refuses;
+/// All of a stream up to one byte over the limit of a file, which the reader then refuses;
 /// nothing, with an error, if it cannot be read. Throws Interrupted.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors);
 

@@ -10,7 +10,7 @@ namespace carom {
 
 /// Reads the text of `source` from byte `begin` as one document. Adds an error for everything that
 /// is no plain, unambiguous YAML (bytes that are not UTF-8, control characters, duplicate keys,
-/// tags, several documents, a ceiling exceeded). Nothing when that leaves no tree; a null node for
+/// tags, several documents, a limit exceeded). Nothing when that leaves no tree; a null node for
 /// an empty document.
 std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t begin = 0);
 

@@ -42,8 +42,7 @@ const std::map<std::string, Parts> parts_of_module{
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "placement", "theory", "events", "physics",
        "reversal"},
-      {"advance_result.h", "exact_positions.h", "gas.h", "nearest_image.h", "particles.h",
-       "run.h"}}},
+      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
@@ -57,8 +56,11 @@ const std::map<std::string, Parts> parts_of_module{
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
 // simulation.
-const std::set<std::string> plain_physics{"physics/gas.h", "physics/placement/feasibility.h",
-                                          "physics/placement/problem.h", "physics/run.h",
+const std::set<std::string> plain_physics{"physics/gas.h",
+                                          "physics/placement/draws.h",
+                                          "physics/placement/feasibility.h",
+                                          "physics/placement/problem.h",
+                                          "physics/run.h",
                                           "physics/theory/equilibrium.h"};
 
 struct ThirdParty {

@@ -42,7 +42,7 @@ std::vector<Eigen::Index> from_left_to_right(const Sample& sample) {
 // All gaps between neighbours and to the ends, from left to right.
 std::vector<double> gaps(const Gas& gas, const Particles& particles, const Sample& sample) {
     const std::vector<Eigen::Index> order = from_left_to_right(sample);
-    const bool ring = gas.box.walls[0] == Wall::periodic;
+    const bool ring = gas.box.is_periodic(0);
     std::vector<double> found;
     double before = 0.0;
     for (const Eigen::Index i : order) {
@@ -166,7 +166,7 @@ TEST_CASE("random beads go around listed ones, and stay in their part of the wir
                           {{.name = "listed", .count = 3, .radius = 2.0},
                            {.name = "part", .count = 40, .radius = 0.1},
                            {.name = "inner", .count = 10, .radius = 0.05},
-                           {.name = "any", .count = 60, .radius = UniformLaw{0.0, 0.5}}},
+                           {.name = "any", .count = 60, .radius = UniformDistribution{0.0, 0.5}}},
                           ends);
         gas.species[0].position = at({40.0, 2.0, 50.0});
         gas.species[1].position = WithinRegion{{{20.0, 0.0}, {60.0, 0.0}}};

@@ -28,13 +28,12 @@ double least_clearance(const Gas& gas, const Particles& particles, const Sample&
         for (Eigen::Index j = 0; j < i; ++j) {
             Eigen::Array2d r = (sample.position.row(i) - sample.position.row(j)).transpose();
             for (int a = 0; a < 2; ++a)
-                if (gas.box.walls[static_cast<std::size_t>(a)] == Wall::periodic)
-                    r[a] = std::remainder(r[a], gas.box.size[a]);
+                if (gas.box.is_periodic(a)) r[a] = std::remainder(r[a], gas.box.size[a]);
             least = std::min(least,
                              std::hypot(r[0], r[1]) / (particles.radius[i] + particles.radius[j]));
         }
         for (int a = 0; a < 2; ++a) {
-            if (gas.box.walls[static_cast<std::size_t>(a)] == Wall::periodic) continue;
+            if (gas.box.is_periodic(a)) continue;
             const double x = sample.position(i, a);
             least = std::min(least, std::min(x, gas.box.size[a] - x) / particles.radius[i]);
         }
@@ -47,7 +46,7 @@ double least_clearance(const Gas& gas, const Particles& particles, const Sample&
 TEST_CASE("random places do not overlap, lie inside, and depend on the seed only") {
     for (const Wall wall : {Wall::solid, Wall::periodic}) {
         Gas gas = gas_of(40.0, 30.0,
-                         {{.name = "small", .count = 300, .radius = UniformLaw{0.2, 0.6}},
+                         {{.name = "small", .count = 300, .radius = UniformDistribution{0.2, 0.6}},
                           {.name = "large", .count = 5, .radius = 3.0}});
         gas.box.walls = {wall, wall};
         const auto [particles, start] = place(gas);
@@ -173,7 +172,7 @@ TEST_CASE("masses and velocities follow their rules") {
                  .radius = 0.1,
                  .mass = Quantity{4.0},
                  .velocity = Temperature{2.0}},
-                {.name = "normal", .count = 500, .radius = NormalLaw{0.1, 0.1}}});
+                {.name = "normal", .count = 500, .radius = NormalDistribution{0.1, 0.1}}});
     gas.species[2].velocity = Velocity{{{1.0, -2.0}}};
     const auto [particles, start] = place(gas);
     CHECK(particles.inverse_mass[0] == relative(1.0 / (12.0 * 3.14159265358979), 2e-15));

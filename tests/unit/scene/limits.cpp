@@ -1,5 +1,5 @@
-// docs/limits.md lists the ceilings as they are; what is at a ceiling is let in, what is over it is
-// refused with the ceiling.
+// docs/limits.md lists the limits as they are; what is at a limit is let in, what is over it is
+// refused with the limit.
 #include "scene/limits.h"
 
 #include <doctest/doctest.h>
@@ -64,14 +64,14 @@ std::string repeated(const std::string& part, std::size_t times) {
 
 }  // namespace
 
-TEST_CASE("a file may be as long as the ceiling, and not a byte longer") {
+TEST_CASE("a file may be as long as the limit, and not a byte longer") {
     const std::string scene = scene_with("{count: 2}");
     const std::string padding(most_file_bytes.count() - scene.size() - 2, 'x');
     CHECK(complaint(scene + "#" + padding + "\n").empty());
     CHECK(names(complaint(scene + "#x" + padding + "\n"), most_file_bytes));
 }
 
-TEST_CASE("a file may hold as many values as the ceiling, lists and mappings too") {
+TEST_CASE("a file may hold as many values as the limit, lists and mappings too") {
     const auto complaint_of = [](std::size_t numbers) {
         const Source source{"test", "[" + repeated("1,", numbers) + "]", Origin::scene};
         Errors errors;
@@ -87,7 +87,7 @@ TEST_CASE("a file may hold as many values as the ceiling, lists and mappings too
     CHECK(names(complaint_of(most_values.count()), most_values));
 }
 
-TEST_CASE("species may have as many particles together as the ceiling") {
+TEST_CASE("species may have as many particles together as the limit") {
     const auto two = [](const std::string& rest) {
         return scene_with(
             "{name: a, count: 1999999, radius: 0.001}, {name: b, radius: 0.001, count: " + rest +
@@ -97,7 +97,7 @@ TEST_CASE("species may have as many particles together as the ceiling") {
     CHECK(names(complaint(two("2")), most_particles));
 }
 
-TEST_CASE("a command line may set as many values as the ceiling") {
+TEST_CASE("a command line may set as many values as the limit") {
     const std::string scene = scene_with("{count: 2}");
     Overrides overrides;
     overrides.values.assign(most_overrides.count(), {"seed", "1"});
@@ -106,7 +106,7 @@ TEST_CASE("a command line may set as many values as the ceiling") {
     CHECK(names(complaint(scene, overrides), most_overrides));
 }
 
-TEST_CASE("a run may have as many samples as the ceiling, a film as many frames") {
+TEST_CASE("a run may have as many samples as the limit, a film as many frames") {
     CHECK(complaint(scene_with("{count: 2}", "until: 10, sample_every: 1e-6")).empty());
     CHECK(names(complaint(scene_with("{count: 2}", "until: 10, sample_every: 0.999e-6")),
                 most_samples));
@@ -117,7 +117,7 @@ TEST_CASE("a run may have as many samples as the ceiling, a film as many frames"
 
 // The last two of so many disks in a tower overlap. Where they crowd in a few cells of the search,
 // the loader has compared enough by then, and the placement will find it.
-TEST_CASE("places are compared up to the ceiling") {
+TEST_CASE("places are compared up to the limit") {
     const auto tower = [](int disks, double step) {
         std::string places;
         for (int i = 0; i + 1 < disks; ++i) places += fmt::format("[500, {}], ", 1.0 + step * i);
@@ -129,14 +129,14 @@ TEST_CASE("places are compared up to the ceiling") {
     CHECK(complaint(tower(30'000, 0.0025)).empty());
 }
 
-TEST_CASE("the page of ceilings is current") {
+TEST_CASE("the page of limits is current") {
     std::vector<std::string> expected;
     for (const Limit& limit : limits)
         expected.push_back(fmt::format("| {} | {} |", number_text(limit.value), limit.meaning));
     CHECK(rows_of_table(text_of("/docs/limits.md")) == expected);
 }
 
-TEST_CASE("the list of ceilings is whole") {
+TEST_CASE("the list of limits is whole") {
     const std::string header = text_of("/src/scene/limits.h");
     std::size_t declared = 0;
     for (std::size_t at = 0; (at = header.find("inline constexpr Limit ", at)) != std::string::npos;

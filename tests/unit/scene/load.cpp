@@ -48,7 +48,7 @@ TEST_CASE("the first scene of the book") {
     CHECK(scene.seed == 77);
     CHECK(scene.gas.seed == 77);
     CHECK((scene.gas.box.size == Eigen::Array2d(64, 48)).all());
-    CHECK(scene.gas.box.walls[0] == Wall::solid);
+    CHECK(!scene.gas.box.is_periodic(0));
     REQUIRE(scene.gas.species.size() == 2);
     const Species& cold = scene.gas.species[0];
     CHECK(cold.name == "cold");
@@ -145,8 +145,8 @@ TEST_CASE("numbers in all their forms") {
     CHECK(std::get<std::vector<double>>(species[0].radius) == std::vector<double>{0.5, 1.0});
     CHECK(std::holds_alternative<Infinite>(species[0].mass));
     CHECK(std::get<Velocity>(species[0].velocity).values.at(1)[1] == 1.0);
-    CHECK(std::get<UniformLaw>(species[1].radius).high == 1.0);
-    CHECK(std::get<NormalLaw>(std::get<Density>(species[1].mass).value).deviation == 0.1);
+    CHECK(std::get<UniformDistribution>(species[1].radius).high == 1.0);
+    CHECK(std::get<NormalDistribution>(std::get<Density>(species[1].mass).value).deviation == 0.1);
     CHECK(std::get<Temperature>(species[1].velocity).value == 3.0);
     CHECK(std::get<WithinRegion>(species[1].position).region.high[0] == 20.0);
     CHECK(scene.looks[1].color == "#000080");
@@ -263,7 +263,7 @@ TEST_CASE("the command line lays its values over the scene") {
     CHECK(scene.film.size == PictureSize{640, 480});
     CHECK(scene.film.seconds == 5.0);  // of pace 2: the later origin wins over the file's seconds
     CHECK(scene.seed == 7);
-    CHECK(scene.gas.box.walls[0] == Wall::periodic);
+    CHECK(scene.gas.box.is_periodic(0));
     CHECK(load(text, {{{"film.pace", "1"}}}).film.seconds == 10.0);
 }
 

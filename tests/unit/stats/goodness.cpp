@@ -18,7 +18,7 @@ namespace {
 struct Draw {
     int dimension, particles, chosen;
     bool periodic;  // momentum is 0
-    Law law;
+    TestedQuantity quantity;
     bool both;  // components
     Bins bins;
 };
@@ -44,8 +44,8 @@ Eigen::ArrayXXd velocities(const Draw& draw, double mass, Random& random) {
 Eigen::ArrayXd values(const Draw& draw, double mass, const Eigen::ArrayXXd& v) {
     const Eigen::ArrayXXd some = v.topRows(draw.chosen);
     const Eigen::ArrayXd square = some.square().rowwise().sum();
-    if (draw.law == Law::speed) return square.sqrt();
-    if (draw.law == Law::energy) return 0.5 * mass * square;
+    if (draw.quantity == TestedQuantity::speed) return square.sqrt();
+    if (draw.quantity == TestedQuantity::energy) return 0.5 * mass * square;
     if (draw.both) return some.reshaped();
     return some.col(0);
 }
@@ -57,7 +57,7 @@ double p_of(const Draw& draw, double mass, Random& random) {
     for (const std::int64_t count : found.counts) observed.push_back(double(count));
     observed.push_back(double(found.above));
     for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
-    return pearson(observed, expected_counts(gas_of(draw, mass), draw.law, edges, draw.chosen,
+    return pearson(observed, expected_counts(gas_of(draw, mass), draw.quantity, edges, draw.chosen,
                                              draw.both ? 2.0 : 1.0))
         .value()
         .p;
@@ -78,7 +78,7 @@ TEST_CASE("the tail of chi-squared is that of published tables") {
 
 TEST_CASE("weighted squares have the tail that closed forms give") {
     for (const double x : {0.1, 1.0, 4.0, 20.0, 60.0, 1000.0}) {
-        // Weights of 1 add degrees of freedom; two equal weights make an exponential law.
+        // Weights of 1 add degrees of freedom; two equal weights make an exponential distribution.
         CHECK(weighted_tail(x, 3, std::array{1.0}) ==
               doctest::Approx(chi_squared_tail(x, 4)).epsilon(1e-4).scale(0.0));
         CHECK(weighted_tail(x, 5, std::array{1.0, 0.0}) ==
@@ -86,7 +86,8 @@ TEST_CASE("weighted squares have the tail that closed forms give") {
         if (x < 100.0)
             CHECK(weighted_tail(x, 0, std::array{0.5, 0.5}) ==
                   doctest::Approx(std::exp(-x)).epsilon(1e-3).scale(0.0));
-        // A square less than 1 with two whole ones: the exponential law, widened by its mean.
+        // A square less than 1 with two whole ones: the exponential distribution, widened by its
+        // mean.
         const double widened = std::exp(-0.5 * x) / std::sqrt(1.0 - 0.3);
         if (x > 50.0)
             CHECK(weighted_tail(x, 2, std::array{0.3}) ==
@@ -116,20 +117,22 @@ TEST_CASE("classes are pooled until five are expected in each, whatever was obse
 }
 
 TEST_CASE("expected counts and their conserved sums are those of the laws' densities") {
-    const Draw draw{2, 50, 20, true, Law::velocity, true, {}};
+    const Draw draw{2, 50, 20, true, TestedQuantity::velocity, true, {}};
     const EquilibriumGas gas = gas_of(draw, 3.0);
     const std::vector<double> edges{-0.9, -0.2, 0.1, 0.7};
-    for (const Law law : {Law::velocity, Law::speed, Law::energy}) {
-        const Expected expected = expected_counts(gas, law, edges, 20, 1);
+    for (const TestedQuantity quantity :
+         {TestedQuantity::velocity, TestedQuantity::speed, TestedQuantity::energy}) {
+        const Expected expected = expected_counts(gas, quantity, edges, 20, 1);
         for (std::size_t k = 1; k < edges.size(); ++k) {
             constexpr int steps = 20'000;
             double sum = 0.0;
             for (int i = 0; i < steps; ++i) {
                 const double x = edges[k - 1] + (edges[k] - edges[k - 1]) * (i + 0.5) / steps;
-                const double density = law == Law::velocity ? velocity_density(gas, x)
-                                       : x < 0.0            ? 0.0
-                                       : law == Law::speed  ? speed_density(gas, x)
-                                                            : energy_density(gas, x);
+                const double density = quantity == TestedQuantity::velocity
+                                           ? velocity_density(gas, x)
+                                       : x < 0.0                           ? 0.0
+                                       : quantity == TestedQuantity::speed ? speed_density(gas, x)
+                                                                           : energy_density(gas, x);
                 sum += 20 * density * (edges[k] - edges[k - 1]) / steps;
             }
             CHECK(expected.count[k] == doctest::Approx(sum).epsilon(1e-3));
@@ -147,13 +150,13 @@ TEST_CASE("expected counts and their conserved sums are those of the laws' densi
 
 TEST_CASE("p is spread evenly over gases in equilibrium") {
     const std::vector<Draw> draws{
-        {2, 400, 400, false, Law::speed, false, {0, 4, 16}},
-        {2, 400, 400, true, Law::energy, false, {0, 6, 14}},
-        {1, 400, 400, false, Law::energy, false, {0, 4, 12}},
-        {1, 400, 400, true, Law::velocity, false, {-3, 3, 6}},
-        {2, 300, 300, true, Law::velocity, true, {-3, 3, 6}},
-        {2, 300, 150, false, Law::speed, false, {0, 4, 8}},
-        {1, 400, 400, true, Law::speed, false, {0, 2, 4}},
+        {2, 400, 400, false, TestedQuantity::speed, false, {0, 4, 16}},
+        {2, 400, 400, true, TestedQuantity::energy, false, {0, 6, 14}},
+        {1, 400, 400, false, TestedQuantity::energy, false, {0, 4, 12}},
+        {1, 400, 400, true, TestedQuantity::velocity, false, {-3, 3, 6}},
+        {2, 300, 300, true, TestedQuantity::velocity, true, {-3, 3, 6}},
+        {2, 300, 150, false, TestedQuantity::speed, false, {0, 4, 8}},
+        {1, 400, 400, true, TestedQuantity::speed, false, {0, 2, 4}},
     };
     constexpr double alpha = 1e-3;
     for (std::size_t k = 0; k < draws.size(); ++k) {
@@ -167,7 +170,7 @@ TEST_CASE("p is spread evenly over gases in equilibrium") {
 
 TEST_CASE("without what is conserved p would not be spread evenly") {
     Random random(8, "as if independent");
-    const Draw draw{1, 400, 400, true, Law::velocity, false, {-3, 3, 6}};
+    const Draw draw{1, 400, 400, true, TestedQuantity::velocity, false, {-3, 3, 6}};
     std::vector<double> found;
     for (int i = 0; i < 3000; ++i) {
         const Histogram h = histogram(values(draw, 3.0, velocities(draw, 3.0, random)), draw.bins);
@@ -175,7 +178,7 @@ TEST_CASE("without what is conserved p would not be spread evenly") {
         for (const std::int64_t count : h.counts) observed.push_back(double(count));
         observed.push_back(double(h.above));
         for (int e = 0; e <= draw.bins.count; ++e) edges.push_back(draw.bins.edge(e));
-        Expected expected = expected_counts(gas_of(draw, 3.0), draw.law, edges, 400, 1);
+        Expected expected = expected_counts(gas_of(draw, 3.0), draw.quantity, edges, 400, 1);
         expected.conserved.clear();
         found.push_back(pearson(observed, expected).value().p);
     }

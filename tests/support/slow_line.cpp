@@ -1,4 +1,4 @@
-#include "support/slow_wire.h"
+#include "support/slow_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace carom::test {
 
-SlowWire::SlowWire(const Box& box, const Particles& particles, const Sample& start)
-    : length_(box.size[0]), ring_(box.walls[0] == Wall::periodic) {
+SlowLine::SlowLine(const Box& box, const Particles& particles, const Sample& start)
+    : length_(box.size[0]), ring_(box.is_periodic(0)) {
     for (Eigen::Index i = 0; i < particles.count(); ++i)
         beads_.push_back({start.position(i, 0), start.velocity(i, 0), particles.radius[i],
                           particles.inverse_mass[i]});
@@ -18,11 +18,11 @@ SlowWire::SlowWire(const Box& box, const Particles& particles, const Sample& sta
                      [&](std::int32_t a, std::int32_t b) { return bead(a).x < bead(b).x; });
 }
 
-long double SlowWire::x(std::int32_t i) const {
+long double SlowLine::x(std::int32_t i) const {
     return ring_ ? bead(i).x - length_ * std::floor(bead(i).x / length_) : bead(i).x;
 }
 
-void SlowWire::look_at_pair(std::int32_t left, std::int32_t right, long double turn,
+void SlowLine::look_at_pair(std::int32_t left, std::int32_t right, long double turn,
                             std::vector<Contact>& found) const {
     const Bead &a = bead(left), &b = bead(right);
     const long double approach = a.v - b.v;
@@ -31,7 +31,7 @@ void SlowWire::look_at_pair(std::int32_t left, std::int32_t right, long double t
     found.push_back({std::max(0.0L, gap / approach), std::min(left, right), std::max(left, right)});
 }
 
-void SlowWire::look_at_wall(std::int32_t i, int side, std::vector<Contact>& found) const {
+void SlowLine::look_at_wall(std::int32_t i, int side, std::vector<Contact>& found) const {
     const Bead& b = bead(i);
     const long double approach = side == 0 ? -b.v : b.v;
     if (approach <= 0.0L) return;
@@ -39,7 +39,7 @@ void SlowWire::look_at_wall(std::int32_t i, int side, std::vector<Contact>& foun
     found.push_back({std::max(0.0L, gap / approach), i, -1 - side});
 }
 
-std::vector<SlowWire::Contact> SlowWire::contacts() const {
+std::vector<SlowLine::Contact> SlowLine::contacts() const {
     std::vector<Contact> found;
     if (order_.empty()) return found;
     for (std::size_t k = 0; k + 1 < order_.size(); ++k)
@@ -53,7 +53,7 @@ std::vector<SlowWire::Contact> SlowWire::contacts() const {
     return found;
 }
 
-void SlowWire::collide(const Contact& contact) {
+void SlowLine::collide(const Contact& contact) {
     Bead& a = beads_[static_cast<std::size_t>(contact.first)];
     if (contact.second < 0) {
         a.v = -a.v;
@@ -66,7 +66,7 @@ void SlowWire::collide(const Contact& contact) {
     b.v = (2.0L * w2 * v1 + (w1 - w2) * v2) / sum;
 }
 
-std::optional<SlowEvent> SlowWire::next(long double end) {
+std::optional<SlowEvent> SlowLine::next(long double end) {
     const std::vector<Contact> found = contacts();
     const auto earliest =
         std::min_element(found.begin(), found.end(), [](const Contact& a, const Contact& b) {

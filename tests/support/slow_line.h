@@ -14,9 +14,9 @@
 
 namespace carom::test {
 
-class SlowWire {
+class SlowLine {
   public:
-    SlowWire(const Box& box, const Particles& particles, const Sample& start);
+    SlowLine(const Box& box, const Particles& particles, const Sample& start);
 
     /// Goes on to the next collision, nothing if there is none before `end`. Of several at one
     /// time, pairs come before walls, low numbers before high ones. Two neighbours of infinite mass

@@ -75,7 +75,7 @@ TEST_CASE("mixtures of sizes and masses come home, with fixed and driven disks t
             gas.box.walls = {seed % 2 == 0 ? Wall::periodic : Wall::solid, Wall::solid};
             gas.species = {{.name = "small",
                             .count = 60,
-                            .radius = UniformLaw{0.2, 0.5},
+                            .radius = UniformDistribution{0.2, 0.5},
                             .mass = Density{1.0},
                             .velocity = Temperature{1.0}},
                            {.name = "large", .count = 6, .radius = 2.0, .mass = Quantity{50.0}}};

@@ -38,7 +38,8 @@ class Rows {
         for (const std::string& name : plot_.columns) {
             const auto found = numbers.find(name);
             values.push_back(found == numbers.end() ? none : found->second);
-            cells.push_back(std::isnan(values.back()) ? Cell{} : Cell{values.back()});
+            cells.emplace_back();
+            if (!std::isnan(values.back())) cells.back() = values.back();
         }
         if (is_repeated(values)) return;
         last_ = std::move(values);

@@ -5,12 +5,26 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "draw/canvas.h"
-#include "media/video_writer.h"
 
 namespace carom {
+
+enum class Quality { draft, standard, final_ };
+
+struct VideoSettings {
+    int width = 1920, height = 1080;  ///< of the drawn frames; odd sizes are padded to even ones by
+                                      ///< repeating the last row and column
+    int fps = 30;
+    Quality quality = Quality::standard;
+    bool transparent = false;  ///< frames have alpha, and so has the film: VP9 only
+    std::uint32_t behind = 0;  ///< 0xffRRGGBB shown by players that know no transparency
+    std::vector<std::pair<std::string, std::string>>
+        metadata;  ///< title, description, comment, ... as libav names them
+};
 
 /// What becomes of one run of frames. It may refer to its FilmWriter.
 class FilmSegment {
@@ -43,7 +57,9 @@ class FilmWriter {
     virtual std::int64_t bytes() const = 0;  ///< of all that was written, after commit
 };
 
-/// H.264 in MP4, and VP9 in WebM.
+/// H.264 in MP4, and VP9 in WebM: the index first, at a constant rate. Each segment is encoded by a
+/// single-threaded encoder to a group of pictures that decodes on its own; they are joined by
+/// stream copy.
 std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
                                      const VideoSettings& settings, int frames);
 std::unique_ptr<FilmWriter> webm_film(const std::filesystem::path& path,

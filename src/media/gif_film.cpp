@@ -1,19 +1,29 @@
 #include "media/gif_film.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cmath>
+#include <cstring>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "media/gif_encoder.h"
 #include "media/gif_palette.h"
+#include "media/libav.h"
 #include "util/atomic_file.h"
+#include "util/diagnostics.h"
 
 namespace carom {
+
+using libav::Owned, libav::owned;
+
 namespace {
+
+constexpr const char* encoder_name = "gif";
+
+// Bytes of an image at which its delay stands, little-endian, in hundredths of a second.
+constexpr std::size_t delay_at = 4;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -68,6 +78,35 @@ void put_comment(Bytes& bytes, const VideoSettings& settings) {
     put_blocks(bytes, text);
 }
 
+// The encoder begins its first packet with the header of a file and the colours, which the film's
+// file has already.
+std::size_t header_bytes(std::span<const std::uint8_t> packet) {
+    constexpr std::size_t screen = 13, flags_at = 10;
+    if (packet.size() < screen || packet[0] != 'G') return 0;
+    const std::uint8_t flags = packet[flags_at];
+    return screen + ((flags & 0x80) != 0 ? 3u * (2u << (flags & 7)) : 0u);
+}
+
+// A graphic control extension and an image of GIF89a, without colours of its own.
+Bytes image_of(std::span<const std::uint8_t> packet) {
+    const std::span<const std::uint8_t> image = packet.subspan(header_bytes(packet));
+    constexpr std::array<std::uint8_t, 3> control = {0x21, 0xf9, 0x04};
+    if (image.size() < 8 || !std::equal(control.begin(), control.end(), image.begin()))
+        throw SystemError("cannot encode with gif: this libavcodec writes another kind of packet");
+    return {image.begin(), image.end()};
+}
+
+Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
+    Owned<AVCodecContext> context = libav::encoder(encoder_name);
+    context->width = settings.width;
+    context->height = settings.height;
+    context->pix_fmt = AV_PIX_FMT_PAL8;
+    context->time_base = {1, 100};
+    context->thread_count = 1;
+    libav::check_encoder(encoder_name, avcodec_open2(context.get(), nullptr, nullptr));
+    return context;
+}
+
 class GifFilm : public FilmWriter {
   public:
     GifFilm(const std::filesystem::path& path, VideoSettings settings)
@@ -98,26 +137,52 @@ class GifFilm : public FilmWriter {
     std::int64_t bytes() const override { return bytes_; }
 
   private:
+    // Each frame is kept as the part of it that differs from the one before; the first is whole.
     class Segment : public FilmSegment {
       public:
-        explicit Segment(GifFilm& film)
-            : film_(film), encoder_(film.settings_.width, film.settings_.height, film.palette_) {}
-        void add(const Canvas& frame) override { images_.push_back(encoder_.add(frame.pixels())); }
+        explicit Segment(GifFilm& film) : film_(film), finder_(film.palette_) {
+            libav::listen();
+            context_ = open_encoder(film.settings_);
+            indices_ = libav::frame(AV_PIX_FMT_PAL8, context_->width, context_->height);
+            indices_->pts = 0;
+        }
+        void add(const Canvas& canvas) override {
+            convert(canvas.pixels());
+            libav::check_encoder(encoder_name, avcodec_send_frame(context_.get(), indices_.get()));
+            ++indices_->pts;
+            const Owned<AVPacket> packet = owned(av_packet_alloc());
+            libav::check_encoder(encoder_name,
+                                 avcodec_receive_packet(context_.get(), packet.get()));
+            images_.push_back(image_of({packet->data, static_cast<std::size_t>(packet->size)}));
+        }
         void finish() override {}
         void join() override {
-            for (GifImage& image : images_) film_.write(image);
+            for (Bytes& image : images_) film_.write(image);
         }
 
       private:
+        void convert(const PixelView& frame) {
+            assert(frame.width == indices_->width && frame.height == indices_->height);
+            // The encoder keeps the frame before.
+            libav::check_encoder(encoder_name, av_frame_make_writable(indices_.get()));
+            for (int y = 0; y < frame.height; ++y)
+                finder_.find(frame.data + std::ptrdiff_t{y} * frame.stride,
+                             indices_->data[0] + std::ptrdiff_t{y} * indices_->linesize[0],
+                             frame.width);
+            std::memcpy(indices_->data[1], film_.palette_.data(), sizeof film_.palette_);
+        }
+
         GifFilm& film_;
-        GifEncoder encoder_;
-        std::vector<GifImage> images_;
+        ColorFinder finder_;
+        Owned<AVCodecContext> context_;
+        Owned<AVFrame> indices_;
+        std::vector<Bytes> images_;
     };
 
-    void write(GifImage& image) {
+    void write(Bytes& image) {
         const int delay = gif_delay(frames_++, settings_.fps);
-        image[gif_delay_at] = static_cast<std::uint8_t>(delay & 255);
-        image[gif_delay_at + 1] = static_cast<std::uint8_t>(delay >> 8);
+        image[delay_at] = static_cast<std::uint8_t>(delay & 255);
+        image[delay_at + 1] = static_cast<std::uint8_t>(delay >> 8);
         file_.write(image);
     }
 

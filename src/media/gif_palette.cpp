@@ -90,12 +90,8 @@ PaletteMaker::~PaletteMaker() = default;
 void PaletteMaker::add(const PixelView& frame) {
     Implementation& own = *implementation_;
     assert(frame.width == own.width && frame.height == own.height);
-    const Owned<AVFrame> copy = owned(av_frame_alloc());
-    copy->format = AV_PIX_FMT_RGB32;
-    copy->width = frame.width;
-    copy->height = frame.height;
+    const Owned<AVFrame> copy = libav::frame(AV_PIX_FMT_RGB32, frame.width, frame.height);
     copy->pts = own.frames++;
-    check(av_frame_get_buffer(copy.get(), 0));
     for (int y = 0; y < frame.height; ++y)
         std::memcpy(copy->data[0] + std::ptrdiff_t{y} * copy->linesize[0],
                     frame.data + std::ptrdiff_t{y} * frame.stride,

@@ -42,6 +42,15 @@ void check_encoder(const char* name, int result) {
         throw SystemError(fmt::format("cannot encode with {}: {}", name, cause_of(result)));
 }
 
+Owned<AVFrame> frame(AVPixelFormat format, int width, int height) {
+    Owned<AVFrame> made = owned(av_frame_alloc());
+    made->format = format;
+    made->width = width;
+    made->height = height;
+    if (av_frame_get_buffer(made.get(), 0) < 0) throw std::bad_alloc();
+    return made;
+}
+
 Owned<AVCodecContext> encoder(const char* name) {
     const AVCodec* const codec = avcodec_find_encoder_by_name(name);
     if (codec == nullptr)

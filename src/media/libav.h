@@ -52,6 +52,9 @@ std::string cause_of(int error);
 /// Throws SystemError, `cannot encode with NAME: CAUSE`, when `result` is an error.
 void check_encoder(const char* name, int result);
 
+/// An empty picture with room for its pixels.
+Owned<AVFrame> frame(AVPixelFormat format, int width, int height);
+
 /// An encoder by libav's name of it, not yet opened. Throws SystemError when there is none.
 Owned<AVCodecContext> encoder(const char* name);
 

@@ -191,6 +191,16 @@ void AtomicFolder::commit() {
     sync_folder(folder_of(path_));
 }
 
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    AtomicFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+void write_file(const std::filesystem::path& path, std::string_view text) {
+    write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 std::string read_file(const fs::path& path, std::int64_t most) {
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) fail("read", path);

@@ -60,6 +60,10 @@ class AtomicFolder {
     std::filesystem::path temporary_;
 };
 
+/// Writes a file, whole or not at all. Throws as AtomicFile does.
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text);
+
 /// Reads a whole file of at most `most` bytes. Throws SystemError (cannot be read; or larger, with
 /// both numbers).
 std::string read_file(const std::filesystem::path& path, std::int64_t most);

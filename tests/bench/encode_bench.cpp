@@ -28,8 +28,7 @@ extern "C" {
 #include "draw/canvas.h"
 #include "draw/disks.h"
 #include "draw/text.h"
-#include "media/h264_settings.h"
-#include "media/video_writer.h"
+#include "media/codecs.h"
 #include "media/yuv.h"
 #include "util/random.h"
 

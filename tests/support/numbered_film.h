@@ -6,18 +6,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
-#include "media/video_writer.h"
+#include "media/formats.h"
 #include "support/file_size_limit.h"
 #include "support/files.h"
 #include "util/diagnostics.h"
@@ -56,7 +57,15 @@ inline constexpr std::array<std::uint32_t, 8> colors = {0xffff0000u, 0xff00ff00u
 struct Frame {
     int width, height;
     std::vector<std::uint32_t> pixels;
-    PixelView view() { return {pixels.data(), width, height, width}; }
+    Canvas canvas() const {
+        Canvas drawn({width, height});
+        const PixelView view = drawn.pixels();
+        for (int y = 0; y < height; ++y)
+            std::copy_n(pixels.begin() + y * width, width,
+                        view.data + std::ptrdiff_t{y} * view.stride);
+        drawn.pixels_changed();
+        return drawn;
+    }
     void square(int left, int top, int size, std::uint32_t color) {
         for (int y = top; y < top + size; ++y)
             std::fill_n(pixels.begin() + y * width + left, size, color);
@@ -85,74 +94,60 @@ inline VideoSettings small_film(Quality quality = Quality::standard) {
     return settings;
 }
 
-inline VideoSettings small_webm(Quality quality = Quality::standard) {
-    VideoSettings settings = small_film(quality);
-    settings.format = VideoFormat::webm;
-    return settings;
-}
-
-inline EncodedSegment encode(const VideoSettings& settings, int first, int count) {
-    SegmentEncoder encoder(settings);
-    for (int i = first; i < first + count; ++i) {
-        Frame frame = numbered_frame(settings, i);
-        encoder.add(frame.view());
-    }
-    return encoder.finish();
+inline std::unique_ptr<FilmSegment> encode(FilmWriter& writer, const VideoSettings& settings,
+                                           int first, int count) {
+    std::unique_ptr<FilmSegment> segment = writer.segment(first);
+    for (int i = first; i < first + count; ++i) segment->add(numbered_frame(settings, i).canvas());
+    segment->finish();
+    return segment;
 }
 
 inline const std::vector<int> lengths = {7, 20, 13, 1, 2};
 inline constexpr int total = 43;
 
-inline void write_film(const std::filesystem::path& path, const VideoSettings& settings) {
-    VideoWriter writer(path, settings);
-    int first = 0;
-    for (const int length : lengths) {
-        EncodedSegment segment = encode(settings, first, length);
-        CHECK(segment.frames() == length);
-        CHECK(segment.bytes() > 0);
-        writer.append(std::move(segment));
-        first += length;
-    }
-    writer.commit();
-    CHECK(writer.bytes() == std::int64_t(std::filesystem::file_size(path)));
-}
-
-// Each segment on a thread of its own, all at once, the last one started first.
-inline void write_film_in_threads(const std::filesystem::path& path,
-                                  const VideoSettings& settings) {
-    std::vector<EncodedSegment> segments(lengths.size());
+// The format is that of the path. The segments one after the other, or each on a thread of its own,
+// all at once, the last one started first.
+inline void write_film(const std::filesystem::path& path, const VideoSettings& settings,
+                       bool in_threads = false, const std::vector<std::uint32_t>& palette = {}) {
+    const std::unique_ptr<FilmWriter> writer = film_writer(path, settings, total);
+    if (!palette.empty()) writer->use_colors(palette);
+    std::vector<std::unique_ptr<FilmSegment>> segments(lengths.size());
     std::vector<std::thread> threads;
     for (std::size_t k = lengths.size(); k-- > 0;) {
         const int first = std::accumulate(lengths.begin(), lengths.begin() + long(k), 0);
-        threads.emplace_back([&segments, &settings, first, k] {
-            segments[k] = encode(settings, first, lengths[k]);
+        threads.emplace_back([&writer, &segments, &settings, first, k] {
+            segments[k] = encode(*writer, settings, first, lengths[k]);
         });
+        if (!in_threads) threads.back().join();
     }
-    for (std::thread& thread : threads) thread.join();
-    VideoWriter writer(path, settings);
-    for (EncodedSegment& segment : segments) writer.append(std::move(segment));
-    writer.commit();
+    if (in_threads)
+        for (std::thread& thread : threads) thread.join();
+    for (const auto& segment : segments) segment->join();
+    writer->commit();
+    CHECK(writer->bytes() == std::int64_t(std::filesystem::file_size(path)));
 }
 
 // Frames that do not compress: the file passes every buffer long before its end.
-inline EncodedSegment encode_noise(const VideoSettings& settings, int count) {
-    SegmentEncoder encoder(settings);
+inline void write_noise(const std::filesystem::path& path, const VideoSettings& settings,
+                        int count) {
+    const std::unique_ptr<FilmWriter> writer = film_writer(path, settings, count);
+    const std::unique_ptr<FilmSegment> segment = writer->segment(0);
     Random random(1, "noise");
     for (int i = 0; i < count; ++i) {
         Frame frame = numbered_frame(settings, i);
         for (std::uint32_t& pixel : frame.pixels)
             pixel = 0xff000000u | static_cast<std::uint32_t>(random.below(1 << 24));
-        encoder.add(frame.view());
+        segment->add(frame.canvas());
     }
-    return encoder.finish();
+    segment->finish();
+    segment->join();
+    writer->commit();
 }
 
 inline std::string failure_of(const std::filesystem::path& path, const VideoSettings& settings,
                               int frames) {
     try {
-        VideoWriter writer(path, settings);
-        writer.append(encode_noise(settings, frames));
-        writer.commit();
+        write_noise(path, settings, frames);
     } catch (const SystemError& error) {
         return error.what();
     }

@@ -11,7 +11,7 @@
 #include "app/film/render.h"
 #include "app/output.h"
 #include "app/resources.h"
-#include "media/image_writer.h"
+#include "util/atomic_file.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -50,12 +50,9 @@ void make_still(const StillArguments& arguments) {
     std::optional<Output> stream;  // before the work
     if (Output::is_standard_output(arguments.output)) stream.emplace("-");
     Canvas picture = draw_still(prepare(scene, {}, progress), arguments.at, format, progress);
-    if (!stream) {
-        write_image(picture, output);
-    } else {
-        const std::vector<std::uint8_t> bytes = picture.file();
-        return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    }
+    const std::vector<std::uint8_t> bytes = picture.file();
+    if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write_file(output, bytes);
     if (!arguments.quiet) fmt::print("{}\n", output.string());
 }
 
@@ -65,15 +62,15 @@ Command still_command() {
     const auto arguments = std::make_shared<StillArguments>();
     StillArguments& its = *arguments;
     return {"still", "draw one frame of a film as a PNG, SVG or PDF",
-            joined({{{"scene", "a scene file; - for standard input", &its.scene},
-                     {"--at", "simulated time; the nearest frame is drawn", &its.at},
-                     {"-o,--output",
-                      "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
-                      "out/SCENE.png if not given",
-                      &its.output},
-                     {"--format", "png, svg or pdf", &its.format, still_formats()}},
-                    scene_options(its),
-                    picture_options(its)}),
+            joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
+                             {"--at", "simulated time; the nearest frame is drawn", &its.at},
+                             {"-o,--output",
+                              "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
+                              "out/SCENE.png if not given",
+                              &its.output},
+                             {"--format", "png, svg or pdf", &its.format, still_formats()}},
+                            scene_options(its),
+                            picture_options(its)}),
             [arguments] { make_still(*arguments); }};
 }
 

@@ -83,11 +83,8 @@ void FigureFolder::write(std::span<const NewFile> files) {
     if (any) save();
     for (std::size_t i = 0; i < files.size(); ++i) {
         const NewFile& one = files[i];
-        if (fingerprint_of_file(path_ / one.file) != contents[i]) {
-            AtomicFile output(path_ / one.file);
-            output.write(one.bytes);
-            output.commit();
-        }
+        if (fingerprint_of_file(path_ / one.file) != contents[i])
+            write_file(path_ / one.file, one.bytes);
         manifest_.files[one.file] = {one.figure, one.inputs, contents[i]};
     }
 }
@@ -112,9 +109,7 @@ void FigureFolder::remember(const std::string& figure, WrittenWords words) {
 void FigureFolder::save() {
     std::string text = manifest_json(manifest_);
     if (text == saved_) return;
-    AtomicFile file(path_ / manifest_name);
-    file.write(text);
-    file.commit();
+    write_file(path_ / manifest_name, text);
     saved_ = std::move(text);
 }
 

@@ -245,11 +245,8 @@ void write_text(const FilmText& film, const std::filesystem::path& path) {
     for (const auto& [what, text] : {std::pair{"captions", &film.captions},
                                      {"chapters", &film.chapters},
                                      {"descriptions", &film.descriptions},
-                                     {"transcript", &film.transcript}}) {
-        AtomicFile file(stem.string() + text_endings.at(what));
-        file.write(*text);
-        file.commit();
-    }
+                                     {"transcript", &film.transcript}})
+        write_file(stem.string() + text_endings.at(what), *text);
 }
 
 }  // namespace carom

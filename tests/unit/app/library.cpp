@@ -11,13 +11,13 @@
 
 #include "app/film/letters.h"
 #include "app/film/render.h"
-#include "media/image_writer.h"
 #include "physics/theory/theory.h"
 #include "scene/load.h"
 #include "support/process.h"
 #include "support/relative.h"
 #include "support/resources.h"
 #include "support/test_root.h"
+#include "util/atomic_file.h"
 
 using namespace carom;
 using test::relative;
@@ -34,7 +34,7 @@ Scene scene(const std::string& name, const Overrides& overrides = {}) {
 void draw_to(const fs::path& picture, const Scene& loaded, double at) {
     Progress silent(Progress::Form::silent, "");
     Canvas canvas = draw_still(prepare(loaded, {}, silent), at, output_format("png"), silent);
-    write_image(canvas, picture);
+    write_file(picture, canvas.file());
 }
 
 CollisionCounts collisions_in(const Scene& loaded) {

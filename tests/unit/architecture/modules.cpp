@@ -78,7 +78,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},
     {std::regex("zlib.*"), {"draw/png.cpp"}},
     {std::regex("lib(av|sw).*"),
-     {"media/libav.h", "media/video_writer.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
+     {"media/libav.h", "media/video_film.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
     {std::regex("CLI/.*"), {"app/commands/command_line.cpp"}},
     {std::regex("nlohmann/.*"),
      {"app/report/facts.h", "app/report/schema_json.cpp", "app/figures/figures_json.cpp"}},

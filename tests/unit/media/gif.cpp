@@ -25,41 +25,12 @@ VideoSettings small_gif() {
     return settings;
 }
 
-Canvas numbered_canvas(const VideoSettings& settings, int number) {
-    const Frame frame = numbered_frame(settings, number);
-    Canvas canvas({settings.width, settings.height});
-    const PixelView pixels = canvas.pixels();
-    for (int y = 0; y < frame.height; ++y)
-        std::copy_n(frame.pixels.begin() + y * frame.width, frame.width,
-                    pixels.data + std::ptrdiff_t{y} * pixels.stride);
-    canvas.pixels_changed();
-    return canvas;
-}
-
-// The segments on threads of their own, the last one first, or one after the other.
 void write_gif(const std::filesystem::path& path, const VideoSettings& settings, bool in_threads) {
-    const std::unique_ptr<FilmWriter> writer = film_writer(path, settings, total);
     PaletteMaker maker(settings.width, settings.height);
-    for (const int frame : {0, total - 1}) maker.add(numbered_canvas(settings, frame).pixels());
+    for (const int frame : {0, total - 1})
+        maker.add(numbered_frame(settings, frame).canvas().pixels());
     const GifPalette palette = maker.finish();
-    writer->use_colors({palette.begin(), palette.end()});
-    std::vector<std::unique_ptr<FilmSegment>> segments(lengths.size());
-    std::vector<std::thread> threads;
-    for (std::size_t k = lengths.size(); k-- > 0;) {
-        const int first = std::accumulate(lengths.begin(), lengths.begin() + long(k), 0);
-        threads.emplace_back([&, first, k] {
-            segments[k] = writer->segment(first);
-            for (int i = first; i < first + lengths[k]; ++i)
-                segments[k]->add(numbered_canvas(settings, i));
-            segments[k]->finish();
-        });
-        if (!in_threads) threads.back().join();
-    }
-    if (in_threads)
-        for (std::thread& thread : threads) thread.join();
-    for (const auto& segment : segments) segment->join();
-    writer->commit();
-    CHECK(writer->bytes() == std::int64_t(std::filesystem::file_size(path)));
+    write_film(path, settings, in_threads, {palette.begin(), palette.end()});
 }
 
 std::string failure_of_gif(const std::filesystem::path& path) {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "media/video_writer.h"
 #include "support/film_tags.h"
 #include "support/numbered_film.h"
 #include "util/atomic_file.h"
@@ -23,7 +22,7 @@ TEST_CASE("a film is the same bytes whatever threads encoded its segments, for e
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {
         const VideoSettings settings = small_film(quality);
         write_film(folder.path() / "one.mp4", settings);
-        write_film_in_threads(folder.path() / "many.mp4", settings);
+        write_film(folder.path() / "many.mp4", settings, true);
         CHECK(contents(folder.path() / "one.mp4") == contents(folder.path() / "many.mp4"));
     }
 }
@@ -107,14 +106,17 @@ TEST_CASE("the encoder's own record of its settings names one thread and no cuts
 
 TEST_CASE("ffmpeg decodes every frame, in order, with the colours that were drawn") {
     const FilmFolder folder;
-    for (VideoSettings settings :
-         {small_film(Quality::draft), small_film(), small_film(Quality::final_),
-          small_webm(Quality::draft), small_webm(), small_webm(Quality::final_)}) {
-        CAPTURE(int(settings.quality));
-        CAPTURE(int(settings.format));
-        write_film(folder.film(), settings);
+    for (const auto& [film, quality] : {std::pair{folder.film(), Quality::draft},
+                                        {folder.film(), Quality::standard},
+                                        {folder.film(), Quality::final_},
+                                        {folder.webm(), Quality::draft},
+                                        {folder.webm(), Quality::standard},
+                                        {folder.webm(), Quality::final_}}) {
+        CAPTURE(int(quality));
+        CAPTURE(film);
+        write_film(film, small_film(quality));
         const std::string raw = output_of(
-            "ffmpeg -v error -i " + folder.film().string() +
+            "ffmpeg -v error -i " + film.string() +
             " -fps_mode passthrough -sws_flags accurate_rnd+full_chroma_int -f rawvideo -pix_fmt "
             "rgb24 -");
         const std::size_t frame_bytes = 3 * 320 * 180;
@@ -138,8 +140,7 @@ TEST_CASE("ffmpeg decodes every frame, in order, with the colours that were draw
         }
         // One step of chroma is up to 2.1 steps of blue; the encoder may round flat areas by one.
         // VP9's coarsest quantiser may miss one step more.
-        const bool coarsest =
-            settings.format == VideoFormat::webm && settings.quality == Quality::draft;
+        const bool coarsest = film == folder.webm() && quality == Quality::draft;
         CHECK(worst <= (coarsest ? 3 : 2));
     }
 }
@@ -179,8 +180,8 @@ TEST_CASE("an uncommitted film leaves nothing, and the earlier one as it was") {
     const FilmFolder folder;
     std::ofstream(folder.film()) << "earlier";
     {
-        VideoWriter writer(folder.film(), small_film());
-        writer.append(encode(small_film(), 0, 5));
+        const auto writer = film_writer(folder.film(), small_film(), 5);
+        encode(*writer, small_film(), 0, 5)->join();
     }
     CHECK(contents(folder.film()) == "earlier");
     CHECK(folder.names().size() == 1);
@@ -212,9 +213,11 @@ TEST_CASE("a size that the encoder refuses names it and the cause") {
     VideoSettings settings = small_film();
     settings.width = 20000;
     settings.height = 20000;
-    CHECK_THROWS_WITH_AS(SegmentEncoder{settings}, doctest::Contains("cannot encode with libx264"),
-                         SystemError);
-    settings.format = VideoFormat::webm;
-    CHECK_THROWS_WITH_AS(SegmentEncoder{settings},
-                         doctest::Contains("cannot encode with libvpx-vp9"), SystemError);
+    const FilmFolder folder;
+    for (const auto& [film, codec] :
+         {std::pair{folder.film(), "libx264"}, {folder.webm(), "libvpx-vp9"}}) {
+        const std::string expected = std::string("cannot encode with ") + codec;
+        CHECK_THROWS_WITH_AS(film_writer(film, settings, 1)->segment(0),
+                             doctest::Contains(expected.c_str()), SystemError);
+    }
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "media/video_writer.h"
 #include "support/film_tags.h"
 #include "support/numbered_film.h"
 
@@ -15,15 +14,15 @@ using namespace carom::test;
 TEST_CASE("a WebM is the same bytes whatever threads encoded its segments, for every quality") {
     const FilmFolder folder;
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {
-        write_film(folder.path() / "one.webm", small_webm(quality));
-        write_film_in_threads(folder.path() / "many.webm", small_webm(quality));
+        write_film(folder.path() / "one.webm", small_film(quality));
+        write_film(folder.path() / "many.webm", small_film(quality), true);
         CHECK(contents(folder.path() / "one.webm") == contents(folder.path() / "many.webm"));
     }
 }
 
 TEST_CASE("ffprobe sees a tagged VP9 film of constant rate, with a key frame at every joint") {
     const FilmFolder folder;
-    VideoSettings settings = small_webm();
+    VideoSettings settings = small_film();
     settings.metadata = {{"title", "One hot particle — 293 K"}, {"seed", "18446744073709551615"}};
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {
         CAPTURE(int(quality));
@@ -58,7 +57,7 @@ TEST_CASE("ffprobe sees a tagged VP9 film of constant rate, with a key frame at 
 
 TEST_CASE("the index of a WebM stands before the pictures") {
     const FilmFolder folder;
-    write_film(folder.webm(), small_webm());
+    write_film(folder.webm(), small_film());
     const std::string bytes = contents(folder.webm());
     const std::string index = "\x1c\x53\xbb\x6b";
     const std::size_t cluster = bytes.find("\x1f\x43\xb6\x75");
@@ -71,6 +70,6 @@ TEST_CASE("the index of a WebM stands before the pictures") {
 
 TEST_CASE("a WebM whose write fails, early or late, is one clear error and harms nothing") {
     const FilmFolder folder;
-    check_failing_writes(folder.webm(), small_webm(Quality::draft), 600'000);
+    check_failing_writes(folder.webm(), small_film(Quality::draft), 600'000);
     CHECK(folder.names().size() == 1);
 }

@@ -1,10 +1,9 @@
-#include "media/image_writer.h"
-
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <string>
 
+#include "draw/canvas.h"
 #include "media/base64.h"
 #include "support/files.h"
 #include "util/atomic_file.h"
@@ -19,7 +18,7 @@ TEST_CASE("a PNG is written whole, in a folder that is made for it") {
     Canvas canvas({320, 200});
     canvas.fill_all(rgb(0x123456));
     const fs::path path = folder.path() / "new" / "picture.png";
-    write_image(canvas, path);
+    write_file(path, canvas.file());
     const std::string bytes = read_file(path, 1 << 20);
     const std::vector<std::uint8_t> expected = canvas.file();
     CHECK(bytes == std::string(expected.begin(), expected.end()));
@@ -32,7 +31,7 @@ TEST_CASE("an unwritable place for a PNG is named") {
     const fs::path path = folder.path() / "picture.png";
     fs::create_directory(path);
     try {
-        write_image(canvas, path);
+        write_file(path, canvas.file());
         FAIL("no error");
     } catch (const SystemError& error) {
         CHECK(std::string(error.what()).find(path.string()) != std::string::npos);

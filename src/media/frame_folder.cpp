@@ -1,0 +1,54 @@
+// Films as folders of numbered pictures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
+#include "media/film_writer.h"
+#include "util/atomic_file.h"
+
+namespace carom {
+namespace {
+
+class FrameFolder : public FilmWriter {
+  public:
+    FrameFolder(const std::filesystem::path& path, int frames)
+        : folder_(path), digits_(std::max<std::size_t>(5, fmt::formatted_size("{}", frames))) {}
+
+    std::unique_ptr<FilmSegment> segment(int first) override {
+        return std::make_unique<Segment>(*this, first);
+    }
+    void commit() override { folder_.commit(); }
+    std::int64_t bytes() const override { return bytes_; }
+
+  private:
+    class Segment : public FilmSegment {
+      public:
+        Segment(FrameFolder& film, int first) : film_(film), next_(first) {}
+        void add(const Canvas& frame) override {
+            const std::vector<std::uint8_t> png = frame.png();
+            film_.folder_.write(fmt::format("frame-{:0{}}.png", ++next_, film_.digits_), png);
+            film_.bytes_ += static_cast<std::int64_t>(png.size());
+        }
+        void finish() override {}
+        void join() override {}
+
+      private:
+        FrameFolder& film_;
+        int next_;  ///< from 0; files count from 1
+    };
+
+    AtomicFolder folder_;
+    std::size_t digits_;
+    std::atomic<std::int64_t> bytes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FilmWriter> folder_of_frames(const std::filesystem::path& path,
+                                             const VideoSettings&, int frames) {
+    return std::make_unique<FrameFolder>(path, frames);
+}
+
+}  // namespace carom

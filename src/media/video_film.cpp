@@ -1,0 +1,354 @@
+// Films as H.264 or VP9: libav's encoders, its writers of files, and the file itself.
+extern "C" {
+#include <libavutil/opt.h>
+}
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <exception>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "media/codecs.h"
+#include "media/film_writer.h"
+#include "media/libav.h"
+#include "media/yuv.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+
+using libav::cause_of, libav::Owned, libav::owned;
+
+namespace {
+
+constexpr int io_buffer_bytes = 1 << 18;
+
+void tag_as_bt709(AVCodecContext& context) {
+    context.color_range = AVCOL_RANGE_MPEG;
+    context.color_primaries = AVCOL_PRI_BT709;
+    context.color_trc = AVCOL_TRC_BT709;
+    context.colorspace = AVCOL_SPC_BT709;
+    context.chroma_sample_location = AVCHROMA_LOC_LEFT;
+    context.sample_aspect_ratio = {1, 1};
+}
+
+Owned<AVCodecContext> open_encoder(const VideoSettings& settings, const Codec& codec) {
+    Owned<AVCodecContext> context = libav::encoder(codec.encoder);
+    context->width = even_size(settings.width);
+    context->height = even_size(settings.height);
+    context->pix_fmt = settings.transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
+    context->time_base = {1, settings.fps};
+    context->framerate = {settings.fps, 1};
+    context->thread_count = 1;
+    context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
+    context->bit_rate = 0;  // the quality alone decides
+    context->gop_size = std::numeric_limits<int>::max();
+    tag_as_bt709(*context);
+    for (const auto& [name, value] : codec.encoder_options(settings.quality))
+        libav::check_encoder(codec.encoder, av_opt_set(context->priv_data, name, value.c_str(), 0));
+    libav::check_encoder(codec.encoder, avcodec_open2(context.get(), nullptr, nullptr));
+    return context;
+}
+
+Owned<AVFrame> frame_for(const AVCodecContext& context) {
+    Owned<AVFrame> frame = libav::frame(context.pix_fmt, context.width, context.height);
+    frame->color_range = context.color_range;
+    frame->color_primaries = context.color_primaries;
+    frame->color_trc = context.color_trc;
+    frame->colorspace = context.colorspace;
+    frame->chroma_location = context.chroma_sample_location;
+    return frame;
+}
+
+bool same_stream(const AVCodecParameters& a, const AVCodecParameters& b) {
+    return a.width == b.width && a.height == b.height &&
+           std::equal(a.extradata, a.extradata + a.extradata_size, b.extradata,
+                      b.extradata + b.extradata_size);
+}
+
+// The texts that libavformat stores in an MP4 file; it drops every other without a word.
+constexpr std::array<std::string_view, 14> keys_of_mp4 = {
+    "title",     "artist", "album",  "album_artist", "composer",    "date",     "comment",
+    "copyright", "genre",  "lyrics", "grouping",     "description", "synopsis", "keywords"};
+
+void set_metadata(AVFormatContext& context, const VideoSettings& settings, const Codec& codec) {
+    std::string others;
+    for (const auto& [key, value] : settings.metadata) {
+        if (codec.keeps_all_metadata ||
+            std::find(keys_of_mp4.begin(), keys_of_mp4.end(), key) != keys_of_mp4.end())
+            av_dict_set(&context.metadata, key.c_str(), value.c_str(), 0);
+        else
+            others += fmt::format("{}{}={}", others.empty() ? "" : ", ", key, value);
+    }
+    if (others.empty()) return;
+    if (av_dict_get(context.metadata, "keywords", nullptr, 0) != nullptr) others = ", " + others;
+    av_dict_set(&context.metadata, "keywords", others.c_str(), AV_DICT_APPEND);
+}
+
+// libav's view of an atomic file. Exceptions may not cross its C code: the first is kept here.
+struct FileAccess {
+    AtomicFile* file = nullptr;
+    std::exception_ptr* error = nullptr;
+    std::int64_t offset = 0;
+};
+
+template <class Work>
+bool succeeds(FileAccess& access, Work work) {
+    if (*access.error) return false;
+    try {
+        work();
+        return true;
+    } catch (...) {
+        *access.error = std::current_exception();
+        return false;
+    }
+}
+
+int write_bytes(void* opaque, libav::WrittenByte* data, int size) {
+    auto& access = *static_cast<FileAccess*>(opaque);
+    const bool written = succeeds(access, [&] {
+        access.file->seek(access.offset);
+        access.file->write(std::span(data, static_cast<std::size_t>(size)));
+    });
+    if (!written) return AVERROR(EIO);
+    access.offset += size;
+    return size;
+}
+
+int read_bytes(void* opaque, std::uint8_t* data, int size) {
+    auto& access = *static_cast<FileAccess*>(opaque);
+    std::int64_t count = 0;
+    const bool done = succeeds(access, [&] {
+        access.file->seek(access.offset);
+        count = access.file->read(std::span(data, static_cast<std::size_t>(size)));
+    });
+    if (!done) return AVERROR(EIO);
+    access.offset += count;
+    return count == 0 ? AVERROR_EOF : static_cast<int>(count);
+}
+
+std::int64_t seek_to(void* opaque, std::int64_t offset, int whence) {
+    auto& access = *static_cast<FileAccess*>(opaque);
+    std::int64_t size = 0;
+    if (!succeeds(access, [&] { size = access.file->size(); })) return AVERROR(EIO);
+    if ((whence & AVSEEK_SIZE) != 0) return size;
+    const int from = whence & ~AVSEEK_FORCE;
+    const std::int64_t start = from == SEEK_CUR ? access.offset : from == SEEK_END ? size : 0;
+    return access.offset = start + offset;
+}
+
+Owned<AVIOContext> open_io(FileAccess& access, bool writing) {
+    auto* const buffer = static_cast<std::uint8_t*>(av_malloc(io_buffer_bytes));
+    AVIOContext* const context = avio_alloc_context(buffer, io_buffer_bytes, writing ? 1 : 0,
+                                                    &access, read_bytes, write_bytes, seek_to);
+    if (context == nullptr) av_free(buffer);
+    return owned(context);
+}
+
+class VideoFilm : public FilmWriter {
+  public:
+    VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
+        : settings_(std::move(settings)), codec_(codec), file_(path) {
+        libav::listen();
+    }
+
+    std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
+    void commit() override;
+    std::int64_t bytes() const override { return bytes_; }
+
+  private:
+    class Segment : public FilmSegment {
+      public:
+        explicit Segment(VideoFilm& film);
+        void add(const Canvas& frame) override;
+        void finish() override;
+        void join() override { film_.append(*this); }
+
+      private:
+        friend class VideoFilm;
+        void check(int result) const { libav::check_encoder(film_.codec_.encoder, result); }
+        void encode(const AVFrame* frame);
+
+        VideoFilm& film_;
+        Owned<AVCodecContext> context_;
+        Owned<AVFrame> frame_;
+        std::vector<Owned<AVPacket>> packets_;  ///< in decoding order
+        Owned<AVCodecParameters> parameters_;
+        AVRational time_base_ = {1, 1};
+        int reordering_ = 0;  ///< frames by which decoding runs ahead of showing
+    };
+
+    void start(const Segment& segment);
+    void append(Segment& segment);
+    void check(int result) const;
+    static int open_to_read(AVFormatContext* context, AVIOContext** io, const char* url, int flags,
+                            AVDictionary** options);
+    static int close_after_reading(AVFormatContext* context, AVIOContext* io);
+
+    VideoSettings settings_;
+    const Codec& codec_;
+    AtomicFile file_;
+    std::exception_ptr error_;
+    FileAccess writing_{&file_, &error_, 0};
+    FileAccess reading_{&file_, &error_, 0};
+    Owned<AVIOContext> io_;
+    Owned<AVFormatContext> format_;
+    Owned<AVCodecParameters> parameters_;  ///< of the first segment
+    std::int64_t frames_ = 0;
+    std::int64_t bytes_ = 0;
+};
+
+VideoFilm::Segment::Segment(VideoFilm& film) : film_(film) {
+    libav::listen();
+    context_ = open_encoder(film.settings_, film.codec_);
+    frame_ = frame_for(*context_);
+    frame_->pts = 0;
+}
+
+void VideoFilm::Segment::add(const Canvas& canvas) {
+    const PixelView frame = canvas.pixels();
+    const VideoSettings& settings = film_.settings_;
+    assert(frame.width == settings.width && frame.height == settings.height);
+    AVFrame& planes = *frame_;
+    check(av_frame_make_writable(&planes));
+    const YuvPlanes to{planes.data[0],     planes.data[1], planes.data[2],    planes.linesize[0],
+                       planes.linesize[1], planes.data[3], planes.linesize[3]};
+    if (settings.transparent)
+        to_yuva420(frame, settings.behind, to);
+    else
+        to_yuv420(frame, to);
+    encode(&planes);
+    ++planes.pts;
+}
+
+// Of no frame: what the encoder still holds.
+void VideoFilm::Segment::encode(const AVFrame* frame) {
+    check(avcodec_send_frame(context_.get(), frame));
+    while (true) {
+        Owned<AVPacket> packet = owned(av_packet_alloc());
+        const int result = avcodec_receive_packet(context_.get(), packet.get());
+        if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+        check(result);
+        packets_.push_back(std::move(packet));
+    }
+}
+
+void VideoFilm::Segment::finish() {
+    encode(nullptr);
+    assert(static_cast<std::int64_t>(packets_.size()) == frame_->pts);
+    parameters_ = owned(avcodec_parameters_alloc());
+    check(avcodec_parameters_from_context(parameters_.get(), context_.get()));
+    time_base_ = context_->time_base;
+    reordering_ = context_->has_b_frames;
+    context_.reset();
+    frame_.reset();
+}
+
+// A failed write is reported by libav late, in other words, or only by the context's error field:
+// what the file itself said comes first.
+void VideoFilm::check(int result) const {
+    if (error_) std::rethrow_exception(error_);
+    const int late = io_ ? io_->error : 0;
+    if (result >= 0 && late >= 0) return;
+    throw SystemError(fmt::format("cannot write {}: {}", file_.path().string(),
+                                  cause_of(result < 0 ? result : late)));
+}
+
+// What was written is read back, to move it behind the index.
+int VideoFilm::open_to_read(AVFormatContext* context, AVIOContext** opened, const char*, int flags,
+                            AVDictionary**) {
+    auto& own = *static_cast<VideoFilm*>(context->opaque);
+    if (flags != AVIO_FLAG_READ) return AVERROR(EINVAL);
+    own.reading_.offset = 0;
+    try {
+        *opened = open_io(own.reading_, false).release();
+    } catch (const std::bad_alloc&) {
+        return AVERROR(ENOMEM);
+    }
+    return 0;
+}
+
+int VideoFilm::close_after_reading(AVFormatContext*, AVIOContext* opened) {
+    Owned<AVIOContext>{opened}.reset();
+    return 0;
+}
+
+void VideoFilm::start(const Segment& segment) {
+    AVFormatContext* allocated = nullptr;
+    check(avformat_alloc_output_context2(&allocated, nullptr, codec_.container, nullptr));
+    format_ = owned(allocated);
+    io_ = open_io(writing_, true);
+    format_->pb = io_.get();
+    format_->url = av_strdup(file_.path().c_str());
+    format_->opaque = this;
+    format_->io_open = open_to_read;
+    format_->io_close2 = close_after_reading;
+    format_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO;
+    set_metadata(*format_, settings_, codec_);
+
+    AVStream* const stream = avformat_new_stream(format_.get(), nullptr);
+    if (stream == nullptr) throw std::bad_alloc();
+    parameters_ = owned(avcodec_parameters_alloc());
+    check(avcodec_parameters_copy(parameters_.get(), segment.parameters_.get()));
+    check(avcodec_parameters_copy(stream->codecpar, segment.parameters_.get()));
+    stream->time_base = segment.time_base_;
+    if (settings_.transparent) av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
+    stream->avg_frame_rate = {settings_.fps, 1};
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, codec_.index_first.first, codec_.index_first.second, 0);
+    const int result = avformat_write_header(format_.get(), &options);
+    av_dict_free(&options);
+    check(result);
+}
+
+void VideoFilm::append(Segment& segment) {
+    if (!format_) start(segment);
+    if (!same_stream(*parameters_, *segment.parameters_))
+        throw SystemError(
+            fmt::format("cannot write {}: its segments were encoded with different parameters",
+                        file_.path().string()));
+
+    const AVRational stream_time = format_->streams[0]->time_base;
+    std::int64_t index = frames_;
+    for (Owned<AVPacket>& packet : segment.packets_) {
+        packet->stream_index = 0;
+        packet->pts += frames_;
+        // At a constant rate the decoding time is the number in the file, whatever its segment.
+        packet->dts = index++ - segment.reordering_;
+        packet->duration = 1;
+        av_packet_rescale_ts(packet.get(), segment.time_base_, stream_time);
+        check(av_write_frame(format_.get(), packet.get()));
+        packet.reset();
+    }
+    frames_ = index;
+}
+
+void VideoFilm::commit() {
+    assert(frames_ > 0);
+    check(av_write_trailer(format_.get()));
+    avio_flush(io_.get());
+    check(0);
+    bytes_ = file_.size();
+    file_.commit();
+}
+
+}  // namespace
+
+std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
+                                     const VideoSettings& settings, int) {
+    return std::make_unique<VideoFilm>(path, settings, h264);
+}
+
+std::unique_ptr<FilmWriter> webm_film(const std::filesystem::path& path,
+                                      const VideoSettings& settings, int) {
+    return std::make_unique<VideoFilm>(path, settings, vp9);
+}
+
+}  // namespace carom

@@ -1,10 +1,10 @@
 #include "figures/escaping.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "util/text.h"
@@ -33,10 +33,20 @@ string markdown(string_view letter, string_view before) {
     return string(letter);
 }
 
+using Letters = std::map<string, string, std::less<>>;
+
+// Letters and what stands for each, all with blanks between them.
+Letters in_pairs(const char* words) {
+    Letters letters;
+    std::istringstream rest(words);
+    for (string letter, meaning; rest >> letter >> meaning;) letters[letter] = meaning;
+    return letters;
+}
+
 // The letters that mean something in LaTeX, or that pdfLaTeX does not know by itself, as it knows
 // them without packages, in its oldest encoding of fonts (OT1).
-const std::map<string_view, string_view>& latex_letters() {
-    static const std::map<string_view, string_view> letters{
+const Letters& latex_letters() {
+    static const Letters letters{
         {"\\", "\\textbackslash{}"},
         {"{", "\\{"},
         {"}", "\\}"},
@@ -68,161 +78,70 @@ const std::map<string_view, string_view>& latex_letters() {
         {"\u2060", ""},
         {"\uFEFF", ""},
         {"−", "\\(-\\)"},
-        {"×", "\\(\\times\\)"},
-        {"÷", "\\(\\div\\)"},
-        {"·", "\\(\\cdot\\)"},
-        {"⋅", "\\(\\cdot\\)"},
-        {"∙", "\\(\\cdot\\)"},
-        {"∗", "\\(\\ast\\)"},
-        {"±", "\\(\\pm\\)"},
-        {"∓", "\\(\\mp\\)"},
-        {"∘", "\\(\\circ\\)"},
         {"°", "\\(^\\circ\\)"},
         {"′", "\\(^{\\prime}\\)"},
         {"″", "\\(^{\\prime\\prime}\\)"},
-        {"≈", "\\(\\approx\\)"},
-        {"≃", "\\(\\simeq\\)"},
-        {"≅", "\\(\\cong\\)"},
-        {"∼", "\\(\\sim\\)"},
-        {"∝", "\\(\\propto\\)"},
-        {"≠", "\\(\\neq\\)"},
-        {"≡", "\\(\\equiv\\)"},
-        {"≤", "\\(\\leq\\)"},
-        {"≥", "\\(\\geq\\)"},
-        {"≪", "\\(\\ll\\)"},
-        {"≫", "\\(\\gg\\)"},
-        {"«", "\\(\\ll\\)"},
-        {"»", "\\(\\gg\\)"},
         {"‹", "\\(<\\)"},
         {"›", "\\(>\\)"},
-        {"√", "\\(\\surd\\)"},
-        {"∞", "\\(\\infty\\)"},
-        {"∑", "\\(\\sum\\)"},
-        {"∏", "\\(\\prod\\)"},
-        {"∫", "\\(\\int\\)"},
-        {"∂", "\\(\\partial\\)"},
-        {"∇", "\\(\\nabla\\)"},
-        {"∈", "\\(\\in\\)"},
-        {"∉", "\\(\\notin\\)"},
-        {"∩", "\\(\\cap\\)"},
-        {"∪", "\\(\\cup\\)"},
-        {"⊂", "\\(\\subset\\)"},
-        {"∅", "\\(\\emptyset\\)"},
-        {"∀", "\\(\\forall\\)"},
-        {"∃", "\\(\\exists\\)"},
-        {"∧", "\\(\\wedge\\)"},
-        {"∨", "\\(\\vee\\)"},
-        {"⊥", "\\(\\perp\\)"},
-        {"∥", "\\(\\parallel\\)"},
-        {"∠", "\\(\\angle\\)"},
-        {"ℓ", "\\(\\ell\\)"},
-        {"ℏ", "\\(\\hbar\\)"},
-        {"→", "\\(\\to\\)"},
-        {"←", "\\(\\leftarrow\\)"},
-        {"↔", "\\(\\leftrightarrow\\)"},
-        {"↑", "\\(\\uparrow\\)"},
-        {"↓", "\\(\\downarrow\\)"},
-        {"⇒", "\\(\\Rightarrow\\)"},
-        {"⇐", "\\(\\Leftarrow\\)"},
-        {"⇔", "\\(\\Leftrightarrow\\)"},
-        {"↦", "\\(\\mapsto\\)"},
-        {"⋯", "\\(\\cdots\\)"},
-        {"○", "\\(\\bigcirc\\)"},
-        {"●", "\\(\\bullet\\)"},
-        {"△", "\\(\\triangle\\)"},
-        {"⟨", "\\(\\langle\\)"},
-        {"⟩", "\\(\\rangle\\)"},
         {"⅓", "\\(\\frac13\\)"},
         {"⅔", "\\(\\frac23\\)"},
         {"⅕", "\\(\\frac15\\)"},
         {"⅙", "\\(\\frac16\\)"},
         {"⅛", "\\(\\frac18\\)"},
-        {"α", "\\(\\alpha\\)"},
-        {"β", "\\(\\beta\\)"},
-        {"γ", "\\(\\gamma\\)"},
-        {"δ", "\\(\\delta\\)"},
-        {"ε", "\\(\\varepsilon\\)"},
-        {"ϵ", "\\(\\epsilon\\)"},
-        {"ζ", "\\(\\zeta\\)"},
-        {"η", "\\(\\eta\\)"},
-        {"θ", "\\(\\theta\\)"},
-        {"ϑ", "\\(\\vartheta\\)"},
-        {"ι", "\\(\\iota\\)"},
-        {"κ", "\\(\\kappa\\)"},
-        {"λ", "\\(\\lambda\\)"},
-        {"μ", "\\(\\mu\\)"},
-        {"ν", "\\(\\nu\\)"},
-        {"ξ", "\\(\\xi\\)"},
-        {"π", "\\(\\pi\\)"},
-        {"ρ", "\\(\\rho\\)"},
-        {"ς", "\\(\\varsigma\\)"},
-        {"σ", "\\(\\sigma\\)"},
-        {"τ", "\\(\\tau\\)"},
-        {"υ", "\\(\\upsilon\\)"},
-        {"φ", "\\(\\varphi\\)"},
-        {"ϕ", "\\(\\phi\\)"},
-        {"χ", "\\(\\chi\\)"},
-        {"ψ", "\\(\\psi\\)"},
-        {"ω", "\\(\\omega\\)"},
-        {"Γ", "\\(\\Gamma\\)"},
-        {"Δ", "\\(\\Delta\\)"},
-        {"Θ", "\\(\\Theta\\)"},
-        {"Λ", "\\(\\Lambda\\)"},
-        {"Ξ", "\\(\\Xi\\)"},
-        {"Π", "\\(\\Pi\\)"},
-        {"Σ", "\\(\\Sigma\\)"},
-        {"Υ", "\\(\\Upsilon\\)"},
-        {"Φ", "\\(\\Phi\\)"},
-        {"Ψ", "\\(\\Psi\\)"},
-        {"Ω", "\\(\\Omega\\)"},
         {"ο", "\\(o\\)"},
-        {"Α", "\\(\\mathrm{A}\\)"},
-        {"Β", "\\(\\mathrm{B}\\)"},
-        {"Ε", "\\(\\mathrm{E}\\)"},
-        {"Ζ", "\\(\\mathrm{Z}\\)"},
-        {"Η", "\\(\\mathrm{H}\\)"},
-        {"Ι", "\\(\\mathrm{I}\\)"},
-        {"Κ", "\\(\\mathrm{K}\\)"},
-        {"Μ", "\\(\\mathrm{M}\\)"},
-        {"Ν", "\\(\\mathrm{N}\\)"},
-        {"Ο", "\\(\\mathrm{O}\\)"},
-        {"Ρ", "\\(\\mathrm{P}\\)"},
-        {"Τ", "\\(\\mathrm{T}\\)"},
-        {"Χ", "\\(\\mathrm{X}\\)"},
-        {"µ", "\\(\\mu\\)"},
     };
     return letters;
 }
 
-// Those above and below the line.
-string latex_index(string_view letter) {
-    constexpr std::array<std::pair<string_view, string_view>, 17> raised{{{"⁰", "0"},
-                                                                          {"¹", "1"},
-                                                                          {"²", "2"},
-                                                                          {"³", "3"},
-                                                                          {"⁴", "4"},
-                                                                          {"⁵", "5"},
-                                                                          {"⁶", "6"},
-                                                                          {"⁷", "7"},
-                                                                          {"⁸", "8"},
-                                                                          {"⁹", "9"},
-                                                                          {"⁺", "+"},
-                                                                          {"⁻", "-"},
-                                                                          {"⁼", "="},
-                                                                          {"⁽", "("},
-                                                                          {"⁾", ")"},
-                                                                          {"ⁿ", "n"},
-                                                                          {"ⁱ", "i"}}};
-    constexpr std::array<std::pair<string_view, string_view>, 29> lowered{
-        {{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"}, {"₅", "5"},
-         {"₆", "6"}, {"₇", "7"}, {"₈", "8"}, {"₉", "9"}, {"₊", "+"}, {"₋", "-"},
-         {"₌", "="}, {"₍", "("}, {"₎", ")"}, {"ₐ", "a"}, {"ₑ", "e"}, {"ₒ", "o"},
-         {"ₓ", "x"}, {"ₕ", "h"}, {"ₖ", "k"}, {"ₗ", "l"}, {"ₘ", "m"}, {"ₙ", "n"},
-         {"ₚ", "p"}, {"ₛ", "s"}, {"ₜ", "t"}, {"ᵢ", "i"}, {"ⱼ", "j"}}};
-    for (const auto& [sign, plain] : raised)
-        if (letter == sign) return fmt::format("\\(^{{{}}}\\)", plain);
-    for (const auto& [sign, plain] : lowered)
-        if (letter == sign) return fmt::format("\\(_{{{}}}\\)", plain);
+// Those that are a command of its mathematics, without the backslash.
+const Letters& latex_commands() {
+    static const Letters letters = in_pairs(
+        "× times ÷ div · cdot ⋅ cdot ∙ cdot ∗ ast ± pm ∓ mp ∘ circ ≈ approx ≃ simeq ≅ cong ∼ sim "
+        "∝ propto ≠ neq ≡ equiv ≤ leq ≥ geq ≪ ll ≫ gg « ll » gg √ surd ∞ infty ∑ sum ∏ prod ∫ int "
+        "∂ partial ∇ nabla ∈ in ∉ notin ∩ cap ∪ cup ⊂ subset ∅ emptyset ∀ forall ∃ exists ∧ wedge "
+        "∨ vee ⊥ perp ∥ parallel ∠ angle ℓ ell ℏ hbar → to ← leftarrow ↔ leftrightarrow ↑ uparrow "
+        "↓ downarrow ⇒ Rightarrow ⇐ Leftarrow ⇔ Leftrightarrow ↦ mapsto ⋯ cdots ○ bigcirc "
+        "● bullet △ triangle ⟨ langle ⟩ rangle α alpha β beta γ gamma δ delta ε varepsilon "
+        "ϵ epsilon ζ zeta η eta θ theta ϑ vartheta ι iota κ kappa λ lambda μ mu ν nu ξ xi π pi "
+        "ρ rho ς varsigma σ sigma τ tau υ upsilon φ varphi ϕ phi χ chi ψ psi ω omega Γ Gamma "
+        "Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi Σ Sigma Υ Upsilon Φ Phi Ψ Psi Ω Omega µ mu");
+    return letters;
+}
+
+// Greek capitals that look like Latin ones.
+const Letters& latin_capitals() {
+    static const Letters letters = in_pairs("Α A Β B Ε E Ζ Z Η H Ι I Κ K Μ M Ν N Ο O Ρ P Τ T Χ X");
+    return letters;
+}
+
+// Those above the line, and below it.
+const Letters& raised_letters() {
+    static const Letters letters =
+        in_pairs("⁰ 0 ¹ 1 ² 2 ³ 3 ⁴ 4 ⁵ 5 ⁶ 6 ⁷ 7 ⁸ 8 ⁹ 9 ⁺ + ⁻ - ⁼ = ⁽ ( ⁾ ) ⁿ n ⁱ i");
+    return letters;
+}
+
+const Letters& lowered_letters() {
+    static const Letters letters = in_pairs(
+        "₀ 0 ₁ 1 ₂ 2 ₃ 3 ₄ 4 ₅ 5 ₆ 6 ₇ 7 ₈ 8 ₉ 9 ₊ + ₋ - ₌ = ₍ ( ₎ ) ₐ a ₑ e ₒ o ₓ x ₕ h ₖ k ₗ l "
+        "ₘ m ₙ n ₚ p ₛ s ₜ t ᵢ i ⱼ j");
+    return letters;
+}
+
+// In its mathematics; empty where a letter stands for itself.
+string latex_formula(string_view letter) {
+    const auto found_in = [&](const Letters& letters) {
+        const auto found = letters.find(letter);
+        return found == letters.end() ? string() : found->second;
+    };
+    if (const string name = found_in(latex_commands()); !name.empty())
+        return "\\(\\" + name + "\\)";
+    if (const string capital = found_in(latin_capitals()); !capital.empty())
+        return "\\(\\mathrm{" + capital + "}\\)";
+    if (const string plain = found_in(raised_letters()); !plain.empty())
+        return "\\(^{" + plain + "}\\)";
+    if (const string plain = found_in(lowered_letters()); !plain.empty())
+        return "\\(_{" + plain + "}\\)";
     return {};
 }
 
@@ -231,9 +150,9 @@ string latex(string_view letter, string_view before) {
     if (string_view("-',").find(letter) != string_view::npos && before.ends_with(letter))
         return "{}" + string(letter);
     if (const auto found = latex_letters().find(letter); found != latex_letters().end())
-        return string(found->second);
-    const string index = latex_index(letter);
-    return index.empty() ? string(letter) : index;
+        return found->second;
+    const string formula = latex_formula(letter);
+    return formula.empty() ? string(letter) : formula;
 }
 
 // The number of one code point of UTF-8; of a byte that is none, one that no letter has.

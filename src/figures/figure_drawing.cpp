@@ -90,7 +90,8 @@ double smallest_type(const FigureSpec& spec) { return spec.slide ? slide_type : 
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
     const double unit = centimetres(smallest_type(spec));
     const Sheet sheet = sheet_of(scene, spec);
-    return {sheet.width * unit, sheet.height * unit};
+    const auto rounded = [&](double length) { return std::round(100.0 * length * unit) / 100.0; };
+    return {rounded(sheet.width), rounded(sheet.height)};
 }
 
 Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,

@@ -13,7 +13,7 @@ namespace carom {
 /// The smallest type, points: labels of axes. Titles are 1.15 times as large.
 double smallest_type(const FigureSpec& spec);
 
-/// Width and height, centimetres.
+/// Width and height in centimetres, to a tenth of a millimetre.
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
 /// The picture of a figure, in vectors or in pixels; `words` go with it. Of pixels there are 300 to

@@ -6,11 +6,9 @@
 #include <thread>
 #include <utility>
 
-#include "panels/echo/echo_record.h"
+#include "panels/frame.h"
 #include "panels/plot/plot_panel.h"
-#include "panels/precision.h"
-#include "panels/registry.h"
-#include "util/interrupt.h"
+#include "panels/recording.h"
 
 namespace carom {
 namespace {
@@ -73,24 +71,22 @@ void on_threads(int threads, std::size_t count, const std::function<void(std::si
 
 }  // namespace
 
-// The figures of one seed.
-class FigureRun::OfSeed {
+// One run of the physics, and the figures that show it: those of a scene that show more than
+// `later` seeds.
+class FigureRun::OneRun {
   public:
-    // Of the figures that show more than `later` seeds.
-    OfSeed(const Scene& scene, int later, const Fresh& fresh, const TrialCallback& trial)
-        : scene_(with_precision(alone(scene, later), trial)),
-          fresh_(fresh),
-          ticks_(ticks_of(scene_)) {
+    OneRun(const Scene& scene, int later) : scene_(alone(scene, later)), ticks_(ticks_of(scene_)) {
         for (const FigureSpec& spec : scene_.figures)
-            if (spec.panel.seeds > later && spec.compare.empty()) specs_.push_back(&spec);
+            if (spec.panel.seeds > later && spec.compare.empty()) figures.push_back({&spec});
     }
-    OfSeed(const OfSeed&) = delete;
-    OfSeed& operator=(const OfSeed&) = delete;
+    OneRun(const OneRun&) = delete;
+    OneRun& operator=(const OneRun&) = delete;
 
-    void begin(const RunsCallbacks& on_progress);
-    void survey(const RunsCallbacks& on_progress);
-    void look(const RunsCallbacks& on_progress);
+    bool tries_bits() const { return !scene_.run.bits; }
     double time_to_simulate() const;
+    void start(const RunsCallbacks& on_progress);
+    void survey(const RunsCallbacks& on_progress, std::size_t most_bytes);
+    void look(const RunsCallbacks& on_progress);
     const Figure& figure_of(const std::string& name) const;
     const Scene& scene() const { return scene_; }
     const Particles& particles() const { return particles_; }
@@ -98,132 +94,106 @@ class FigureRun::OfSeed {
     std::vector<Figure> figures;
 
   private:
-    Simulation fresh(const RunsCallbacks& on_progress) const;
-    FrameInput observe(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
-
     Scene scene_;
-    const Fresh& fresh_;
     std::vector<Tick> ticks_;
-    std::vector<const FigureSpec*> specs_;
     std::optional<Simulation> start_;
     Particles particles_;
-    std::optional<EquilibriumGas> equilibrium_;
-    Eigen::ArrayXd speed_, energy_;  // of the present sample
+    std::optional<PanelSet> panels_;  ///< one for each figure
+    Recording recording_;
 };
 
-const Figure& FigureRun::OfSeed::figure_of(const std::string& name) const {
+const Figure& FigureRun::OneRun::figure_of(const std::string& name) const {
     return *std::ranges::find(figures, name,
                               [](const Figure& figure) { return figure.spec->name; });
 }
 
-// One that shows nothing is begun, for its particles, and goes no further.
-double FigureRun::OfSeed::time_to_simulate() const {
+// With the second pass, which simulates nothing where the run is kept in memory. A run that shows
+// nothing is started, for its particles, and goes no further.
+double FigureRun::OneRun::time_to_simulate() const {
     const Run& run = scene_.run;
-    return specs_.empty() ? run.equilibrate : 2.0 * (run.equilibrate + run.until);
+    return (tries_bits() ? 0.0 : run.equilibrate) + (figures.empty() ? 0.0 : 2.0 * run.until);
 }
 
-Simulation FigureRun::OfSeed::fresh(const RunsCallbacks& on_progress) const {
+void FigureRun::OneRun::start(const RunsCallbacks& on_progress) {
+    const bool tries = tries_bits();
     double now = -scene_.run.equilibrate;
-    const auto tell = [&](double time) {
-        if (on_progress.advance) on_progress.advance(time - std::exchange(now, time));
+    const auto show = [&](int bits, double time) {
+        if (tries && on_progress.trial) on_progress.trial(bits, time);
+        if (!tries) on_progress.go_on(time - std::exchange(now, time));
     };
-    Simulation simulation = fresh_(scene_, tell);
-    tell(0.0);
-    return simulation;
+    StartedScene started = start_scene(scene_, show);
+    show(started.simulation.bits(), 0.0);
+    scene_.run.bits = started.simulation.bits();
+    particles_ = started.simulation.particles();
+    start_ = std::move(started.simulation);
 }
 
-// Makes the panels, with the particles at time 0.
-void FigureRun::OfSeed::begin(const RunsCallbacks& on_progress) {
-    start_ = fresh(on_progress);
-    particles_ = start_->particles();
-    equilibrium_ = equilibrium(scene_.gas.box, particles_, start_->sample());
-    const PanelContext context{scene_, particles_, static_cast<int>(ticks_.size()), equilibrium_,
-                               false};
-    for (const FigureSpec* spec : specs_)
-        figures.push_back({spec, make_panel(context, spec->panel)});
-}
-
-FrameInput FigureRun::OfSeed::observe(const Tick& tick, const Sample& sample,
-                                      const AdvanceResult& advanced) {
-    speed_ = speeds(sample);
-    energy_ = kinetic_energies(particles_, sample);
-    return {tick, sample, speed_, energy_, advanced};
-}
-
-void FigureRun::OfSeed::survey(const RunsCallbacks& on_progress) {
-    if (figures.empty()) return;
-    Simulation simulation = fresh(on_progress);
-    simulation.record_collisions(std::ranges::any_of(
-        figures, [](const Figure& figure) { return figure.panel->surveys_collisions(); }));
-    if (std::ranges::any_of(
-            figures, [](const Figure& figure) { return figure.panel->wants_return_distances(); }))
-        simulation.measure_return(return_times(scene_, particles_.count(), ticks_));
-    double now = 0.0;
-    with_places_of_errors(scene_, [&] {
-        for (const Tick& tick : ticks_) {
-            throw_if_interrupted();
-            const AdvanceResult advanced = simulation.advance_to(tick.time);
-            const FrameInput input = observe(tick, simulation.sample(), advanced);
-            for (const Figure& figure : figures) figure.panel->survey(input);
-            if (on_progress.advance) on_progress.advance(tick.time - std::exchange(now, tick.time));
-        }
-    });
-}
-
-// Of frames that show one time the last: at a reversal the one after it.
-void FigureRun::OfSeed::look(const RunsCallbacks& on_progress) {
+void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, std::size_t most_bytes) {
     if (figures.empty()) return start_.reset();
-    start_->record_collisions(std::ranges::any_of(
-        figures, [](const Figure& figure) { return figure.panel->wants_collisions(); }));
+    std::vector<PanelSpec> specs;
+    for (const Figure& figure : figures) specs.push_back(figure.spec->panel);
+    panels_.emplace(scene_, particles_, start_->sample(), static_cast<int>(ticks_.size()), specs);
+    for (std::size_t k = 0; k < figures.size(); ++k)
+        figures[k].panel = panels_->panels()[k].panel.get();
     double now = 0.0;
-    for (std::size_t i = 0; i < ticks_.size(); ++i) {
-        throw_if_interrupted();
-        const AdvanceResult advanced = start_->advance_to(ticks_[i].time);
-        const FrameInput input = observe(ticks_[i], start_->sample(), advanced);
-        const bool last = i + 1 == ticks_.size() || ticks_[i + 1].time != ticks_[i].time;
-        for (Figure& figure : figures) {
-            auto state = figure.panel->state(input);
-            if (last && shows(figure, ticks_[i].time))
-                figure.moments.push_back({ticks_[i].time, advanced.counts, std::move(state)});
-        }
-        if (on_progress.advance)
-            on_progress.advance(ticks_[i].time - std::exchange(now, ticks_[i].time));
-    }
+    const Recording::Wanted wanted{panels_->wants_collisions(), panels_->return_times(ticks_)};
+    with_places_of_errors(scene_, [&] {
+        recording_ = Recording(
+            std::move(*start_), ticks_, wanted,
+            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                panels_->survey(tick, sample, advanced);
+                on_progress.go_on(tick.time - std::exchange(now, tick.time));
+            },
+            most_bytes);
+    });
     start_.reset();
 }
 
-FigureRun::FigureRun(const Scene& scene, const Fresh& fresh, int threads,
-                     const RunsCallbacks& on_progress)
+// Of frames that show one time the last: at a reversal the one after it.
+void FigureRun::OneRun::look(const RunsCallbacks& on_progress) {
+    double now = 0.0;
+    std::size_t next = 0;
+    recording_.play(recording_.ticks().size(),
+                    [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                        FrameData frame = panels_->frame_data(tick, sample, advanced);
+                        ++next;
+                        const bool last = next == ticks_.size() || ticks_[next].time != tick.time;
+                        for (std::size_t k = 0; k < figures.size(); ++k)
+                            if (last && shows(figures[k], tick.time))
+                                figures[k].moments.push_back(
+                                    {tick.time, advanced.counts, std::move(frame.states[k])});
+                        on_progress.go_on(tick.time - std::exchange(now, tick.time));
+                    });
+    recording_ = {};
+}
+
+FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_progress)
     : scene_(alone(scene, 0)) {
     int seeds = 1;
-    struct Job {
-        std::unique_ptr<OfSeed>* run;
-        const Scene* scene;
-        int later;
+    for (const FigureSpec& spec : scene_.figures) seeds = std::max(seeds, spec.panel.seeds);
+    std::vector<OneRun*> all;
+    const auto add = [&](std::vector<std::unique_ptr<OneRun>>& to, const Scene& of, int later) {
+        all.push_back(to.emplace_back(std::make_unique<OneRun>(of, later)).get());
     };
-    std::vector<Job> jobs;
-    for (const FigureSpec& spec : scene_.figures) {
-        seeds = std::max(seeds, spec.panel.seeds);
-        if (!spec.compare.empty()) compared_[spec.name].resize(spec.compare.size());
-    }
-    runs_.resize(static_cast<std::size_t>(seeds));
-    for (int k = 0; k < seeds; ++k)
-        jobs.push_back({&runs_[static_cast<std::size_t>(k)], &scene_, k});
+    for (int k = 0; k < seeds; ++k) add(runs_, scene_, k);
     for (const FigureSpec& spec : scene_.figures)
-        for (std::size_t k = 0; k < spec.compare.size(); ++k)
-            jobs.push_back({&compared_[spec.name][k], spec.compare[k].scene.get(), 0});
-    on_threads(threads, jobs.size(), [&](std::size_t i) {
-        const Job& job = jobs[i];
-        *job.run = std::make_unique<OfSeed>(*job.scene, job.later, fresh,
-                                            jobs.size() == 1 ? on_progress.trial : TrialCallback{});
-    });
-    double all = 0.0;
-    for (const Job& job : jobs) all += (*job.run)->time_to_simulate();
-    if (on_progress.begin) on_progress.begin(all);
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->begin(on_progress); });
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->survey(on_progress); });
+        for (const ComparedRun& run : spec.compare) add(compared_[spec.name], *run.scene, 0);
+
+    double time = 0.0;
+    for (const OneRun* run : all) time += run->time_to_simulate();
+    RunsCallbacks shown = on_progress;
+    const bool shows_trials = all.size() == 1 && all.front()->tries_bits();
+    if (!shows_trials) shown.trial = nullptr;
+    const auto each = [&](auto work) {
+        on_threads(threads, all.size(), [&](std::size_t i) { work(*all[i]); });
+    };
+    if (on_progress.begin && !shows_trials) on_progress.begin(time);
+    each([&](OneRun& run) { run.start(shown); });
+    if (on_progress.begin && shows_trials) on_progress.begin(time);
+    const std::size_t most_bytes = Recording::most_bytes / all.size();
+    each([&](OneRun& run) { run.survey(shown, most_bytes); });
     fix_axes();
-    on_threads(threads, jobs.size(), [&](std::size_t i) { (*jobs[i].run)->look(on_progress); });
+    each([&](OneRun& run) { run.look(shown); });
     take_means();
     collect();
 }
@@ -241,7 +211,7 @@ void FigureRun::fix_axes() {
     for (const Figure& figure : runs_.front()->figures) {
         std::vector<Panel*> others;
         for (std::size_t k = 1; k < static_cast<std::size_t>(figure.spec->panel.seeds); ++k)
-            others.push_back(runs_[k]->figure_of(figure.spec->name).panel.get());
+            others.push_back(runs_[k]->figure_of(figure.spec->name).panel);
         if (others.empty())
             figure.panel->fix_axes();
         else
@@ -253,7 +223,7 @@ void FigureRun::fix_axes() {
         std::vector<Panel*> others;
         std::vector<std::string> names{spec.compare.front().label};
         for (std::size_t k = 1; k < runs.size(); ++k) {
-            others.push_back(runs[k]->figures.front().panel.get());
+            others.push_back(runs[k]->figures.front().panel);
             names.push_back(spec.compare[k].label);
         }
         plot_of(runs.front()->figures.front()).fix_axes_of_runs(others, names);

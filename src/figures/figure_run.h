@@ -1,7 +1,7 @@
 // The figures of a scene before they are drawn: their panels with axes that hold for the whole run,
-// as in a film, and what they show at their times. All figures of a scene share two runs of the
-// physics; those that show means of several seeds share two for each of these; one that compares
-// runs has two of each of its own.
+// as in a film, and what they show at their times. All figures of a scene share one run of the
+// physics; those that show means of several seeds share one for each of these; one that compares
+// runs has its own. A run that is too large for memory is simulated twice.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "panels/panel.h"
-#include "physics/reversal/precision.h"
-#include "physics/simulation.h"
+#include "panels/precision.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -36,29 +35,29 @@ struct FigureSide {
 /// One figure: its panel, and a moment for each of its times.
 struct Figure {
     const FigureSpec* spec;
-    std::unique_ptr<Panel> panel;
+    Panel* panel = nullptr;  ///< of the run
     std::vector<FigureMoment> moments = {};
     std::vector<FigureSide> sides = {};  ///< of a comparison; its moments are the first one's
 };
 
-/// Gives a simulation of a scene at time 0, and tells of the time before it; from any thread.
-using Fresh = std::function<Simulation(const Scene&, const TimeCallback&)>;
-
-/// Told how far the runs have come.
+/// Called with the progress of the runs; any may be empty.
 struct RunsCallbacks {
-    TrialCallback trial;  ///< where there is but one run: of its precision
-    std::function<void(double time)>
-        begin;  ///< how much all will simulate together, equilibration included
-    std::function<void(double time)> advance;  ///< how much more is simulated; from any thread
+    TrialCallback trial = {};  ///< of the precision, where there is but one run
+    std::function<void(double time)> begin =
+        {};  ///< the simulated time of all runs, equilibration included, in both passes
+    std::function<void(double time)> advance = {};  ///< how much more is done; from any thread
+
+    void go_on(double time) const {
+        if (advance) advance(time);
+    }
 };
 
 class FigureRun {
   public:
-    /// Runs the physics of `scene` twice, and twice for each further seed, on `threads` threads at
-    /// most. The axes are those of the scene's film. `told` has all its functions or none. Throws
-    /// as the simulation does, and Interrupted.
-    FigureRun(const Scene& scene, const Fresh& fresh, int threads = 1,
-              const RunsCallbacks& on_progress = {});
+    /// Runs the physics of `scene`, of each further seed and of each run that is compared, on
+    /// `threads` threads at most. The axes are those of the scene's film. Throws SceneError (a gas
+    /// cannot be placed, or does not return), Interrupted.
+    explicit FigureRun(const Scene& scene, int threads = 1, const RunsCallbacks& on_progress = {});
     ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles
     FigureRun& operator=(const FigureRun&) = delete;
@@ -68,16 +67,16 @@ class FigureRun {
     const std::vector<Figure>& figures() const;  ///< in the scene's order
 
   private:
-    class OfSeed;
+    class OneRun;
     void fix_axes();
     void take_means();
     Figure side_by_side(const FigureSpec& spec);
     void collect();
 
     Scene scene_;
-    std::vector<std::unique_ptr<OfSeed>>
+    std::vector<std::unique_ptr<OneRun>>
         runs_;  ///< of the scene's own seed, then of those after it
-    std::map<std::string, std::vector<std::unique_ptr<OfSeed>>>
+    std::map<std::string, std::vector<std::unique_ptr<OneRun>>>
         compared_;  ///< by the name of a figure, the runs that it compares
     std::vector<Figure> figures_;
 };

@@ -35,6 +35,16 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
         panels_.push_back({slots[i], std::move(panels[i])});
 }
 
+PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
+                   const std::vector<PanelSpec>& specs)
+    : scene_(scene),
+      particles_(particles),
+      equilibrium_(equilibrium(scene.gas.box, particles, start)) {
+    constexpr bool in_film = false;
+    const PanelContext context{scene, particles_, frames, equilibrium_, in_film};
+    for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
+}
+
 bool PanelSet::wants_collisions() const {
     return std::ranges::any_of(panels_, [](const Placed& placed) {
         return placed.panel->wants_collisions() || placed.panel->surveys_collisions();

@@ -19,13 +19,17 @@ struct FrameData {
     std::size_t bytes = 0;
 };
 
-/// The panels of a film. Their axes are fixed by a first pass over the run, or read from what
-/// another set has fixed; then they give what each frame shows.
+/// The panels of a film, or of figures that show one run. Their axes are fixed by a first pass over
+/// the run, or read from what another set has fixed; then they give what each frame shows.
 class PanelSet {
   public:
     /// `start` is the state at t = 0, which fixes the equilibrium that curves show. Throws
     /// SceneError where words do not fit into their place. `scene` outlives the set.
     PanelSet(const Scene& scene, const Particles& particles, const Sample& start);
+
+    /// Panels without a place, as figures have them, of a run of so many frames.
+    PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
+             const std::vector<PanelSpec>& specs);
     PanelSet(const PanelSet&) = delete;  // its panels refer to its particles
     PanelSet& operator=(const PanelSet&) = delete;
 
@@ -50,7 +54,7 @@ class PanelSet {
         Slot slot;
         std::unique_ptr<Panel> panel;
     };
-    const std::vector<Placed>& panels() const { return panels_; }  ///< the gas is the first
+    const std::vector<Placed>& panels() const { return panels_; }  ///< a film's gas is the first
     const Panel& gas() const { return *panels_.front().panel; }
     const Scene& scene() const { return scene_; }
 

@@ -37,8 +37,4 @@ StartedScene start_scene(const Scene& scene, const TrialCallback& on_progress) {
     return started;
 }
 
-Scene with_precision(const Scene& scene, const TrialCallback& on_progress) {
-    return scene.run.bits ? scene : start_scene(scene, on_progress).scene;
-}
-
 }  // namespace carom

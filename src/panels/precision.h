@@ -13,8 +13,7 @@ namespace carom {
 /// that has no room become a SceneError with the place in the file.
 void with_places_of_errors(const Scene& scene, const std::function<void()>& run);
 
-/// A scene with `run.bits` set, and its simulation at time 0, equilibrated, to be copied for each
-/// pass.
+/// A scene with `run.bits` set, and its simulation at time 0, equilibrated.
 struct StartedScene {
     Scene scene;
     Simulation simulation;
@@ -23,8 +22,5 @@ struct StartedScene {
 /// Finds the bits where the scene leaves them to be found, which takes several runs, of which
 /// `on_progress` is told. Throws SceneError, with the place in the file; Interrupted.
 StartedScene start_scene(const Scene& scene, const TrialCallback& on_progress = {});
-
-/// The same for a simulation that is made later. Runs nothing where the scene says the bits.
-Scene with_precision(const Scene& scene, const TrialCallback& on_progress = {});
 
 }  // namespace carom

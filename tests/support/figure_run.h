@@ -5,12 +5,6 @@
 
 namespace carom::test {
 
-inline FigureRun run_of(const Scene& scene, int threads = 1) {
-    return {scene,
-            [](const Scene& one, const TimeCallback& on_progress) {
-                return Simulation(one.gas, one.run, on_progress);
-            },
-            threads};
-}
+inline FigureRun run_of(const Scene& scene, int threads = 1) { return FigureRun(scene, threads); }
 
 }  // namespace carom::test

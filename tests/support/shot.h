@@ -22,8 +22,10 @@ struct Shot {
     std::vector<FrameData> frames;
 
     explicit Shot(const Scene& loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
-        : scene(with_precision(loaded)) {
-        Simulation start(scene.gas, scene.run);
+        : Shot(start_scene(loaded), most) {}
+
+    Shot(StartedScene started, std::size_t most) : scene(std::move(started.scene)) {
+        const Simulation& start = started.simulation;
         const Particles particles = start.particles();
         const Sample sample_at_start = start.sample();
         PanelSet first(scene, particles, sample_at_start);

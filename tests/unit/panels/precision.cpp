@@ -44,7 +44,7 @@ std::vector<std::uint32_t> gas_of(const test::Shot& shot, const FrameData& frame
 }  // namespace
 
 TEST_CASE("the way back is the way out, frame by frame, to the last pixel") {
-    const Scene scene = with_precision(reversed_gas("auto"));
+    const Scene scene = start_scene(reversed_gas("auto")).scene;
     REQUIRE(scene.run.bits.has_value());
     CHECK(*scene.run.bits >= 128);
     const test::Shot shot(scene);
@@ -67,7 +67,7 @@ TEST_CASE("the way back is the way out, frame by frame, to the last pixel") {
 }
 
 TEST_CASE("with doubles the last frame does not show the first") {
-    const test::Shot shot(with_precision(reversed_gas("double")));
+    const test::Shot shot(reversed_gas("double"));
     CHECK(gas_of(shot, shot.frames.front()) != gas_of(shot, shot.frames.back()));
 }
 

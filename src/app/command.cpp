@@ -57,12 +57,6 @@ std::vector<Option> picture_options(SceneOptions& options) {
     };
 }
 
-std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists) {
-    std::vector<Option> all;
-    for (const std::vector<Option>& list : lists) all.insert(all.end(), list.begin(), list.end());
-    return all;
-}
-
 Overrides overrides_of(const SceneOptions& options) {
     Overrides overrides{options.shortcuts};
     for (const std::string& set : options.sets) {

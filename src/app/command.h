@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "util/joined.h"
 
 namespace carom {
 
@@ -65,9 +66,6 @@ std::vector<Option> work_options(SceneOptions& options);
 
 /// --template, --theme, --ground and --size.
 std::vector<Option> picture_options(SceneOptions& options);
-
-/// Some lists of options as one.
-std::vector<Option> joined(std::initializer_list<std::vector<Option>> lists);
 
 /// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.
 Overrides overrides_of(const SceneOptions& options);

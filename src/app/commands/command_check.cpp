@@ -9,7 +9,6 @@
 #include "app/figures/set_loading.h"
 #include "app/output.h"
 #include "app/report/check_facts.h"
-#include "app/report/scene_facts.h"
 #include "app/resources.h"
 #include "panels/words/text_panel.h"
 #include "util/diagnostics.h"
@@ -37,15 +36,26 @@ std::pair<Scene, bool> loaded(const std::string& path, const Overrides& override
 }
 
 // With all its scenes, figures and pages.
-CheckedScene checked_set(const std::string& path, const CheckArguments& arguments) {
-    CheckedScene found{
-        .path = path, .scene = {}, .facts = {}, .errors = {}, .is_set = true, .set = {}};
+Facts facts_of_set(const std::string& path, const Overrides& overrides) {
+    const FigureSet set = set_of_file(path, overrides);
+    for (const SetPart& part : set.parts) refuse_long_words(part.scene);
+    for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
+    refuse_same_names(set);
+    return facts_of(set);
+}
+
+Facts facts_of_scene(const std::string& path, const Overrides& overrides, int cores) {
+    const auto [scene, has_film] = loaded(path, overrides);
+    if (has_film) refuse_long_words(scene);
+    return facts_of(scene, has_film, cores);
+}
+
+CheckedFile checked(const std::string& path, const Overrides& overrides, int cores) {
+    CheckedFile found{.path = path == standard_input ? "<stdin>" : path,
+                      .is_set = path != standard_input && is_figure_set(path)};
     try {
-        FigureSet set = set_of_file(path, overrides_of(arguments));
-        for (const SetPart& part : set.parts) refuse_long_words(part.scene);
-        for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
-        refuse_same_names(set);
-        found.set = std::move(set);
+        found.facts =
+            found.is_set ? facts_of_set(path, overrides) : facts_of_scene(path, overrides, cores);
     } catch (const SceneError& error) {
         found.errors = error.diagnostics();
     } catch (const UsageError& error) {
@@ -56,45 +66,32 @@ CheckedScene checked_set(const std::string& path, const CheckArguments& argument
     return found;
 }
 
-CheckedScene checked(const std::string& path, const CheckArguments& arguments) {
-    if (path != standard_input && is_figure_set(path)) return checked_set(path, arguments);
-    CheckedScene found{
-        .path = path == standard_input ? "<stdin>" : path, .scene = {}, .facts = {}, .errors = {}};
-    try {
-        auto [scene, has_film] = loaded(path, overrides_of(arguments));
-        if (has_film) refuse_long_words(scene);
-        found.facts = facts_of(scene, has_film, threads_of(arguments));
-        found.scene = std::move(scene);
-    } catch (const SceneError& error) {
-        found.errors = error.diagnostics();
-    }
-    return found;
-}
-
 // The errors themselves go to standard error with the exit code; in JSON they stand in it.
-void refuse_invalid(const std::vector<CheckedScene>& scenes, bool json) {
+void refuse_invalid(const std::vector<CheckedFile>& files, bool json) {
     std::vector<Diagnostic> errors;
     std::size_t invalid = 0;
-    for (const CheckedScene& scene : scenes) {
-        errors.insert(errors.end(), scene.errors.begin(), scene.errors.end());
-        invalid += scene.is_valid() ? 0 : 1;
+    for (const CheckedFile& file : files) {
+        errors.insert(errors.end(), file.errors.begin(), file.errors.end());
+        invalid += file.facts ? 0 : 1;
     }
     if (invalid == 0) return;
     if (!json) throw SceneError(std::move(errors));
-    const bool any_set = std::ranges::any_of(scenes, &CheckedScene::is_set);
-    throw UsageError(fmt::format("{} of {} {}{} not valid", invalid, scenes.size(),
-                                 any_set ? "file" : "scene", scenes.size() == 1 ? " is" : "s are"));
+    const bool any_set = std::ranges::any_of(files, &CheckedFile::is_set);
+    throw UsageError(fmt::format("{} of {} {}{} not valid", invalid, files.size(),
+                                 any_set ? "file" : "scene", files.size() == 1 ? " is" : "s are"));
 }
 
 void check_scenes(const CheckArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
-    std::vector<CheckedScene> scenes;
-    for (const std::string& path : arguments.scenes) scenes.push_back(checked(path, arguments));
+    const Overrides overrides = overrides_of(arguments);
+    std::vector<CheckedFile> files;
+    for (const std::string& path : arguments.scenes)
+        files.push_back(checked(path, overrides, threads_of(arguments)));
     if (arguments.json)
-        Output("-").write(check_json(scenes));
+        Output("-").write(check_json(files));
     else if (!arguments.quiet)
-        Output("-").write(check_table(scenes));
-    refuse_invalid(scenes, arguments.json);
+        Output("-").write(check_table(files));
+    refuse_invalid(files, arguments.json);
 }
 
 }  // namespace
@@ -104,11 +101,12 @@ Command check_command() {
     CheckArguments& its = *arguments;
     return {
         "check", "whether scenes and sets are valid, and what they will cost",
-        joined({{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
-                  &its.scenes},
-                 {"--json", "for programs: a list with an object per file", &its.json}},
-                scene_options(its),
-                picture_options(its)}),
+        joined<Option>(
+            {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
+               &its.scenes},
+              {"--json", "for programs: a list with an object per file", &its.json}},
+             scene_options(its),
+             picture_options(its)}),
         [arguments] { check_scenes(*arguments); }};
 }
 

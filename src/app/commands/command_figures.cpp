@@ -133,29 +133,30 @@ Command figures_command() {
     FiguresArguments& its = *arguments;
     return {
         "figures", "draw the figures of scenes and sets",
-        joined({{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
-                  &its.scenes},
-                 {"-o,--output",
-                  "a folder, of several scenes one with a folder for each; out/SCENE if not given",
-                  &its.output},
-                 {"--formats",
-                  fmt::format("{}, with commas between them", fmt::join(figure_formats(), ", ")),
-                  CommaSeparated{&its.formats}, figure_formats()},
-                 {"--only", "names of figures, with commas between them",
-                  CommaSeparated{&its.options.only}},
-                 {"--force", "make all again, and replace files that carom did not write",
-                  &its.options.force},
-                 {"--page",
-                  "a page that shows them: markdown, html, latex, or a template of your own "
-                  "(.md, .html, .tex); several with commas between them",
-                  CommaSeparated{&its.pages}},
-                 {"--films", "render the films of the scenes, too, which pages then show",
-                  &its.options.films}},
-                scene_options(its),
-                {{"--threads",
-                  "cores to use, for films and for runs side by side; the result is the same for "
-                  "any number",
-                  &its.threads}}}),
+        joined<Option>(
+            {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
+               &its.scenes},
+              {"-o,--output",
+               "a folder, of several scenes one with a folder for each; out/SCENE if not given",
+               &its.output},
+              {"--formats",
+               fmt::format("{}, with commas between them", fmt::join(figure_formats(), ", ")),
+               CommaSeparated{&its.formats}, figure_formats()},
+              {"--only", "names of figures, with commas between them",
+               CommaSeparated{&its.options.only}},
+              {"--force", "make all again, and replace files that carom did not write",
+               &its.options.force},
+              {"--page",
+               "a page that shows them: markdown, html, latex, or a template of your own "
+               "(.md, .html, .tex); several with commas between them",
+               CommaSeparated{&its.pages}},
+              {"--films", "render the films of the scenes, too, which pages then show",
+               &its.options.films}},
+             scene_options(its),
+             {{"--threads",
+               "cores to use, for films and for runs side by side; the result is the same for "
+               "any number",
+               &its.threads}}}),
         [arguments] { make_all(*arguments); }};
 }
 

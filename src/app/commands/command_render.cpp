@@ -93,11 +93,11 @@ std::string timings(const RenderReport& report) {
                     events * static_cast<double>(report.passes.size()) / report.simulate_seconds,
                     counted(static_cast<int>(report.passes.size()), "run"),
                     fmt::join(report.passes, "; ")));
-    row("draw", report.draw_seconds,
-        fmt::format("{:.2f} ms a frame", 1e3 * report.draw_seconds / frames));
-    row("encode", report.encode_seconds,
+    row("draw", report.workers.draw,
+        fmt::format("{:.2f} ms a frame", 1e3 * report.workers.draw / frames));
+    row("encode", report.workers.encode,
         fmt::format("{:.2f} ms a frame, conversion included",
-                    1e3 * report.encode_seconds / frames));
+                    1e3 * report.workers.encode / frames));
     return text + fmt::format("  {:<10} {:>8.2f} s       {:.1f} frames/s\n", "wall",
                               report.wall_seconds, frames / report.wall_seconds);
 }
@@ -136,7 +136,7 @@ void tell(const RenderArguments& arguments, const Scene& scene, const RenderRepo
     fmt::print("{}", text);
 }
 
-RenderReport render_to_stream(const Scene& scene, RenderOptions options, const OutputFormat& format,
+RenderReport render_to_stream(const Scene& scene, FilmOptions options, const OutputFormat& format,
                               Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
@@ -151,12 +151,12 @@ void render_scene(const RenderArguments& arguments, const std::string& name, con
     const FilmDestination destination = destination_of(arguments);
     const fs::path path = film_path(destination, name);
     const OutputFormat& format = film_format(destination, path);
-    const RenderOptions options{.output = path,
-                                .quality = quality_of(arguments.quality),
-                                .threads = threads_of(arguments),
-                                .text = arguments.words,
-                                .from = arguments.from,
-                                .to = arguments.to};
+    const FilmOptions options{.output = path,
+                              .quality = quality_of(arguments.quality),
+                              .threads = threads_of(arguments),
+                              .text = arguments.words,
+                              .from = arguments.from,
+                              .to = arguments.to};
     const RenderReport report = Output::is_standard_output(path.string())
                                     ? render_to_stream(scene, options, format, progress)
                                     : render(scene, options, progress);
@@ -193,31 +193,31 @@ void render_scenes(const RenderArguments& arguments) {
 Command render_command() {
     const auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& its = *arguments;
-    return {
-        "render", "render the films of scenes",
-        joined({{{"scenes", "scene files; - for standard input", &its.scenes},
-                 {"-o,--output",
-                  "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
-                  "it, or a new folder with a slash for its frames as PNG (frames/); "
-                  "out/SCENE.mp4 if not given",
-                  &its.output},
-                 {"--format", "mp4, webm, gif, or png for frames", &its.format, film_formats()},
-                 {"--from", "simulated time at which the film begins", &its.from},
-                 {"--to", "simulated time at which it ends", &its.to},
-                 {"--words",
-                  "beside the film its captions, chapters and descriptions (.vtt) and a "
-                  "transcript (.txt)",
-                  &its.words}},
-                scene_options(its),
-                picture_options(its),
-                {shortcut(its, "--fps", "film.fps", "frames a second"),
-                 shortcut(its, "--seconds", "film.seconds", "length of the film"),
-                 {"--quality",
-                  "draft, standard or final",
-                  &its.quality,
-                  {"draft", "standard", "final"}}},
-                work_options(its)}),
-        [arguments] { render_scenes(*arguments); }};
+    return {"render", "render the films of scenes",
+            joined<Option>(
+                {{{"scenes", "scene files; - for standard input", &its.scenes},
+                  {"-o,--output",
+                   "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
+                   "it, or a new folder with a slash for its frames as PNG (frames/); "
+                   "out/SCENE.mp4 if not given",
+                   &its.output},
+                  {"--format", "mp4, webm, gif, or png for frames", &its.format, film_formats()},
+                  {"--from", "simulated time at which the film begins", &its.from},
+                  {"--to", "simulated time at which it ends", &its.to},
+                  {"--words",
+                   "beside the film its captions, chapters and descriptions (.vtt) and a "
+                   "transcript (.txt)",
+                   &its.words}},
+                 scene_options(its),
+                 picture_options(its),
+                 {shortcut(its, "--fps", "film.fps", "frames a second"),
+                  shortcut(its, "--seconds", "film.seconds", "length of the film"),
+                  {"--quality",
+                   "draft, standard or final",
+                   &its.quality,
+                   {"draft", "standard", "final"}}},
+                 work_options(its)}),
+            [arguments] { render_scenes(*arguments); }};
 }
 
 }  // namespace carom

@@ -104,14 +104,15 @@ void run_scene(const RunArguments& arguments) {
 Command run_command() {
     const auto arguments = std::make_shared<RunArguments>();
     RunArguments& its = *arguments;
-    return {"run", "run the physics alone: statistics and samples",
-            joined({{{"scene", "a scene file; - for standard input", &its.scene},
-                     {"--json", "the statistics as JSON; - for standard output", &its.json},
-                     {"--csv", "all samples, a row for each particle; - for standard output",
-                      &its.csv}},
-                    scene_options(its),
-                    work_options(its)}),
-            [arguments] { run_scene(*arguments); }};
+    return {
+        "run", "run the physics alone: statistics and samples",
+        joined<Option>(
+            {{{"scene", "a scene file; - for standard input", &its.scene},
+              {"--json", "the statistics as JSON; - for standard output", &its.json},
+              {"--csv", "all samples, a row for each particle; - for standard output", &its.csv}},
+             scene_options(its),
+             work_options(its)}),
+        [arguments] { run_scene(*arguments); }};
 }
 
 }  // namespace carom

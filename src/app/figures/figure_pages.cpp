@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -44,10 +43,6 @@ std::string inlined(const fs::path& picture) {
     return "data:" + type + ";base64," + base64(read_file(picture, most_picture_bytes));
 }
 
-std::string centimetres(double length) {
-    return fmt::format("{:g}", std::round(100.0 * length) / 100.0);
-}
-
 PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, PageKind kind) {
     require_picture(set, figure, kind);
     const std::string picture = picture_of(figure, kind);
@@ -61,8 +56,8 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"title", figure.part->title},
                     {"scene", as_utf8(figure.part->stem)},
                     {"seed", std::to_string(figure.part->scene.seed)},
-                    {"width", centimetres(figure.size[0])},
-                    {"height", centimetres(figure.size[1])}};
+                    {"width", fmt::format("{:g}", figure.size[0])},
+                    {"height", fmt::format("{:g}", figure.size[1])}};
     fields.files = {{"picture", picture}, {"csv", file_of(figure, "csv")}};
     for (const std::string& format : figure_formats())
         fields.files[format] = file_of(figure, format);

@@ -13,7 +13,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/formats.h"
-#include "media/image_writer.h"
+#include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
@@ -232,10 +232,7 @@ class Maker {
         if (due.empty()) return;
         report_.made += static_cast<int>(due.size());
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const Fresh fresh = [](const Scene& scene, const TimeCallback& on_progress) {
-            return simulate(scene, on_progress);
-        };
-        const FigureRun run(part.scene, fresh, options_.threads, shown_runs(part.scene, progress));
+        const FigureRun run(part.scene, options_.threads, shown_runs(part.scene, progress));
         progress.begin("drawing", static_cast<double>(due.size()), "figures");
         std::vector<NewFile> files;
         for (const PlannedFigure* figure : due) {
@@ -290,13 +287,13 @@ class Maker {
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
         const HiddenFolder hidden(set_.folder / ".film");
-        const RenderOptions options{
+        const FilmOptions options{
             .output = hidden.path / files.at("film"), .threads = options_.threads, .text = true};
-        const FilmPlan plan = prepare(part.scene, {.text = true}, progress);
+        const FilmPlan plan = prepare(part.scene, options, progress);
         render(plan, options, progress);
         Canvas poster =
             draw_still(plan, poster_at * part.scene.run.until, output_format("png"), progress);
-        write_image(poster, hidden.path / files.at("poster"));
+        write_file(hidden.path / files.at("poster"), poster.file());
         for (const auto& [what, file] : files)
             folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));
         ++report_.films;

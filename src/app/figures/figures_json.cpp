@@ -16,8 +16,6 @@ std::string dumped(const Json& json) {
     return json.dump(indent, ' ', ascii_only, Json::error_handler_t::replace) + "\n";
 }
 
-double two_digits(double centimetres) { return std::round(100.0 * centimetres) / 100.0; }
-
 Json figure_json(const SetFigure& figure) {
     const Scene& scene = figure.part->scene;
     const FigureSpec& spec = *figure.spec;
@@ -36,7 +34,7 @@ Json figure_json(const SetFigure& figure) {
              {"seed", run.scene->seed},
              {"overrides", run.scene->source.overrides},
              {"times", run.scene->figures.front().times}});
-    json["size_cm"] = {two_digits(figure.size[0]), two_digits(figure.size[1])};
+    json["size_cm"] = figure.size;
     json["files"] = figure.files;
     return json;
 }

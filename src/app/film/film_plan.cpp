@@ -5,6 +5,7 @@
 
 #include "app/resources.h"
 #include "app/simulate.h"
+#include "media/formats.h"
 #include "media/gif_palette.h"
 #include "panels/archived.h"
 #include "panels/precision.h"
@@ -42,13 +43,13 @@ std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Pro
 }
 
 // What is simulated once serves all, where it is kept.
-std::vector<std::string> passes_for(const Scene& asked, bool kept, const FilmOptions& options) {
+std::vector<std::string> passes_for(const Scene& asked, bool kept, bool text, bool colors) {
     std::vector<std::string> passes;
     if (!asked.run.bits) passes.emplace_back("precision");
     std::vector<std::string> first{"axes"};
-    if (options.text) first.emplace_back("words");
+    if (text) first.emplace_back("words");
     std::vector<std::string> later;
-    if (options.previews > 0) later.emplace_back("colours");
+    if (colors) later.emplace_back("colours");
     later.emplace_back("pictures");
     if (kept) first.insert(first.end(), later.begin(), later.end());
     passes.push_back(listed(first));
@@ -100,16 +101,17 @@ std::unique_ptr<PanelSet> FilmPlan::panels() const {
     return set;
 }
 
-FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress) {
+FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress,
+                 const std::function<void(const FilmPlan&)>& when_placed) {
     FilmPlan plan;
     auto [scene, start] = start_scene(asked, progress);
-    if (options.when_placed) options.when_placed();
     plan.scene = std::move(scene);
     plan.particles = start.particles();
     plan.start = start.sample();
     std::vector<Tick> ticks = timeline(plan.scene);
     plan.span = frames_between(ticks, options.from, options.to);
     plan.segments = segment_starts(plan.frames(), plan.particles.count());
+    if (when_placed) when_placed(plan);
 
     PanelSet panels(plan.scene, plan.particles, plan.start);
     std::optional<FilmTextMaker> text;
@@ -130,15 +132,16 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     panels.archive(axes);
     plan.axes = axes.finished();
     if (text) plan.text = text->text();
-    if (options.previews > 0) plan.colors = chosen_colors(plan, options.previews, progress);
-    plan.passes = passes_for(asked, plan.run.is_kept(), options);
+    const int previews = format_of_film(options.output).previews;
+    if (previews > 0) plan.colors = chosen_colors(plan, previews, progress);
+    plan.passes = passes_for(asked, plan.run.is_kept(), options.text, previews > 0);
     return plan;
 }
 
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {
     const bool kept = Recording::fits(static_cast<std::size_t>(frame_count(scene.film)), particles,
                                       scene.gas.box.dimension);
-    return passes_for(scene, kept, {});
+    return passes_for(scene, kept, false, false);
 }
 
 void write_plan(FilmPlan& plan, const std::filesystem::path& path) {
@@ -146,9 +149,7 @@ void write_plan(FilmPlan& plan, const std::filesystem::path& path) {
     SceneRecord record{.source = plan.scene.source, .bits = plan.scene.run.bits};
     archive(record);
     archive_rest(archive, plan, {});
-    AtomicFile file(path);
-    file.write(archive.finished());
-    file.commit();
+    write_file(path, archive.finished());
 }
 
 FilmPlan read_plan(const std::filesystem::path& path, Progress& progress) {
@@ -157,7 +158,7 @@ FilmPlan read_plan(const std::filesystem::path& path, Progress& progress) {
     archive(record);
     FilmPlan plan;
     plan.scene = scene_of(record, archive);
-    archive_rest(archive, plan, [&] { return simulate(plan.scene, progress); });
+    archive_rest(archive, plan, [&] { return start_scene(plan.scene, progress).simulation; });
     archive.expect_end();
     return plan;
 }

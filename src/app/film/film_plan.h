@@ -13,6 +13,7 @@
 #include "app/film/film_text.h"
 #include "app/film/frame_span.h"
 #include "app/progress.h"
+#include "media/film_writer.h"
 #include "panels/frame.h"
 #include "panels/recording.h"
 #include "scene/scene.h"
@@ -21,11 +22,12 @@ namespace carom {
 
 /// What is wanted of a scene's film beyond what the scene says.
 struct FilmOptions {
+    std::filesystem::path output = {};  ///< as format_of_film() reads it
+    Quality quality = Quality::standard;
+    int threads = 1;
+    bool text = false;  ///< its FilmText, in files beside it
     std::optional<double> from = {},
                           to = {};  ///< as frames_between() reads them; none: the whole film
-    bool text = false;              ///< its FilmText
-    int previews = 0;  ///< frames of the whole film from which its colours are chosen; 0: none are
-    std::function<void()> when_placed = {};  ///< called once the gas has found its places
 };
 
 struct FilmPlan {
@@ -46,9 +48,12 @@ struct FilmPlan {
     std::unique_ptr<PanelSet> panels() const;
 };
 
-/// Simulates the run of a scene, which fixes all that holds for the whole film. Throws SceneError
-/// (the gas cannot be placed, or does not return), SystemError, Interrupted.
-FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress);
+/// Simulates the run of a scene, which fixes all that holds for the whole film. `when_placed` is
+/// called once the gas has found its places, with what is known then: the scene, the span and the
+/// particles. Throws SceneError (the gas cannot be placed, or does not return), SystemError,
+/// Interrupted.
+FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress,
+                 const std::function<void(const FilmPlan&)>& when_placed = {});
 
 /// What a film will be simulated for, as far as is known before: of so many particles.
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);

@@ -6,7 +6,6 @@
 #include <ctime>
 #include <utility>
 
-#include "app/film/segment_workers.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 
@@ -27,7 +26,7 @@ struct Stopwatch {
 };
 
 // All that makes the film again: the seed, what the command line changed, and the scene itself.
-std::string recipe(const Scene& scene, const RenderOptions& options) {
+std::string recipe(const Scene& scene, const FilmOptions& options) {
     std::string text = fmt::format("seed: {}\n", scene.seed);
     if (options.from) text += fmt::format("--from {}\n", *options.from);
     if (options.to) text += fmt::format("--to {}\n", *options.to);
@@ -43,13 +42,24 @@ Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) 
         {scene.title, fmt::format("The frame at time {:.4g}. {}", time, scene.description)});
 }
 
-RenderReport write_film(const FilmPlan& plan, const RenderOptions& options, FilmWriter& writer,
+RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWriter& writer,
                         Progress& progress, const Stopwatch& watch) {
     RenderReport report;
     report.path = options.output;
     report.frames = plan.frames();
     report.passes = plan.passes;
-    draw_all(plan, options.threads, writer, progress, report);
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    if (!plan.colors.empty()) writer.use_colors(plan.colors);
+    progress.begin("rendering", static_cast<double>(plan.frames()));
+    SegmentWorkers workers(*panels, plan.segments, options.threads, writer, progress);
+    plan.run.play(static_cast<std::size_t>(plan.span.end),
+                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                      report.collisions = advanced.counts;
+                      FrameData frame = panels->frame_data(tick, sample, advanced);
+                      if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
+                  });
+    report.workers = workers.finish();
+    throw_if_interrupted();
     report.simulate_seconds = watch.cpu();
     writer.commit();
     if (options.text) write_text(plan.text, options.output);
@@ -61,59 +71,35 @@ RenderReport write_film(const FilmPlan& plan, const RenderOptions& options, Film
 
 }  // namespace
 
-VideoSettings film_settings(const Scene& scene, const RenderOptions& options) {
-    return {.width = scene.film.size.width,
-            .height = scene.film.size.height,
-            .fps = scene.film.fps,
-            .quality = options.quality,
-            .transparent = scene.film.transparent,
-            .behind = to_pixel(page_color(scene.film)),
-            .metadata = {{"title", scene.title},
-                         {"description", scene.description},
-                         {"comment", recipe(scene, options)}}};
+std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options) {
+    const Scene& scene = plan.scene;
+    const Film& film = scene.film;
+    return film_writer(options.output,
+                       {.width = film.size.width,
+                        .height = film.size.height,
+                        .fps = film.fps,
+                        .quality = options.quality,
+                        .transparent = film.transparent,
+                        .behind = to_pixel(page_color(film)),
+                        .metadata = {{"title", scene.title},
+                                     {"description", scene.description},
+                                     {"comment", recipe(scene, options)}}},
+                       plan.frames());
 }
 
-RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress) {
+RenderReport render(const Scene& scene, const FilmOptions& options, Progress& progress) {
     const Stopwatch watch;
-    const FrameSpan span = frames_between(timeline(scene), options.from, options.to);
-    // Before the work, as it may not be allowed to write; but not for a gas that finds no room.
+    // Opened before the work, as it may not be allowed to write; but not for a gas that finds no
+    // room.
     std::unique_ptr<FilmWriter> writer;
-    const auto open = [&] {
-        writer = film_writer(options.output, film_settings(scene, options), span.frames());
-    };
-    const FilmPlan plan = prepare(scene,
-                                  {.from = options.from,
-                                   .to = options.to,
-                                   .text = options.text,
-                                   .previews = format_of_film(options.output).previews,
-                                   .when_placed = open},
-                                  progress);
+    const FilmPlan plan = prepare(scene, options, progress, [&](const FilmPlan& placed) {
+        writer = film_writer(placed, options);
+    });
     return write_film(plan, options, *writer, progress, watch);
 }
 
-RenderReport render(const FilmPlan& plan, const RenderOptions& options, Progress& progress) {
-    const Stopwatch watch;
-    const std::unique_ptr<FilmWriter> writer =
-        film_writer(options.output, film_settings(plan.scene, options), plan.frames());
-    return write_film(plan, options, *writer, progress, watch);
-}
-
-void draw_all(const FilmPlan& plan, int threads, FilmWriter& writer, Progress& progress,
-              RenderReport& report) {
-    const std::unique_ptr<PanelSet> panels = plan.panels();
-    if (!plan.colors.empty()) writer.use_colors(plan.colors);
-    progress.begin("rendering", static_cast<double>(plan.frames()));
-    SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
-    plan.run.play(static_cast<std::size_t>(plan.span.end),
-                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                      report.collisions = advanced.counts;
-                      FrameData frame = panels->frame_data(tick, sample, advanced);
-                      if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
-                  });
-    const WorkerSeconds seconds = workers.finish();
-    throw_if_interrupted();
-    report.draw_seconds = seconds.draw;
-    report.encode_seconds = seconds.encode;
+RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& progress) {
+    return write_film(plan, options, *film_writer(plan, options), progress, {});
 }
 
 std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, FilmWriter& writer) {

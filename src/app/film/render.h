@@ -9,21 +9,13 @@
 #include <vector>
 
 #include "app/film/film_plan.h"
+#include "app/film/segment_workers.h"
 #include "app/progress.h"
 #include "draw/canvas.h"
 #include "media/formats.h"
 #include "scene/scene.h"
 
 namespace carom {
-
-struct RenderOptions {
-    std::filesystem::path output;  ///< as format_of_film() reads it
-    Quality quality = Quality::standard;
-    int threads = 1;
-    bool text = false;  ///< the files of film_text.h beside it
-    std::optional<double> from = {},
-                          to = {};  ///< as frames_between() reads them; none: the whole film
-};
 
 /// What a rendering did, and the seconds it took.
 struct RenderReport {
@@ -34,28 +26,22 @@ struct RenderReport {
     std::vector<std::string> passes;  ///< what the run was simulated for
     double wall_seconds = 0.0;
     double simulate_seconds = 0.0;  ///< CPU, all passes and the panels
-    double draw_seconds = 0.0;      ///< CPU of all workers
-    double encode_seconds = 0.0;    ///< CPU of all workers, conversion included
+    WorkerSeconds workers;
 };
 
 /// Renders the film of `scene`, whole or not at all: prepares it, draws its segments side by side
 /// and joins them. Throws SceneError (the gas cannot be placed, or does not return), SystemError,
 /// Interrupted.
-RenderReport render(const Scene& scene, const RenderOptions& options, Progress& progress);
+RenderReport render(const Scene& scene, const FilmOptions& options, Progress& progress);
 
 /// The same of what is prepared already, with what it was prepared for.
-RenderReport render(const FilmPlan& plan, const RenderOptions& options, Progress& progress);
+RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& progress);
 
-/// The settings of a film at `quality`, whose metadata hold all that makes it again.
-VideoSettings film_settings(const Scene& scene, const RenderOptions& options);
+/// What writes the film of a plan, whose metadata hold all that makes it again. Throws SystemError.
+std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options);
 
 /// Draws the frames of one of `plan.segments` alone, for `writer`; join() adds it to the film.
 std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, FilmWriter& writer);
-
-/// Draws all segments, on `threads` threads at most, and joins them to the film. `report` gets
-/// what was done.
-void draw_all(const FilmPlan& plan, int threads, FilmWriter& writer, Progress& progress,
-              RenderReport& report);
 
 /// Draws the frame nearest to the simulated time `at`, in a format of stills. Throws as render()
 /// does.

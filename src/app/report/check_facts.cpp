@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/film/film_plan.h"
 #include "app/progress.h"
-#include "app/report/facts.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "media/formats.h"
+#include "physics/placement/draws.h"
+#include "physics/theory/collision_rate.h"
+#include "scene/time/timeline.h"
+#include "scene/words.h"
+#include "util/joined.h"
 #include "util/text.h"
 
 namespace carom {
@@ -26,32 +32,22 @@ std::string about(double value) {
     return grouped(static_cast<long long>(unit * std::round(value / unit)));
 }
 
-std::string walls(const Box& box) {
-    const bool across = box.is_periodic(0);
-    if (box.dimension == 1) return across ? "ends joined" : "between walls";
-    const bool up = box.is_periodic(1);
-    if (across == up) return across ? "periodic" : "solid walls";
-    return across ? "periodic across, solid below and above"
-                  : "periodic up and down, solid left and right";
-}
-
-Json walls_value(const Box& box) {
-    const auto word = [](Wall wall) { return wall == Wall::solid ? "solid" : "periodic"; };
-    Json walls{{"left", word(box.walls[0])}, {"right", word(box.walls[0])}};
-    if (box.dimension == 2) {
-        walls["bottom"] = word(box.walls[1]);
-        walls["top"] = word(box.walls[1]);
-    }
-    return walls;
-}
-
 Fact box_fact(const Box& box) {
+    const bool across = box.is_periodic(0), up = box.is_periodic(1);
+    const std::string_view beside = word_of(box.walls[0]), below = word_of(box.walls[1]);
+    Json walls{{"left", beside}, {"right", beside}};
     if (box.dimension == 1)
-        return {"box", Json{{"length", box.size[0]}, {"walls", walls_value(box)}}, "box",
-                fmt::format("one dimension, length {}, {}", box.size[0], walls(box))};
-    return {
-        "box", Json{{"size", Json::array({box.size[0], box.size[1]})}, {"walls", walls_value(box)}},
-        "box", fmt::format("two dimensions, {} by {}, {}", box.size[0], box.size[1], walls(box))};
+        return {"box", Json{{"length", box.size[0]}, {"walls", walls}}, "box",
+                fmt::format("one dimension, length {}, {}", box.size[0],
+                            across ? "ends joined" : "between walls")};
+    walls["bottom"] = below;
+    walls["top"] = below;
+    std::string words = across ? "periodic" : "solid walls";
+    if (across != up)
+        words = across ? "periodic across, solid below and above"
+                       : "periodic up and down, solid left and right";
+    return {"box", Json{{"size", Json::array({box.size[0], box.size[1]})}, {"walls", walls}}, "box",
+            fmt::format("two dimensions, {} by {}, {}", box.size[0], box.size[1], words)};
 }
 
 std::string species_words(const Gas& gas, std::int64_t particles) {
@@ -76,87 +72,96 @@ Fact species(const Gas& gas, std::int64_t particles) {
     return {"species", std::move(list), "species", species_words(gas, particles)};
 }
 
-std::string collision_words(const SceneFacts& facts) {
-    if (!facts.collisions) return "no estimate: the gas has no equilibrium that theory knows";
-    const double of_each = 2.0 * *facts.collisions / static_cast<double>(facts.particles);
-    return fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",
-                       (*facts.collisions < 0.01 ? "" : "about ") + about(*facts.collisions),
-                       about(of_each));
+// Expected between particles up to `until`; none: no theory.
+Fact collisions(std::optional<double> expected, std::int64_t particles) {
+    Fact fact{"expected_collisions", number_or_null(expected), "collisions",
+              "no estimate: the gas has no equilibrium that theory knows"};
+    if (expected)
+        fact.words =
+            fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",
+                        (*expected < 0.01 ? "" : "about ") + about(*expected),
+                        about(2.0 * *expected / static_cast<double>(particles)));
+    return fact;
 }
 
 std::string run_words(const Run& run) {
     std::string text = fmt::format("time 0 to {}", run.until);
     if (run.equilibrate > 0.0) text += fmt::format(", after {} not shown", run.equilibrate);
     if (!run.events.empty())
-        text +=
-            fmt::format(", {} {}", run.events.size(), run.events.size() == 1 ? "event" : "events");
+        text += ", " + counted(static_cast<long long>(run.events.size()), "event");
     return text;
 }
 
-std::string film_words(const Film& film, const SceneFacts& facts) {
-    if (facts.costs.empty()) return "none: for `carom run` only";
-    return fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(facts.frames),
-                       clock_text(film.seconds), film.fps, film.size.width, film.size.height,
-                       film.template_name);
+/// What the film of a scene needs.
+struct FilmCost {
+    std::string format;
+    double seconds;  ///< of work on all cores
+    double bytes;
+};
+
+// One core, `carom run --timings` of the scenes in scenes/: 1.0 to 1.3 million. Slower in large
+// gases, which memory holds up.
+constexpr double events_per_second = 1e6;
+
+FilmCost cost_of(const OutputFormat& output, const Film& film, double particles, double events,
+                 int cores) {
+    constexpr double pixels_measured = 1920.0 * 1080.0;
+    const FormatCost& format = *output.film;
+    const double pixels = static_cast<double>(film.size.width) * film.size.height / pixels_measured;
+    const double frames = frame_count(film);
+    return {output.name,
+            events / events_per_second + format.beforehand * pixels +
+                frames * pixels * format.core_seconds.at(particles) / cores,
+            frames * std::pow(pixels, format.power_of_pixels) * format.bytes.at(particles)};
 }
 
-std::string cost_words(const std::vector<FilmCost>& costs) {
+std::string cost_words(const std::vector<FilmCost>& costs, int cores) {
     std::vector<std::string> words;
     for (const FilmCost& cost : costs)
         words.push_back(fmt::format("{} {}, {} MB", cost.format,
                                     cost.seconds < 1.0 ? "0:01" : clock_text(cost.seconds),
                                     about(1e-6 * cost.bytes)));
-    const int cores = costs.front().cores;
-    return fmt::format("{} (on {} {}, quality standard; half or twice as much is possible)",
-                       fmt::join(words, "; "), cores, cores == 1 ? "core" : "cores");
+    return fmt::format("{} (on {}, quality standard; half or twice as much is possible)",
+                       fmt::join(words, "; "), counted(cores, "core"));
 }
 
 // Of an MP4, and of every format by its name.
-Json rough_costs(const std::vector<FilmCost>& costs) {
+Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
     Json formats = Json::object();
     for (const FilmCost& cost : costs)
         formats[cost.format] = {{"seconds", cost.seconds}, {"bytes", std::round(cost.bytes)}};
     return Json{{"seconds", costs.front().seconds},
-                {"cores", costs.front().cores},
+                {"cores", cores},
                 {"bytes", std::round(costs.front().bytes)},
                 {"formats", std::move(formats)}};
 }
 
-Facts film_facts(const Film& film, const SceneFacts& facts) {
-    const std::string words = film_words(film, facts);
-    if (facts.costs.empty()) return {{"film", nullptr, "film", words}};
+// Of a run with so many collisions, equilibration included.
+Facts film_facts(const Scene& scene, std::int64_t particles, double collisions, int cores) {
+    const Film& film = scene.film;
+    const int frames = frame_count(film);
+    const std::vector<std::string> passes = expected_passes(scene, particles);
+    const double events = static_cast<double>(passes.size()) * collisions;
+    std::vector<FilmCost> costs;
+    for (const OutputFormat& format : output_formats())
+        if (format.film)
+            costs.push_back(cost_of(format, film, static_cast<double>(particles), events, cores));
     return {{"film",
              Json{{"template", film.template_name},
-                  {"frames", facts.frames},
+                  {"frames", frames},
                   {"seconds", film.seconds},
                   {"fps", film.fps},
                   {"size", Json::array({film.size.width, film.size.height})},
-                  {"passes", facts.passes},
-                  {"rough", rough_costs(facts.costs)}},
-             "film", words},
+                  {"passes", passes},
+                  {"rough", rough_costs(costs, cores)}},
+             "film",
+             fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(frames),
+                         clock_text(film.seconds), film.fps, film.size.width, film.size.height,
+                         film.template_name)},
             shown("simulated",
-                  fmt::format("{}: {}", counted(static_cast<long long>(facts.passes.size()), "run"),
-                              fmt::join(facts.passes, "; "))),
-            shown("rough cost", cost_words(facts.costs))};
-}
-
-Facts scene_facts(const Scene& scene, const SceneFacts& facts) {
-    const Box& box = scene.gas.box;
-    Facts all{{"title", scene.title, "title", scene.title},
-              {"seed", scene.seed},
-              {"dimension", box.dimension},
-              box_fact(box),
-              {"particles", facts.particles},
-              species(scene.gas, facts.particles),
-              {"packing_fraction", facts.packing_fraction, "packing",
-               fmt::format("{:.4g} of the {}", facts.packing_fraction,
-                           box.dimension == 1 ? "length" : "area")},
-              {"time", scene.run.until, "run", run_words(scene.run)},
-              {"equilibrate", scene.run.equilibrate},
-              {"expected_collisions", facts.collisions ? Json(*facts.collisions) : Json(),
-               "collisions", collision_words(facts)}};
-    for (Fact& fact : film_facts(scene.film, facts)) all.push_back(std::move(fact));
-    return all;
+                  fmt::format("{}: {}", counted(static_cast<long long>(passes.size()), "run"),
+                              fmt::join(passes, "; "))),
+            shown("rough cost", cost_words(costs, cores))};
 }
 
 // "speeds, a speed-histogram at time 4, 8.9 by 6.2 cm".
@@ -170,14 +175,12 @@ std::string figure_words(const Scene& scene, const FigureSpec& spec) {
                        over ? "over" : "at", shown_times(spec), width, height);
 }
 
-double two_digits(double centimetres) { return std::round(100.0 * centimetres) / 100.0; }
-
 Json figure_value(const Scene& scene, const FigureSpec& spec) {
     const auto [width, height] = figure_size(scene, spec);
     Json fields{{"name", spec.name},
                 {"kind", spec.panel.kind},
                 {"times", spec.times},
-                {"size_cm", Json::array({two_digits(width), two_digits(height)})}};
+                {"size_cm", Json::array({width, height})}};
     Json runs = Json::array();
     for (const ComparedRun& run : spec.compare) runs.push_back(run.label);
     if (!runs.empty()) fields["runs"] = std::move(runs);
@@ -213,23 +216,6 @@ Facts section_rows(const FigureSet& set) {
     return rows;
 }
 
-Facts set_facts(const FigureSet& set) {
-    Json sections = Json::array();
-    std::size_t figures = 0;
-    for (const SetPart& part : set.parts) {
-        sections.push_back(section_value(part));
-        figures += part.figures.size();
-    }
-    std::vector<std::string> pages;
-    for (const PageTemplate& page : set.pages) pages.push_back(set.stem + page.ending);
-    Facts facts{{"title", set.title, "title", set.title}, {"sections", std::move(sections)}};
-    for (Fact& fact : section_rows(set)) facts.push_back(std::move(fact));
-    facts.push_back({"formats", set.formats, "figures",
-                     fmt::format("{}, each as {}", figures, listed(set.formats))});
-    facts.push_back({"pages", pages, "pages", listed(pages)});
-    return facts;
-}
-
 Json error_value(const Diagnostic& error) {
     const auto position = [](int value) { return value > 0 ? Json(value) : Json(); };
     return Json{{"file", error.span.file},
@@ -240,38 +226,75 @@ Json error_value(const Diagnostic& error) {
                 {"hint", error.hint.empty() ? Json() : Json(error.hint)}};
 }
 
-Facts facts_of(const CheckedScene& checked) {
+Facts facts_of(const CheckedFile& checked) {
     const std::string errors = counted(static_cast<long long>(checked.errors.size()), "error");
-    Facts facts{{checked.is_set ? "set" : "scene", checked.path, "",
-                 fmt::format("{}: {}\n", checked.path,
-                             checked.is_valid() ? "valid" : "not valid, " + errors)},
-                {"valid", checked.is_valid()}};
-    const auto add = [&](const Facts& more) {
-        facts.insert(facts.end(), more.begin(), more.end());
-    };
-    if (checked.set) add(set_facts(*checked.set));
-    if (checked.scene) add(scene_facts(*checked.scene, checked.facts));
+    const bool valid = checked.facts.has_value();
     Json list = Json::array();
     for (const Diagnostic& error : checked.errors) list.push_back(error_value(error));
-    facts.push_back({"errors", std::move(list)});
-    return facts;
+    return joined<Fact>(
+        {{{checked.is_set ? "set" : "scene", checked.path, "",
+           fmt::format("{}: {}\n", checked.path, valid ? "valid" : "not valid, " + errors)},
+          {"valid", valid}},
+         checked.facts.value_or(Facts{}),
+         {{"errors", std::move(list)}}});
 }
 
 }  // namespace
 
-std::string check_table(std::span<const CheckedScene> scenes) {
+Facts facts_of(const Scene& scene, bool has_film, int cores) {
+    const Box& box = scene.gas.box;
+    const Run& run = scene.run;
+    const auto [drawn, sample] = draw_gas(scene.gas);
+    const std::int64_t particles = drawn.count();
+    const double packing = packing_fraction(box, drawn);
+    const auto rate = expected_collision_rate(box, drawn, sample);
+    return joined<Fact>(
+        {{{"title", scene.title, "title", scene.title},
+          {"seed", scene.seed},
+          {"dimension", box.dimension},
+          box_fact(box),
+          {"particles", particles},
+          species(scene.gas, particles),
+          {"packing_fraction", packing, "packing",
+           fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
+          {"time", run.until, "run", run_words(run)},
+          {"equilibrate", run.equilibrate},
+          collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
+         has_film ? film_facts(scene, particles, rate.value_or(0.0) * (run.until + run.equilibrate),
+                               cores)
+                  : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
+}
+
+Facts facts_of(const FigureSet& set) {
+    Json sections = Json::array();
+    std::size_t figures = 0;
+    for (const SetPart& part : set.parts) {
+        sections.push_back(section_value(part));
+        figures += part.figures.size();
+    }
+    std::vector<std::string> pages;
+    for (const PageTemplate& page : set.pages) pages.push_back(set.stem + page.ending);
+    return joined<Fact>(
+        {{{"title", set.title, "title", set.title}, {"sections", std::move(sections)}},
+         section_rows(set),
+         {{"formats", set.formats, "figures",
+           fmt::format("{}, each as {}", figures, listed(set.formats))},
+          {"pages", pages, "pages", listed(pages)}}});
+}
+
+std::string check_table(std::span<const CheckedFile> files) {
     constexpr int label_width = 12;
     std::string text;
-    for (const CheckedScene& checked : scenes) {
-        if (!text.empty() && checked.is_valid()) text += "\n";
+    for (const CheckedFile& checked : files) {
+        if (!text.empty() && checked.facts) text += "\n";
         text += table_of(facts_of(checked), label_width);
     }
     return text;
 }
 
-std::string check_json(std::span<const CheckedScene> scenes) {
+std::string check_json(std::span<const CheckedFile> files) {
     Json list = Json::array();
-    for (const CheckedScene& checked : scenes) list.push_back(json_of(facts_of(checked)));
+    for (const CheckedFile& checked : files) list.push_back(json_of(facts_of(checked)));
     return text_of(list, 2) + "\n";
 }
 

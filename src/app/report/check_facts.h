@@ -1,18 +1,41 @@
-// What `carom check` found, for people and for programs.
+// What `carom check` finds: what scenes and figure sets are and what they will cost, before
+// anything is simulated; for people and for programs.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "app/report/scene_facts.h"
+#include "app/figures/figure_set.h"
+#include "app/report/facts.h"
+#include "scene/scene.h"
+#include "util/diagnostics.h"
 
 namespace carom {
 
-/// A short table for each valid scene or set, a line for each that is not; ends with a line break.
-std::string check_table(std::span<const CheckedScene> scenes);
+/// A scene file as `carom check` found it, or the file of a figure set.
+struct CheckedFile {
+    std::string path;
+    bool is_set = false;
+    std::optional<Facts> facts = {};  ///< none: not valid
+    std::vector<Diagnostic> errors = {};
+};
 
-/// A list with one object for each scene or set, in UTF-8; `null` for what there is none of; ends
-/// with a line break.
-std::string check_json(std::span<const CheckedScene> scenes);
+/// What a scene is and will cost. Draws the particles, without placing them. `has_film`: whether a
+/// film can be made of it. Its costs are rough: interpolated from films that were measured
+/// (docs/encoding.md), for quality `standard`, on a machine like the one they were made on, with
+/// so many cores. Throws SceneError (a distribution that gives no mass above zero).
+Facts facts_of(const Scene& scene, bool has_film, int cores);
+
+/// What a figure set is.
+Facts facts_of(const FigureSet& set);
+
+/// A short table for each valid file, a line for each that is not; ends with a line break.
+std::string check_table(std::span<const CheckedFile> files);
+
+/// A list with one object for each file, in UTF-8; `null` for what there is none of; ends with a
+/// line break.
+std::string check_json(std::span<const CheckedFile> files);
 
 }  // namespace carom

@@ -52,9 +52,7 @@ Progress& silent() {
 
 // Joined of segments that are drawn one by one.
 void draw_one_by_one(const FilmPlan& plan, const fs::path& path) {
-    const auto writer =
-        film_writer(path, film_settings(plan.scene, {.output = path, .quality = Quality::draft}),
-                    plan.frames());
+    const auto writer = film_writer(plan, {.output = path, .quality = Quality::draft});
     if (!plan.colors.empty()) writer->use_colors(plan.colors);
     for (std::size_t k = 0; k + 1 < plan.segments.size(); ++k) draw(plan, k, *writer)->join();
     writer->commit();
@@ -80,8 +78,7 @@ TEST_CASE("a film drawn from a plan that was read back is the film itself, byte 
             const fs::path again = folder.path() / ("again." + format);
             const RenderReport report = render(
                 scene, {.output = direct, .quality = Quality::draft, .threads = 2}, silent());
-            FilmPlan plan = prepare(
-                scene, {.text = true, .previews = output_format(format).previews}, silent());
+            FilmPlan plan = prepare(scene, {.output = again, .text = true}, silent());
             CHECK(plan.passes.size() == 1);
             write_plan(plan, folder.path() / "film.plan");
             const FilmPlan read = read_plan(folder.path() / "film.plan", silent());

@@ -22,10 +22,6 @@ ReturnDistance distance_of(const Box& box, const Eigen::ArrayXXd& from, const Ei
     return {largest, mean, std::log10(largest), std::log10(mean)};
 }
 
-double log10_or_less(const Real& length) {
-    return length.is_zero() ? -std::numeric_limits<double>::infinity() : log10(length);
-}
-
 ReturnDistance distance_of(const Box& box, const std::vector<Real>& from,
                            const std::vector<Real>& to) {
     if (from.empty()) return {};
@@ -44,8 +40,7 @@ ReturnDistance distance_of(const Box& box, const std::vector<Real>& from,
     }
     largest = sqrt(largest);
     const Real mean = sqrt(sum / static_cast<double>(from.size() / dimension));
-    return {static_cast<double>(largest), static_cast<double>(mean), log10_or_less(largest),
-            log10_or_less(mean)};
+    return {static_cast<double>(largest), static_cast<double>(mean), log10(largest), log10(mean)};
 }
 
 }  // namespace

@@ -86,9 +86,9 @@ template <typename Two>
     return __builtin_shufflevector(a, a, 1, 0);
 }
 
-/// Lane by lane a where `mask`, else b.
-template <typename Mask, SomeLanes Lanes>
-[[gnu::always_inline]] inline Lanes select(const Mask& mask, const Lanes& a, const Lanes& b) {
+/// Lane by lane a where `mask`, else b; or of two numbers the one.
+template <typename Mask, typename Number>
+[[gnu::always_inline]] inline Number select(const Mask& mask, const Number& a, const Number& b) {
     return mask ? a : b;
 }
 

@@ -28,20 +28,20 @@ struct Contact {
     double overlap = 0.0;                      ///< depth, in units of the contact distance
 };
 
-/// What will happen to a particle: the earlier of a contact with another and of reaching a border.
+/// What will happen to a particle, at a time that the queue of events knows: a contact with another
+/// if `contact_time` is not after it, else reaching a border.
 struct Prediction {
-    double contact_time = never<double>;  ///< local; of the contact predicted, which may come after
-                                          ///< the border
+    double contact_time = never<double>;  ///< local; not after the contact, in the plane of doubles
+                                          ///< the time of one that may come after the border
     std::int32_t partner = 0;             ///< in that contact
     std::uint32_t partner_collisions : 29 = 0;
     std::uint32_t border : 3 = 0;
 };
 
-/// The same, and when. Of many bits: mp_event_queue.h.
+/// The same, and when.
+template <typename Scalar>
 struct Event : Prediction {
-    double time = never<double>;  ///< local
-
-    bool is_contact() const { return contact_time <= time; }
+    Scalar time = never<double>;  ///< local
 };
 
 /// Borders of an event: the sides of the box are 0 to 3 (left, right, bottom, top), those of a
@@ -66,6 +66,12 @@ Bodies with_properties(const Particles& particles) {
         bodies[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
     }
     return bodies;
+}
+
+/// Where a body is at a time: between events bodies are in free flight.
+template <typename Body, typename Scalar>
+Scalar position_at(const Body& b, std::size_t axis, const Scalar& now) {
+    return b.x[axis] + b.v[axis] * (now - b.time);
 }
 
 /// Moves a body on to a time.

@@ -107,44 +107,24 @@ template <typename Scalar>
     return gap <= 2.0001 * (approach * time);
 }
 
-/// Time until two approaching disks with sum of radii `sigma` touch: 0 when they overlap, `never`
-/// when they miss each other. t = c / (-b + sqrt(disc)) with b = r . v < 0 and c = |r|^2 - sigma^2.
-template <typename Scalar>
-[[gnu::always_inline]] inline Scalar time_of_contact(const RelativeMotion<Scalar>& m,
-                                                     const Scalar& sigma) {
+/// Time until two disks with sum of radii `sigma` touch: 0 when they overlap, `never` when they
+/// miss each other, recede, or approach by no more than `round_off` in r . v. For a number or for
+/// several lanes, with the same bits: everything is worked out, and what does not count is put
+/// aside. t = c / (-b + sqrt(disc)) with b = r . v < 0 and c = |r|^2 - sigma^2.
+template <typename Number>
+[[gnu::always_inline]] inline Number contact_time(const RelativeMotion<Number>& m,
+                                                  const Number& sigma, const Number& round_off) {
     using carom::abs;
     using carom::sqrt;
     using std::abs;
     using std::sqrt;
-    const Scalar gap = contact_gap(m, sigma);
-    if (!(gap > 0)) return Scalar(0);
-    const Scalar miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
-    const Scalar reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
-    if (!(miss < reach)) return never<Scalar>;
-    const Scalar root = sqrt((reach - miss) * (reach + miss));
-    return gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
-}
-
-/// Time until two disks touch: as time_of_contact(), and `never` when they recede or approach by no
-/// more than `round_off` in r . v.
-template <typename Scalar>
-[[gnu::always_inline]] inline Scalar contact_time(const RelativeMotion<Scalar>& m,
-                                                  const Scalar& sigma, const Scalar& round_off) {
-    return m.x * m.vx + m.y * m.vy < -round_off ? time_of_contact(m, sigma) : never<Scalar>;
-}
-
-/// contact_time() of several pairs at once, with the same bits: everything is worked out, and what
-/// does not count is put aside.
-template <SomeLanes Lanes>
-[[gnu::always_inline]] inline Lanes contact_times(const RelativeMotion<Lanes>& m,
-                                                  const Lanes& sigma, const Lanes& round_off) {
-    const Lanes none = Lanes{} + never<double>;
-    const Lanes gap = contact_gap(m, sigma);
-    const Lanes miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
-    const Lanes reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
-    const Lanes root = sqrt((reach - miss) * (reach + miss));
-    const Lanes time = gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
-    const Lanes contact = select(gap > 0.0, select(miss < reach, time, none), Lanes{});
+    const Number none = Number{} + never<double>;
+    const Number gap = contact_gap(m, sigma);
+    const Number miss = abs(difference_of_products(m.x, m.vy, m.y, m.vx));
+    const Number reach = sigma * sqrt(m.vx * m.vx + m.vy * m.vy);
+    const Number root = sqrt((reach - miss) * (reach + miss));
+    const Number time = gap / (root - difference_of_products(m.x, m.vx, -m.y, m.vy));
+    const Number contact = select(gap > 0.0, select(miss < reach, time, none), Number{});
     return select(m.x * m.vx + m.y * m.vy < -round_off, contact, none);
 }
 

@@ -56,12 +56,7 @@ void EventLoop<Dimension, Scalar>::forget() {
 
 template <int Dimension, typename Scalar>
 void EventLoop<Dimension, Scalar>::start(const Sample& state) {
-    if constexpr (of_doubles) {
-        clock_ = LocalClock(state.time);
-        now_ = 0.0;
-    } else {
-        now_ = with_bits(state.time);
-    }
+    now_ = clock_.start(state.time);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         Body& b = bodies_[k];
         b.time = now_;
@@ -75,24 +70,6 @@ void EventLoop<Dimension, Scalar>::start(const Sample& state) {
     put_in_order();
     geometry_.enter(bodies_);
     predict_all();
-}
-
-// With doubles a body knows what will happen to it and the queue when; else the queue knows both.
-template <int Dimension, typename Scalar>
-auto EventLoop<Dimension, Scalar>::event_of(std::int32_t i) const
-    -> std::conditional_t<of_doubles, Event, const Event&> {
-    if constexpr (of_doubles)
-        return {bodies_[static_cast<std::size_t>(i)].prediction, queue_.time(i)};
-    else
-        return queue_.event(i);
-}
-
-template <int Dimension, typename Scalar>
-auto EventLoop<Dimension, Scalar>::predict(std::int32_t i) {
-    if constexpr (std::is_same_v<Geometry, MpPlane>)
-        return geometry_.predict(bodies_, i, now_, queue_);
-    else
-        return geometry_.predict(bodies_, i, now_);
 }
 
 // Tells where each body was before.
@@ -128,24 +105,16 @@ void EventLoop<Dimension, Scalar>::predict_all() {
     last_collision_ = -1.0;
     at_one_instant_ = 0;
     for (Body& b : bodies_) b.collisions = 0;
-    const auto count = static_cast<std::int32_t>(bodies_.size());
-    if constexpr (of_doubles) {
-        for (Body& b : bodies_) b.prediction = {};
-        std::vector<Prediction> predictions;
-        std::vector<double> times;
-        for (std::int32_t i = 0; i < count; ++i) {
-            times.push_back(predict(i));
-            predictions.push_back(std::exchange(body(i).prediction, {}));
-        }
-        for (std::int32_t i = 0; i < count; ++i)
-            body(i).prediction = predictions[static_cast<std::size_t>(i)];
-        queue_.reset(times);
-    } else {
-        std::vector<Event> events(bodies_.size());
-        queue_.reset(events);
-        for (std::int32_t i = 0; i < count; ++i) events[static_cast<std::size_t>(i)] = predict(i);
-        queue_.reset(events);
+    // No prediction takes account of one that was made just before it.
+    for (Body& b : bodies_) b.prediction = {};
+    std::vector<Prediction> predictions;
+    std::vector<Scalar> times;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        times.push_back(geometry_.predict(bodies_, static_cast<std::int32_t>(k), now_));
+        predictions.push_back(std::exchange(bodies_[k].prediction, {}));
     }
+    for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].prediction = predictions[k];
+    queue_.reset(std::move(times));
 }
 
 // Advances all bodies to a local time, which becomes the epoch.
@@ -260,7 +229,7 @@ void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
         const Body& b = bodies_[k];
         for (std::size_t a = 0; a < Dimension; ++a) {
             const auto axis = static_cast<Eigen::Index>(a);
-            const auto x = static_cast<double>(position(b, a, local));
+            const auto x = static_cast<double>(position_at(b, a, local));
             state.position(number_[k], axis) = box_.wrapped(a, x);
             state.velocity(number_[k], axis) = static_cast<double>(b.v[a]);
         }
@@ -274,14 +243,8 @@ std::vector<Scalar> EventLoop<Dimension, Scalar>::positions(double time) const {
     for (std::size_t k = 0; k < bodies_.size(); ++k)
         for (std::size_t a = 0; a < Dimension; ++a)
             all[static_cast<std::size_t>(number_[k]) * Dimension + a] =
-                position(bodies_[k], a, local);
+                position_at(bodies_[k], a, local);
     return all;
-}
-
-template <int Dimension, typename Scalar>
-Scalar EventLoop<Dimension, Scalar>::position(const Body& b, std::size_t axis,
-                                              const Scalar& local_time) const {
-    return b.x[axis] + b.v[axis] * (local_time - b.time);
 }
 
 // The particle with the earliest event, -1 when nothing will ever happen. At the end of a cycle of
@@ -315,13 +278,14 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
 // True if it was a collision, which is then written to `collision` unless that is null.
 template <int Dimension, typename Scalar>
 bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
-    const auto& event = event_of(i);
-    if (static_cast<double>(event.time) > static_cast<double>(now_))
+    const Prediction event = body(i).prediction;
+    const auto& time = queue_.time(i);
+    if (static_cast<double>(time) > static_cast<double>(now_))
         at_one_instant_ = 0;
     else
         refuse_to_stall();
-    now_ = event.time;
-    if (event.is_contact()) {
+    now_ = time;
+    if (event.contact_time <= now_) {
         const std::int32_t j = event.partner;
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);
@@ -333,21 +297,18 @@ bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision)
                 return true;
             }
         }
-        queue_.schedule(i, predict(i));
-        if (met) queue_.schedule(j, predict(j));
+        predict_next(i);
+        if (met) predict_next(j);
         return met;
     }
     if (event.border < first_cell_side) {
         bounce(i, static_cast<int>(event.border), collision);
-        queue_.schedule(i, predict(i));
+        predict_next(i);
         return true;
     }
     const int side = static_cast<int>(event.border - first_cell_side);
     geometry_.cross(bodies_, i, side, now_);
-    if constexpr (std::is_same_v<Geometry, MpPlane>)
-        queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, event, now_, queue_));
-    else
-        queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, now_));
+    queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, now_));
     return false;
 }
 

@@ -32,38 +32,6 @@
 
 namespace carom {
 
-/// What the loop is made of, by dimension and kind of number.
-template <int Dimension, typename Scalar>
-struct LoopParts;
-template <>
-struct LoopParts<1, double> {
-    using Geometry = Line<double>;
-    using Queue = EventQueue;
-    using Event = carom::Event;
-    using Clock = LocalClock;
-};
-template <>
-struct LoopParts<2, double> {
-    using Geometry = Plane;
-    using Queue = EventQueue;
-    using Event = carom::Event;
-    using Clock = LocalClock;
-};
-template <>
-struct LoopParts<1, Real> {
-    using Geometry = Line<Real>;
-    using Queue = MpEventQueue;
-    using Event = MpEvent;
-    using Clock = MpClock;
-};
-template <>
-struct LoopParts<2, Real> {
-    using Geometry = MpPlane;
-    using Queue = MpEventQueue;
-    using Event = MpEvent;
-    using Clock = MpClock;
-};
-
 template <int Dimension, typename Scalar = double>
 class EventLoop {
   public:
@@ -106,11 +74,12 @@ class EventLoop {
     void forget();
 
   private:
-    using Parts = LoopParts<Dimension, Scalar>;
-    using Geometry = typename Parts::Geometry;
-    using Event = typename Parts::Event;
-    using Body = typename Geometry::Body;
     static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
+    using Geometry = std::conditional_t<Dimension == 1, Line<Scalar>,
+                                        std::conditional_t<of_doubles, Plane, MpPlane>>;
+    using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
+    using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
+    using Body = typename Geometry::Body;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
@@ -124,8 +93,7 @@ class EventLoop {
     }
 
     std::optional<Partner> overlapped(std::size_t moved) const;
-    std::conditional_t<of_doubles, Event, const Event&> event_of(std::int32_t i) const;
-    auto predict(std::int32_t i);
+    void predict_next(std::int32_t i) { queue_.schedule(i, geometry_.predict(bodies_, i, now_)); }
     std::vector<std::int32_t> put_in_order();
     void resort();
     void predict_all();
@@ -134,7 +102,6 @@ class EventLoop {
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
-    Scalar position(const Body& b, std::size_t axis, const Scalar& local_time) const;
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
 
@@ -142,8 +109,8 @@ class EventLoop {
     typename Geometry::Bodies bodies_;
     std::vector<std::int32_t> number_;  ///< of each body as listed by the user
     Geometry geometry_;
-    typename Parts::Queue queue_;
-    typename Parts::Clock clock_;
+    Queue queue_;
+    Clock clock_;
     Scalar now_ = 0.0;  ///< local
     int bits_;
     int cycles_since_sorted_ = 0;

@@ -38,14 +38,6 @@ double width_for(std::vector<double> times) {
     return events_per_bucket * 2.0 * *median / static_cast<double>(times.size());
 }
 
-bool later(double time_a, std::int32_t a, double time_b, std::int32_t b) {
-    return time_a > time_b || (time_a == time_b && a > b);
-}
-
-constexpr auto is_later = [](const auto& a, const auto& b) {
-    return later(a.time, a.particle, b.time, b.particle);
-};
-
 }  // namespace
 
 EventQueue::EventQueue(std::int32_t count)
@@ -65,8 +57,7 @@ void EventQueue::clear() {
     nodes_[index(null_link())].next = null_link();
     occupied_.assign(index(overflow_) / 64 + 1, 0);
     occupied_.back() = std::uint64_t{1} << (index(overflow_) % 64);
-    heap_.clear();
-    crowded_ = false;
+    crowd_.clear();
     bucket_ = year_begin_ = 0;
     looked_at_ = prefetched_ = -1;
     events_in_cycle_ = 0;
@@ -131,8 +122,8 @@ inline void EventQueue::unlink(std::int32_t particle) {
 // always deferred, if only to a place that is written over.
 inline void EventQueue::insert(std::int32_t particle, double time) {
     const std::int32_t bucket = std::max(bucket_, bucket_of(time));
-    if (crowded_ && bucket == bucket_) [[unlikely]] {
-        insert_into_heap(particle);
+    if (!crowd_.empty() && bucket == bucket_) [[unlikely]] {
+        join_crowd(particle);
         return;
     }
     const std::int32_t bucket_in_year = bucket - year_begin_;
@@ -141,16 +132,15 @@ inline void EventQueue::insert(std::int32_t particle, double time) {
     defer(bucket, (bucket_in_year >= overflow_) & (bucket < buckets_), particle);
 }
 
-void EventQueue::insert_into_heap(std::int32_t particle) {
-    put_in_overflow(nodes_[index(particle)]);
-    heap_.push_back({nodes_[index(particle)].time, particle});
-    std::push_heap(heap_.begin(), heap_.end(), is_later);
-    if (heap_.size() > 2 * nodes_.size() + 64) drop_replaced();
-}
-
-void EventQueue::put_in_overflow(Node& node) {
+void EventQueue::join_crowd(std::int32_t particle) {
+    Node& node = nodes_[index(particle)];
     node.previous = ~overflow_;
     node.next = null_link();
+    crowd_.emplace(node.time, particle);
+}
+
+void EventQueue::leave_crowd(std::int32_t particle) {
+    crowd_.erase({nodes_[index(particle)].time, particle});
 }
 
 // The number is written in any case, and written over by the next one unless it is to be kept.
@@ -244,6 +234,8 @@ void EventQueue::begin_year() {
 
 void EventQueue::schedule(std::int32_t particle, double time) {
     unlink(particle);
+    if (!crowd_.empty()) [[unlikely]]
+        leave_crowd(particle);
     nodes_[index(particle)].time = time;
     insert(particle, time);
     ++events_in_cycle_;
@@ -281,50 +273,18 @@ std::uint32_t EventQueue::look_ahead(std::int32_t buckets, std::array<std::int32
            (any & (who[2] != null_link() ? 1U : 0U));
 }
 
-bool EventQueue::is_current(const HeapEntry& entry) const {
-    const Node& node = nodes_[index(entry.particle)];
-    return is_in_overflow(node) && node.time == entry.time;
-}
-
-void EventQueue::drop_replaced() {
-    std::erase_if(heap_, [this](const HeapEntry& entry) { return !is_current(entry); });
-    std::sort(heap_.begin(), heap_.end(), [](const HeapEntry& a, const HeapEntry& b) {
-        return later(b.time, b.particle, a.time, a.particle);
-    });
-    const auto same = [](const HeapEntry& a, const HeapEntry& b) {
-        return a.particle == b.particle;
-    };
-    heap_.erase(std::unique(heap_.begin(), heap_.end(), same), heap_.end());
-}
-
-void EventQueue::heapify_present_bucket() {
-    crowded_ = true;
-    const std::int32_t list = (bucket_ - year_begin_);
+void EventQueue::move_to_crowd(std::int32_t list) {
     while (heads_[index(list)] != null_link()) {
         const std::int32_t particle = heads_[index(list)];
-        heap_.push_back({nodes_[index(particle)].time, particle});
         unlink(particle);
-        put_in_overflow(nodes_[index(particle)]);
+        join_crowd(particle);
     }
-    std::make_heap(heap_.begin(), heap_.end(), is_later);
-}
-
-std::int32_t EventQueue::earliest_in_heap() {
-    while (!heap_.empty()) {
-        if (is_current(heap_.front())) return heap_.front().particle;
-        std::pop_heap(heap_.begin(), heap_.end(), is_later);
-        heap_.pop_back();
-    }
-    crowded_ = false;
-    return -1;
 }
 
 std::int32_t EventQueue::earliest() {
     while (true) {
-        if (crowded_) {
-            const std::int32_t particle = earliest_in_heap();
-            if (particle >= 0) return particle;
-        }
+        if (!crowd_.empty()) [[unlikely]]
+            return crowd_.begin()->second;
         const std::int32_t list = next_occupied((bucket_ - year_begin_));
         if (list == overflow_) {
             bucket_ = year_begin_ + overflow_;
@@ -352,7 +312,7 @@ std::int32_t EventQueue::earliest() {
             ++count;
         } while (i != null_link());
         if (count <= most_in_list) return best;
-        heapify_present_bucket();
+        move_to_crowd(list);
     }
 }
 

@@ -5,7 +5,7 @@
 // half an event on average; 2^13 buckets make a year; the years up to a fixed horizon make a cycle.
 // - The events of the present year are in unsorted, doubly linked lists, one for each bucket; the
 //   earliest of the present bucket is found by a search through the few in it. A bucket with too
-//   many events (a lattice that starts all at once) is ordered in a heap.
+//   many events (a lattice that starts all at once) is sorted.
 // - Events of later years are deferred: the particle's number is appended to that year's chunks and
 //   stays there whatever becomes of the event. When the year begins, those still due in it are
 //   linked into its buckets. So the lists of one year fit into the processor's nearest caches,
@@ -18,6 +18,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "physics/collision/pair_collision.h"
@@ -71,10 +73,6 @@ class EventQueue {
         std::int32_t previous = 0;  ///< in the list, or ~list at its head
         std::int32_t next = 0;      ///< or null_link()
     };
-    struct HeapEntry {
-        double time;
-        std::int32_t particle;
-    };
     /// Particles deferred to a year, and the chunk of that year that was filled before, or none.
     struct alignas(64) Chunk {
         static constexpr std::int32_t most = 15;
@@ -91,14 +89,15 @@ class EventQueue {
     std::int32_t null_link() const { return count_; }
     std::int32_t bucket_of(double time) const;
     bool is_in_overflow(const Node& node) const { return node.previous == ~overflow_; }
-    bool is_current(const HeapEntry& entry) const;
     void clear();
     void set_width(double width);
     void insert(std::int32_t particle, double time);
-    void insert_into_heap(std::int32_t particle);
+    // Out of line: they are rare, and what always happens is the faster for it.
+    [[gnu::noinline]] void join_crowd(std::int32_t particle);
+    [[gnu::noinline]] void leave_crowd(std::int32_t particle);
+    [[gnu::noinline]] void move_to_crowd(std::int32_t list);
     void link(std::int32_t particle, std::int32_t list);
     void unlink(std::int32_t particle);
-    void put_in_overflow(Node& node);
     void defer(std::int32_t bucket, bool keep, std::int32_t particle);
     std::int32_t new_chunk(std::int32_t before);
     std::size_t most_chunks() const;
@@ -107,15 +106,12 @@ class EventQueue {
     void begin_year();
     bool step_ahead(std::int32_t& from, std::int32_t buckets) const;
     std::int32_t next_occupied(std::int32_t bucket_in_year) const;
-    std::int32_t earliest_in_heap();
-    void heapify_present_bucket();
-    void drop_replaced();
 
     // Which list comes next, whether it is empty and who is at its head cannot be predicted by the
     // processor, so lists are handled without branches: they end in the null link, which has a node
-    // of its own that may be written to; and a particle in no list, since its event is in the heap,
-    // deferred or beyond the cycle, has links as if it were alone in one more list, the overflow
-    // list.
+    // of its own that may be written to; and a particle in no list, since its event is in the
+    // crowd, deferred or beyond the cycle, has links as if it were alone in one more list, the
+    // overflow list.
     std::int32_t count_;
     LargeVector<Node> nodes_;
     LargeVector<Chunk> chunks_;
@@ -124,12 +120,11 @@ class EventQueue {
     std::vector<std::int32_t> heads_;  ///< of the present year's buckets and the overflow list
     std::vector<std::uint64_t> occupied_;  ///< a bit for each of these lists: whether it has
                                            ///< events; always set for the overflow list
-    std::vector<HeapEntry> heap_;  ///< of a crowded bucket; entries of replaced events are dropped
-                                   ///< when they reach the top
-    bool crowded_ = false;         ///< the present bucket is in the heap, not in its list
-    std::int32_t buckets_;         ///< of a cycle
-    double buckets_in_cycle_;      ///< the same, as times are compared with it
-    int year_bits_;                ///< a year has two to this power buckets
+    std::set<std::pair<double, std::int32_t>> crowd_;  ///< the events of the present bucket, if
+                                                       ///< they are too many for its list
+    std::int32_t buckets_;                             ///< of a cycle
+    double buckets_in_cycle_;                          ///< the same, as times are compared with it
+    int year_bits_;                                    ///< a year has two to this power buckets
     std::int32_t overflow_;        ///< number of the overflow list: after those of a year's buckets
     std::int32_t bucket_ = 0;      ///< the present one, counted in the cycle
     std::int32_t year_begin_ = 0;  ///< the first bucket of the present year

@@ -10,7 +10,12 @@ namespace carom {
 
 class LocalClock {
   public:
-    explicit LocalClock(double epoch = 0.0) : high_(epoch) {}
+    /// Makes a time on the user's clock the epoch; returns it as counted from there.
+    double start(double time) {
+        high_ = time;
+        low_ = 0.0;
+        return 0.0;
+    }
 
     /// Moves the epoch on by `time`; the sum is kept to twice the digits of a double (two-sum).
     void advance(double time) {
@@ -33,7 +38,7 @@ class LocalClock {
     }
 
   private:
-    double high_;
+    double high_ = 0.0;
     double low_ = 0.0;
 };
 
@@ -42,6 +47,7 @@ class MpClock {
     /// Times have as many bits as all numbers: a difference of two with fewer would be rounded.
     explicit MpClock(int bits = bits_of_double) : bits_(bits) {}
 
+    Real start(double time) { return local(time); }
     Real local(double time) const { return {time, bits_}; }
     double absolute(const Real& time) const { return static_cast<double>(time); }
     Real move_epoch_to(const Real& time) const { return time; }

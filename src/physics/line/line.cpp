@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "physics/collision/pair_collision.h"
 
@@ -39,15 +40,14 @@ void Line<Scalar>::enter(Bodies& bodies) {
 template <typename Scalar>
 Scalar Line<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
                          bool around) const {
-    const Scalar there = right.x[0] + right.v[0] * (now - right.time);
-    const Scalar here = left.x[0] + left.v[0] * (now - left.time);
+    const Scalar apart = position_at(right, 0, now) - position_at(left, 0, now);
     const double turns = right.turns - left.turns + (around ? 1 : 0);
-    return ((there - here) + turns * length_) - (left.radius + right.radius);
+    return (apart + turns * length_) - (left.radius + right.radius);
 }
 
 template <typename Scalar>
 void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
-                                const Scalar& now, Event& first) const {
+                                const Scalar& now, Event<Scalar>& first) const {
     const bool at_end = i == (to_the_right ? last() : 0);
     if (at_end && (!periodic_ || count_ == 1)) return;
     const std::int32_t j = at_end ? last() - i : to_the_right ? i + 1 : i - 1;
@@ -58,7 +58,7 @@ void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_th
     const Scalar time = now + std::max(Scalar(0.0), gap(left, right, now, at_end)) / approach;
     if (time > first.time || (time == first.time && j >= first.partner)) return;
     first.time = time;
-    if constexpr (std::is_same_v<Scalar, double>) first.contact_time = time;
+    first.contact_time = rounded_down(time);
     first.partner = j;
     first.partner_collisions = bodies[static_cast<std::size_t>(j)].collisions & most_collisions;
 }
@@ -66,44 +66,33 @@ void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_th
 // The wall beside the first or the last bead, or the end of a periodic line.
 template <typename Scalar>
 void Line<Scalar>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
-                               Event& first) const {
+                               Event<Scalar>& first) const {
     const Body& body = bodies[static_cast<std::size_t>(i)];
     const bool up = body.v[0] > 0.0;
     if (!periodic_ && i != (up ? last() : 0)) return;
     const double margin = periodic_ ? 0.0 : body.radius;
-    const Scalar x = body.x[0] + body.v[0] * (now - body.time);
-    const Scalar time = now + wall_time(x, body.v[0], Scalar(margin), Scalar(length_ - margin));
+    const Scalar time = now + wall_time(position_at(body, 0, now), body.v[0], Scalar(margin),
+                                        Scalar(length_ - margin));
     if (time >= first.time) return;
     first.time = time;
-    if constexpr (!std::is_same_v<Scalar, double>) first.partner = -1;
+    first.contact_time = never<double>;
     first.border = ((periodic_ ? first_cell_side : 0U) + (up ? 1U : 0U)) & 7U;
 }
 
 template <typename Scalar>
-auto Line<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const -> When {
-    Event first;
+Scalar Line<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const {
+    Event<Scalar> first;
     predict_pair(bodies, i, true, now, first);
     predict_pair(bodies, i, false, now, first);
     predict_end(bodies, i, now, first);
-    if constexpr (std::is_same_v<Scalar, double>) {
-        bodies[static_cast<std::size_t>(i)].prediction = first;
-        return first.time;
-    } else {
-        return first;
-    }
-}
-
-template <typename Scalar>
-auto Line<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i, int,
-                                          const Scalar& now) const -> When {
-    return predict(bodies, i, now);
+    bodies[static_cast<std::size_t>(i)].prediction = first;
+    return std::move(first.time);
 }
 
 template <typename Scalar>
 void Line<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
     Body& body = bodies[static_cast<std::size_t>(i)];
-    body.x[0] += body.v[0] * (now - body.time);
-    body.time = now;
+    advance_body(body, now);
     body.x[0] += side == 1 ? -length_ : length_;
     body.turns += side == 1 ? 1 : -1;
 }

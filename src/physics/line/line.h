@@ -7,11 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 #include "physics/collision/loop_types.h"
-#include "physics/multiprecision/mp_event_queue.h"
+#include "physics/multiprecision/multiprecision.h"
 #include "physics/particles.h"
 #include "util/large_pages.h"
 
@@ -27,8 +26,8 @@ class Line {
         double radius;  ///< half its length
         double inverse_mass;
         std::uint32_t collisions;
-        std::int32_t turns;     ///< how often it has gone round a periodic line
-        Prediction prediction;  ///< of doubles; one of many bits is in the queue
+        std::int32_t turns;  ///< how often it has gone round a periodic line
+        Prediction prediction;
     };
     using Bodies = LargeVector<Body>;
 
@@ -49,10 +48,11 @@ class Line {
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);
 
-    /// As those of Plane; of many bits the whole event is returned.
-    using When = std::conditional_t<std::is_same_v<Scalar, double>, double, MpEvent>;
-    When predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
-    When predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now) const;
+    /// As those of Plane.
+    Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
+    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) const {
+        return predict(bodies, i, now);
+    }
 
     /// The body leaves a periodic line at one end and enters at the other.
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
@@ -68,13 +68,12 @@ class Line {
                                            double slack) const;
 
   private:
-    using Event = std::conditional_t<std::is_same_v<Scalar, double>, carom::Event, MpEvent>;
-
     std::int32_t last() const { return count_ - 1; }
     Scalar gap(const Body& left, const Body& right, const Scalar& now, bool around) const;
     void predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,
-                      Event& first) const;
-    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now, Event& first) const;
+                      Event<Scalar>& first) const;
+    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                     Event<Scalar>& first) const;
 
     double length_;
     bool periodic_;

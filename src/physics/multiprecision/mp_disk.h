@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "physics/collision/loop_types.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/plane/cell_grid.h"
 
@@ -20,13 +21,16 @@ struct alignas(64) MpDisk {
         double speed = 0.0;     ///< |vx| + |vy|: scales of the errors made
     };
     Shadow shadow;
+    double radius = 0.0;
+    double inverse_mass = 0.0;
+    Prediction prediction;    ///< of a contact only if that is the next event; then that comes
+    double event_late = 0.0;  ///< not after this,
+    std::uint32_t collisions = 0;
+    Cell cell{};
+    Real event_time;        ///< but at this time
     std::array<Real, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
     std::array<Real, 2> v;
     Real time;
-    double radius = 0.0;
-    double inverse_mass = 0.0;
-    std::uint32_t collisions = 0;
-    Cell cell{};
 };
 static_assert(sizeof(MpDisk::Shadow) == 64);
 

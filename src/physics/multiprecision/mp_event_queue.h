@@ -1,46 +1,29 @@
-// The priority queue of events for multiprecision times: a heap of all particles. event_queue.h is
-// made for doubles and for speed; here a comparison of two times may cost as much as the rest, so
-// times are compared as doubles, and with all bits only where these are equal. Does not know what
-// an event means.
+// The priority queue of events for multiprecision times, with the interface of event_queue.h, which
+// is made for doubles and for speed. Here a comparison of two times may cost as much as the rest,
+// so times are compared as doubles, and with all bits only where these are equal. Does not know
+// what an event means.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "physics/multiprecision/multiprecision.h"
 
 namespace carom {
 
-/// What happens next to a particle, at `time`: a contact with `partner`, or reaching a border. A
-/// contact that would come after the border is predicted when that has been crossed.
-struct MpEvent {
-    static constexpr double never = std::numeric_limits<double>::infinity();
-    explicit MpEvent(int bits = 53) : time(never, bits) {}
-
-    bool is_contact() const { return partner >= 0; }
-
-    Real time;
-    double late = never;  ///< a double not before `time`
-    std::int32_t partner = -1;
-    std::uint32_t partner_collisions : 29 = 0;
-    std::uint32_t border : 3 = 0;
-};
-
 class MpEventQueue {
   public:
+    /// No event at all; reset() gives all their times.
     explicit MpEventQueue(std::int32_t count);
 
-    /// Replaces all events at once.
-    void reset(const std::vector<MpEvent>& events);
+    /// Replaces all events at once; a time is infinite where nothing will ever happen.
+    void reset(std::vector<Real> times);
 
     /// Replaces the event of `particle`.
-    void schedule(std::int32_t particle, MpEvent event);
+    void schedule(std::int32_t particle, Real time);
 
-    const MpEvent& event(std::int32_t particle) const { return events_[index(particle)]; }
-
-    const Real& time(std::int32_t particle) const { return event(particle).time; }
+    const Real& time(std::int32_t particle) const { return times_[index(particle)]; }
 
     /// The particle whose event is the earliest (at equal times the lowest number), or -1 when
     /// there is none.
@@ -48,15 +31,16 @@ class MpEventQueue {
 
   private:
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-    bool earlier(std::int32_t a, std::int32_t b) const;
-    void put(std::size_t place, std::int32_t particle);
-    void rise(std::size_t place);
-    void sink(std::size_t place);
+    std::int32_t earlier(std::int32_t a, std::int32_t b) const;
+    void play(std::size_t match) {
+        winner_[match] = earlier(winner_[2 * match], winner_[2 * match + 1]);
+    }
 
-    std::vector<MpEvent> events_;
-    std::vector<double> keys_;         ///< the time of each, rounded down
-    std::vector<std::int32_t> heap_;   ///< each no earlier than the one at half its place
-    std::vector<std::size_t> places_;  ///< of each particle in it
+    std::vector<Real> times_;
+    std::vector<double> keys_;  ///< the time of each, rounded down
+    /// A tournament: of each match the particle with the earlier event; the matches 2 k and 2 k + 1
+    /// come before match k, and the last is 1. The particles themselves stand from their number on.
+    std::vector<std::int32_t> winner_;
 };
 
 }  // namespace carom

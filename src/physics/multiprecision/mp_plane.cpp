@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -18,6 +19,8 @@ const MpDisk& at(const MpPlane::Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
+bool is_contact(const Prediction& prediction) { return prediction.contact_time < never<double>; }
+
 }  // namespace
 
 MpPlane::MpPlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic)
@@ -25,11 +28,6 @@ MpPlane::MpPlane(const Box& box, const Particles& particles, const Arithmetic& a
       grid_(box, particles.radius),
       screened_(arithmetic.screened),
       bits_(arithmetic.bits) {
-    const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
-    cell_size_ = {grid_.cell_width(), grid_.cell_height()};
-    last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
-    for (std::size_t a = 0; a < 2; ++a)
-        narrow_[a] = box.is_periodic(a) && 4.0 * largest > 0.99 * box.length(a);
     for (Real* number : {&here_[0], &here_[1], &r_[0], &r_[1], &v_[0], &v_[1], &approach_, &time_,
                          &a_, &b_, &c_, &sigma_square_})
         *number = Real(0.0, bits_);
@@ -67,7 +65,7 @@ MpPlane::Viewer MpPlane::viewer(const MpDisk& disk, const Real& now) {
 }
 
 // A time before which two disks surely do not touch; never when they surely miss each other. The
-// letters are those of time_of_contact(), each with a bound on its error.
+// letters are those of contact_time(), each with a bound on its error.
 double MpPlane::soonest_contact(const Viewer& a, const MpDisk& other,
                                 const std::array<double, 2>& shift) const {
     const MpDisk::Shadow &s = a.disk.shadow, &b = other.shadow;
@@ -184,14 +182,14 @@ bool MpPlane::solve_contact(const MpDisk& a, const MpDisk& b, const std::array<d
 // Takes the contact with a candidate if it is the one to wait for: the earliest, and not after the
 // next event of the other, which will look again then.
 void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& candidate,
-                       const Real& now, const MpEventQueue& queue, MpEvent& first) {
+                       const Real& now, First& first) {
     const MpDisk& b = at(bodies, candidate.other);
     if (!solve_contact(a, b, candidate.shift, now)) return;
     const auto order = time_ <=> first.time;
-    if (order > 0 || (order == 0 && first.is_contact() && candidate.other >= first.partner)) return;
-    const MpEvent& its_next = queue.event(candidate.other);
-    if (its_next.is_contact() && time_ > its_next.time) return;
+    if (order > 0 || (order == 0 && is_contact(first) && candidate.other >= first.partner)) return;
+    if (is_contact(b.prediction) && time_ > b.event_time) return;
     first.time.set(time_);
+    first.contact_time = time_.rounded_down();
     first.late = time_.rounded_up();
     first.partner = candidate.other;
     first.partner_collisions = b.collisions & most_collisions;
@@ -199,11 +197,10 @@ void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& c
 
 // The candidates are taken as they come into question, until the next surely comes too late. One
 // that waits for this very disk already is left out: its event will do.
-MpEvent MpPlane::predict(const Bodies& bodies, std::int32_t i, const Real& now,
-                         const MpEventQueue& queue) {
-    const MpDisk& disk = at(bodies, i);
+Real MpPlane::predict(Bodies& bodies, std::int32_t i, const Real& now) {
+    MpDisk& disk = bodies[static_cast<std::size_t>(i)];
     const Viewer a = viewer(disk, now);
-    MpEvent first(bits_);
+    First first{{Prediction{}, Real(never<double>, bits_)}};
     predict_border(a, now, first);
     candidates_.clear();
     grid_.for_each_near(
@@ -213,18 +210,17 @@ MpEvent MpPlane::predict(const Bodies& bodies, std::int32_t i, const Real& now,
             for (std::size_t k = 0; k < count; ++k) {
                 const std::int32_t j = near_[k];
                 const MpDisk& other = at(bodies, j);
-                const MpEvent& its_next = queue.event(j);
                 if (j == i || !(disk.radius + other.radius > 0.0) ||
                     !(disk.inverse_mass + other.inverse_mass > 0.0))
                     continue;
-                if (its_next.partner == i &&
-                    its_next.partner_collisions == (disk.collisions & most_collisions))
+                const bool waits = is_contact(other.prediction);
+                if (waits && other.prediction.partner == i &&
+                    other.prediction.partner_collisions == (disk.collisions & most_collisions))
                     continue;
                 const std::array<double, 2> shift{shift_x, shift_y};
                 const double soonest =
                     screened_ ? soonest_contact(a, other, shift) : -never<double>;
-                if (soonest > first.late || (its_next.is_contact() && soonest > its_next.late))
-                    continue;
+                if (soonest > first.late || (waits && soonest > other.event_late)) continue;
                 if (soonest < never<double>) candidates_.push_back({soonest, j, shift});
             }
         });
@@ -233,16 +229,14 @@ MpEvent MpPlane::predict(const Bodies& bodies, std::int32_t i, const Real& now,
             candidates_.begin(), candidates_.end(),
             [](const Candidate& p, const Candidate& q) { return p.soonest < q.soonest; });
         if (next->soonest > first.late) break;
-        consider(bodies, disk, *next, now, queue, first);
+        consider(bodies, disk, *next, now, first);
         *next = candidates_.back();
         candidates_.pop_back();
     }
-    return first;
-}
-
-MpEvent MpPlane::predict_after_crossing(const Bodies& bodies, std::int32_t i, int, const MpEvent&,
-                                        const Real& now, const MpEventQueue& queue) {
-    return predict(bodies, i, now, queue);
+    disk.prediction = first;
+    disk.event_time = first.time;
+    disk.event_late = first.late;
+    return std::move(first.time);
 }
 
 // A disk that leaves a periodic box is shifted by the length of the box and not advanced: that
@@ -250,16 +244,11 @@ MpEvent MpPlane::predict_after_crossing(const Bodies& bodies, std::int32_t i, in
 void MpPlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
     MpDisk& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;
-    const auto axis = static_cast<std::size_t>(side / 2);
-    const bool up = side % 2 == 1;
-    const int last = last_cell_[axis];
-    const int cell = from[axis] + (up ? 1 : -1);
-    if (cell >= 0 && cell <= last) {
-        body.cell[axis] = static_cast<std::uint16_t>(cell);
-    } else {
-        const double size = box_.length(axis);
-        body.x[axis].set_sum(body.x[axis], up ? -size : size);
-        body.cell[axis] = static_cast<std::uint16_t>(up ? 0 : last);
+    body.cell = grid_.next_cell(from, side);
+    if (grid_.is_last(from, side)) {
+        const auto axis = static_cast<std::size_t>(side / 2);
+        Real& x = body.x[axis];
+        x.set_sum(x, side % 2 == 1 ? -box_.length(axis) : box_.length(axis));
         body_has_changed(body);
     }
     grid_.move(i, body.radius, from, body.cell);
@@ -272,11 +261,11 @@ MpPlane::Border MpPlane::border_ahead(const Viewer& a, std::size_t axis) const {
     const int in = d.cell[axis];
     const int up = v > 0.0 ? 1 : 0;
     const unsigned side = 2U * static_cast<unsigned>(axis) + static_cast<unsigned>(up);
-    Border border{cell_size_[axis] * (in + up), first_cell_side + side, never<double>};
+    Border border{grid_.cell_size()[axis] * (in + up), first_cell_side + side, never<double>};
     if (!box_.is_periodic(axis)) {
         const double size = box_.length(axis);
         const double wall = up ? size - d.radius : d.radius;
-        if (in == (up ? last_cell_[axis] : 0) ||
+        if (in == (up ? grid_.last_cell()[axis] : 0) ||
             (up ? wall <= border.place : wall >= border.place)) {
             border.place = wall;
             border.kind = side;
@@ -302,7 +291,7 @@ void MpPlane::solve_wall(const MpDisk& a, std::size_t axis, double place, const 
 
 // The first of the borders ahead. A border of a cell is as far away as doubles say; a wall is
 // solved in full unless the cell surely ends before.
-void MpPlane::predict_border(const Viewer& a, const Real& now, MpEvent& first) {
+void MpPlane::predict_border(const Viewer& a, const Real& now, First& first) {
     const std::array<Border, 2> borders{border_ahead(a, 0), border_ahead(a, 1)};
     double cell = never<double>;
     for (const Border& border : borders) {
@@ -346,7 +335,7 @@ bool MpPlane::find_image(const MpDisk& a, const MpDisk& b) {
         const double nearest = -size * box_.turns(axis, plain);
         shifts[axis] = {nearest, plain + nearest > 0.0 ? nearest - size : nearest + size};
     }
-    const std::size_t along_x = narrow_[0] ? 2 : 1, along_y = narrow_[1] ? 2 : 1;
+    const std::size_t along_x = grid_.narrow()[0] ? 2 : 1, along_y = grid_.narrow()[1] ? 2 : 1;
     std::array<double, 2> best{shifts[0][0], shifts[1][0]};
     if (along_x + along_y > 2) {
         const double sigma = a.radius + b.radius;

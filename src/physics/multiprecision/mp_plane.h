@@ -13,7 +13,6 @@
 
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/mp_disk.h"
-#include "physics/multiprecision/mp_event_queue.h"
 #include "physics/plane/cell_grid.h"
 
 namespace carom {
@@ -33,11 +32,10 @@ class MpPlane {
     static std::vector<std::int32_t> order(const Bodies& bodies);
     static bool is_resorted(std::size_t) { return false; }
     void enter(Bodies& bodies);
-    MpEvent predict(const Bodies& bodies, std::int32_t i, const Real& now,
-                    const MpEventQueue& queue);
-    MpEvent predict_after_crossing(const Bodies& bodies, std::int32_t i, int side,
-                                   const MpEvent& before, const Real& now,
-                                   const MpEventQueue& queue);
+    Real predict(Bodies& bodies, std::int32_t i, const Real& now);
+    Real predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Real& now) {
+        return predict(bodies, i, now);
+    }
     void cross(Bodies& bodies, std::int32_t i, int side, const Real& now);
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
@@ -55,6 +53,10 @@ class MpPlane {
         std::int32_t other;
         std::array<double, 2> shift;
     };
+    /// The first event found so far.
+    struct First : Event<Real> {
+        double late = never<double>;  ///< a double not before its time
+    };
     /// A border ahead along an axis.
     struct Border {
         double place;
@@ -66,14 +68,14 @@ class MpPlane {
     double soonest_contact(const Viewer& a, const MpDisk& other,
                            const std::array<double, 2>& shift) const;
     void consider(const Bodies& bodies, const MpDisk& a, const Candidate& candidate,
-                  const Real& now, const MpEventQueue& queue, MpEvent& first);
+                  const Real& now, First& first);
     bool solve_contact(const MpDisk& a, const MpDisk& b, const std::array<double, 2>& shift,
                        const Real& now);
     const Real& squared(double sigma);
     void place_viewer(const MpDisk& a, const Real& now);
     bool approaches(const MpDisk& a, const MpDisk& b);
     Border border_ahead(const Viewer& a, std::size_t axis) const;
-    void predict_border(const Viewer& a, const Real& now, MpEvent& first);
+    void predict_border(const Viewer& a, const Real& now, First& first);
     void solve_wall(const MpDisk& a, std::size_t axis, double place, const Real& now);
     bool find_image(const MpDisk& a, const MpDisk& b);
     void separate(const MpDisk& a, const MpDisk& b, double shift_x, double shift_y);
@@ -82,9 +84,6 @@ class MpPlane {
     CellGrid grid_;
     bool screened_;
     int bits_;
-    std::array<double, 2> cell_size_{};
-    std::array<int, 2> last_cell_{};
-    std::array<bool, 2> narrow_{};  ///< periodic and so narrow that two images may touch
     std::vector<std::int32_t> near_ = std::vector<std::int32_t>(2 * CellGrid::spare);
     std::vector<Candidate> candidates_;
 

@@ -65,7 +65,6 @@ class Real {
 
     int bits() const { return static_cast<int>(mpfr_get_prec(value_)); }
     bool is_finite() const { return mpfr_number_p(value_) != 0; }
-    bool is_zero() const { return mpfr_zero_p(value_) != 0; }
     int sign() const { return mpfr_sgn(value_); }
 
     /// The nearest double.
@@ -150,7 +149,8 @@ class Real {
         mpfr_abs(a.value_, a.value_, MPFR_RNDN);
         return a;
     }
-    /// Of a positive number, also where no double is so small or so large.
+    /// Of a number that is not negative, also where no double is so small or so large; -infinity of
+    /// 0.
     friend double log10(const Real& a) {
         long exponent = 0;
         const double digits = mpfr_get_d_2exp(&exponent, a.value_, MPFR_RNDN);
@@ -170,5 +170,9 @@ class Real {
 /// A double with the precision of another number, for arithmetic written for any scalar.
 inline double as_precise_as(double, double value) { return value; }
 inline Real as_precise_as(const Real& other, double value) { return {value, other.bits()}; }
+
+/// The nearest double that is not larger, for arithmetic written for any scalar.
+inline double rounded_down(double value) { return value; }
+inline double rounded_down(const Real& value) { return value.rounded_down(); }
 
 }  // namespace carom

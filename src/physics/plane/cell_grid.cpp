@@ -114,36 +114,29 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
     const double diameter = 2.0 * small_radius_;
     const double least =
         std::max(diameter, least_cell(area, static_cast<double>(radii.size()), diameter));
-    columns_ = cells_along(box.size[0], least);
-    rows_ = cells_along(box.size[1], least);
-    width_ = box.size[0] / columns_;
-    height_ = box.size[1] / rows_;
-    const bool periodic_x = box.is_periodic(0);
-    const bool periodic_y = box.is_periodic(1);
-    overhang_ = {overhang_of(width_, diameter, box.size[0], periodic_x),
-                 overhang_of(height_, diameter, box.size[1], periodic_y)};
-    coarse_column_ = merge(columns_, width_, std::max(2.0 * (largest + overhang_[0]), width_));
-    coarse_row_ = merge(rows_, height_, std::max(2.0 * (largest + overhang_[1]), height_));
-
-    fine_ = {Axis{columns_, periodic_x, box.size[0]}, Axis{rows_, periodic_y, box.size[1]}};
-    coarse_ = {Axis{coarse_column_.back() + 1, periodic_x, box.size[0]},
-               Axis{coarse_row_.back() + 1, periodic_y, box.size[1]}};
-    fine_slots_.resize(static_cast<std::size_t>(columns_ + 1) *
-                       static_cast<std::size_t>(rows_ + 1));
-    plain_ = nearest_is_meant(coarse_column_, overhang_[0] / width_, periodic_x, has_large_) &&
-             nearest_is_meant(coarse_row_, overhang_[1] / height_, periodic_y, has_large_);
-    inner_ = {inner_cells(coarse_column_, periodic_x, has_large_),
-              inner_cells(coarse_row_, periodic_y, has_large_)};
-    const auto around = [](const Axis& axis, std::int32_t stride) {
-        std::vector<std::int64_t> cells;
-        for (std::int32_t k = -1; k <= axis.cells; ++k) {
-            const Wrapped in = wrap(k, axis);
-            cells.push_back(stride * (in.cell < 0 ? axis.cells : in.cell));
+    plain_ = true;
+    for (std::size_t a = 0; a < 2; ++a) {
+        const double length = box.length(a);
+        const bool periodic = box.is_periodic(a);
+        fine_[a] = {cells_along(length, least), periodic, length};
+        last_cell_[a] = fine_[a].cells - 1;
+        narrow_[a] = periodic && 4.0 * largest > 0.99 * length;
+        const double cell = cell_size_[a] = length / fine_[a].cells;
+        overhang_[a] = overhang_of(cell, diameter, length, periodic);
+        coarse_cell_[a] =
+            merge(fine_[a].cells, cell, std::max(2.0 * (largest + overhang_[a]), cell));
+        coarse_[a] = {coarse_cell_[a].back() + 1, periodic, length};
+        plain_ =
+            plain_ && nearest_is_meant(coarse_cell_[a], overhang_[a] / cell, periodic, has_large_);
+        inner_[a] = inner_cells(coarse_cell_[a], periodic, has_large_);
+        const std::int32_t stride = a == 0 ? 1 : fine_stride();
+        for (std::int32_t k = -1; k <= fine_[a].cells; ++k) {
+            const Wrapped in = wrap(k, fine_[a]);
+            around_[a].push_back(stride * (in.cell < 0 ? fine_[a].cells : in.cell));
         }
-        return cells;
-    };
-    column_around_ = around(fine_[0], 1);
-    row_around_ = around(fine_[1], columns_ + 1);
+    }
+    fine_slots_.resize(static_cast<std::size_t>(fine_stride()) *
+                       static_cast<std::size_t>(fine_[1].cells + 1));
     coarse_slots_.resize(has_large_ ? static_cast<std::size_t>(coarse_[0].cells) *
                                           static_cast<std::size_t>(coarse_[1].cells)
                                     : 0);
@@ -151,11 +144,12 @@ CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
 }
 
 Cell CellGrid::cell_at(double x, double y) const {
-    const auto along = [](double position, double length, int cells) {
-        const double cell = std::floor(position / length);
-        return static_cast<std::uint16_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+    const auto along = [this](double position, std::size_t axis) {
+        const double cell = std::floor(position / cell_size_[axis]);
+        return static_cast<std::uint16_t>(
+            std::clamp(cell, 0.0, static_cast<double>(last_cell_[axis])));
     };
-    return {along(x, width_, columns_), along(y, height_, rows_)};
+    return {along(x, 0), along(y, 1)};
 }
 
 void CellGrid::clear() {
@@ -224,16 +218,16 @@ void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
 
 void CellGrid::append_large_around(Cell cell, std::vector<std::int32_t>& list,
                                    std::size_t& size) const {
-    for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_column_[cell[0]],
-                    coarse_row_[cell[1]],
+    for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_cell_[0][cell[0]],
+                    coarse_cell_[1][cell[1]],
                     [&](const Slots& slots, double, double) { append(slots, list, size); });
 }
 
 // Three cells of a row lie within two lines of memory. Out of line, as all that does nothing but
 // fetch: where GCC sees into such a function it finds no effect, and drops the calls.
 void CellGrid::fetch_around(Cell cell) const {
-    const std::int64_t* const columns = &column_around_[cell[0]];
-    const std::int64_t* const rows = &row_around_[cell[1]];
+    const std::int64_t* const columns = &around_[0][cell[0]];
+    const std::int64_t* const rows = &around_[1][cell[1]];
     for (std::size_t k = 0; k < 3; ++k)
         for (const std::int64_t column : {columns[0], columns[2]})
             __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);

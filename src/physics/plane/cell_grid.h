@@ -34,10 +34,13 @@ class CellGrid {
     /// A grid suited to disks of these radii in `box`.
     CellGrid(const Box& box, const Eigen::ArrayXd& radii);
 
-    int columns() const { return columns_; }
-    int rows() const { return rows_; }
-    double cell_width() const { return width_; }
-    double cell_height() const { return height_; }
+    /// Column and row of the last cell, and the size of a cell along each axis.
+    const std::array<int, 2>& last_cell() const { return last_cell_; }
+    const std::array<double, 2>& cell_size() const { return cell_size_; }
+
+    /// Along each axis whether the box is periodic and so narrow that two images of a disk may
+    /// touch another.
+    const std::array<bool, 2>& narrow() const { return narrow_; }
 
     /// How far, along each axis, the centre of a disk may lie beyond a side of its cell, before it
     /// has to go over to the next.
@@ -45,6 +48,25 @@ class CellGrid {
 
     /// The cell of a position inside the box.
     Cell cell_at(double x, double y) const;
+
+    /// The cell beyond `side` (left 0, right 1, bottom 2, top 3) of a cell; in a periodic box the
+    /// first follows the last. Without branches, which the processor could not predict.
+    Cell next_cell(Cell cell, int side) const {
+        const auto axis = static_cast<std::size_t>(side / 2);
+        const int up = side % 2;
+        const int last = last_cell_[axis];
+        const int next = cell[axis] + 2 * up - 1;
+        const int beyond = (next < 0) | (next > last);
+        cell[axis] =
+            static_cast<std::uint16_t>((next & (beyond - 1)) | (last & (up - 1) & -beyond));
+        return cell;
+    }
+
+    /// Whether next_cell() lies at the other end of a periodic box.
+    bool is_last(Cell cell, int side) const {
+        const auto axis = static_cast<std::size_t>(side / 2);
+        return cell[axis] == (last_cell_[axis] & -(side % 2));
+    }
 
     void clear();
     void add(std::int32_t particle, double radius, Cell cell);
@@ -126,13 +148,15 @@ class CellGrid {
                         : Wrapped{cell - axis.cells, axis.length};
     }
 
+    std::int32_t fine_stride() const { return fine_[0].cells + 1; }
     std::size_t fine_index(Cell cell) const {
-        return static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(columns_ + 1) + cell[0];
+        return static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(fine_stride()) +
+               cell[0];
     }
     std::size_t coarse_index(Cell cell) const {
-        return static_cast<std::size_t>(coarse_row_[cell[1]]) *
+        return static_cast<std::size_t>(coarse_cell_[1][cell[1]]) *
                    static_cast<std::size_t>(coarse_[0].cells) +
-               static_cast<std::size_t>(coarse_column_[cell[0]]);
+               static_cast<std::size_t>(coarse_cell_[0][cell[0]]);
     }
     Slots& slots_of(double radius, Cell cell) {
         return radius > small_radius_ ? coarse_slots_[coarse_index(cell)]
@@ -156,19 +180,19 @@ class CellGrid {
     template <typename Function>
     void for_each_at_rim(double radius, Cell cell, Function&& f) const;
 
-    int columns_ = 1, rows_ = 1;
-    double width_ = 0.0, height_ = 0.0;
-    std::array<double, 2> overhang_{};
+    std::array<int, 2> last_cell_{};
+    std::array<bool, 2> narrow_{};
+    std::array<double, 2> cell_size_{}, overhang_{};
     double small_radius_ = 0.0;  ///< disks with a larger one are in the coarse grid
     bool has_large_ = false;
     bool plain_ = false;
     std::array<Inner, 2> inner_{};
-    // Where in fine_slots_ the columns and rows -1 to columns_ or rows_ are found. Beyond a wall
-    // lie one more column and row, of cells that stay empty.
-    std::vector<std::int64_t> column_around_, row_around_;
+    // Where in fine_slots_ the columns and rows are found, from the one before the first to the one
+    // behind the last. Beyond a wall lie one more column and row, of cells that stay empty.
+    std::array<std::vector<std::int64_t>, 2> around_;
     std::array<Axis, 2> fine_{}, coarse_{};
     LargeVector<Slots> fine_slots_, coarse_slots_;
-    std::vector<std::int32_t> coarse_column_, coarse_row_;  ///< of each column, row of fine cells
+    std::array<std::vector<std::int32_t>, 2> coarse_cell_;  ///< of each column, row of fine cells
     std::vector<std::int32_t> next_;                        ///< of each particle in a chain
 };
 
@@ -214,13 +238,13 @@ template <std::size_t Firsts, std::size_t Seconds>
 
 inline void CellGrid::append_around(Cell cell, std::vector<std::int32_t>& list,
                                     std::size_t& size) const {
-    append_cells<3, 3>(&row_around_[cell[1]], &column_around_[cell[0]], list, size);
+    append_cells<3, 3>(&around_[1][cell[1]], &around_[0][cell[0]], list, size);
     if (has_large_) append_large_around(cell, list, size);
 }
 
 inline void CellGrid::append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
                                           std::size_t& size) const {
-    const std::array around{&column_around_[cell[0]], &row_around_[cell[1]]};
+    const std::array around{&around_[0][cell[0]], &around_[1][cell[1]]};
     const auto axis = static_cast<std::size_t>(side / 2);
     append_cells<1, 3>(around[axis] + (side % 2 == 0 ? 0 : 2), around[1 - axis], list, size);
     if (has_large_) append_large_around(cell, list, size);
@@ -257,21 +281,23 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
     const double inside = radius * (1.0 - 1e-9);
     const auto chord = [](double r, double y) { return std::sqrt(std::max(0.0, r * r - y * y)); };
     const double hang_x = 2.0 * overhang_[0], hang_y = 2.0 * overhang_[1];
-    const int most_rows = std::min(static_cast<int>((reach + hang_y) / height_) + 1, rows_);
+    const int most_rows =
+        std::min(static_cast<int>((reach + hang_y) / cell_size_[1]) + 1, fine_[1].cells);
     for (int dy = -most_rows; dy <= most_rows; ++dy) {
         const Wrapped y = wrap(cell[1] + dy, fine_[1]);
-        const double least = std::max(0.0, (std::abs(dy) - 1) * height_ - hang_y);
+        const double least = std::max(0.0, (std::abs(dy) - 1) * cell_size_[1] - hang_y);
         if (y.cell < 0 || least > reach) continue;
-        const int outer =
-            std::min(static_cast<int>((chord(reach, least) + hang_x) / width_) + 1, columns_);
-        const double most = (std::abs(dy) + 1) * height_ + hang_y;
-        const int inner =
-            most < inside ? static_cast<int>((chord(inside, most) - hang_x) / width_) - 1 : -1;
+        const int outer = std::min(
+            static_cast<int>((chord(reach, least) + hang_x) / cell_size_[0]) + 1, fine_[0].cells);
+        const double most = (std::abs(dy) + 1) * cell_size_[1] + hang_y;
+        const int inner = most < inside
+                              ? static_cast<int>((chord(inside, most) - hang_x) / cell_size_[0]) - 1
+                              : -1;
         for (int dx = -outer; dx <= outer; ++dx) {
             if (std::abs(dx) <= inner) dx = inner + 1;
             if (dx > outer) break;
             const Wrapped x = wrap(cell[0] + dx, fine_[0]);
-            if (x.cell >= 0) for_each_in(fine_slots_, columns_ + 1, x, y, f);
+            if (x.cell >= 0) for_each_in(fine_slots_, fine_stride(), x, y, f);
         }
     }
 }
@@ -279,12 +305,12 @@ void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
 template <typename Function>
 void CellGrid::for_each_near(double radius, Cell cell, Function&& f) const {
     if (has_large_)
-        for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_column_[cell[0]],
-                        coarse_row_[cell[1]], f);
+        for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_cell_[0][cell[0]],
+                        coarse_cell_[1][cell[1]], f);
     if (radius > small_radius_)
         for_each_at_rim(radius, cell, f);
     else
-        for_each_around(fine_slots_, fine_, columns_ + 1, cell[0], cell[1], f);
+        for_each_around(fine_slots_, fine_, fine_stride(), cell[0], cell[1], f);
 }
 
 template <typename Function>
@@ -297,7 +323,7 @@ void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&
     for (int across = -1; across <= 1; ++across) {
         const Wrapped x = wrap(cell[0] + (side < 2 ? ahead : across), fine_[0]);
         const Wrapped y = wrap(cell[1] + (side < 2 ? across : ahead), fine_[1]);
-        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, columns_ + 1, x, y, f);
+        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, fine_stride(), x, y, f);
     }
 }
 

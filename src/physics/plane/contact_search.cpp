@@ -145,7 +145,7 @@ template <bool alike>
     const TwoLanes round_off =
         approach_round_off(motion, TwoLanes{a.vx, b.vx}, TwoLanes{a.vy, b.vy},
                            TwoLanes{c.v[0], d.v[0]}, TwoLanes{c.v[1], d.v[1]});
-    const TwoLanes met = scope.now + contact_times(motion, sigma, round_off);
+    const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
     TwoMasks possible = met <= TwoLanes{c.prediction.contact_time, d.prediction.contact_time};
     if (!alike) {
         const TwoLanes weight =

@@ -40,20 +40,17 @@ Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
       properties_(particles),
       nearest_(Pairing::nearest(box)),
       only_(Pairing::shifted(0.0, 0.0)) {
-    const double largest = particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
-    cell_size_ = TwoLanes{grid_.cell_width(), grid_.cell_height()};
+    if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * particles.radius[0];
+    cell_size_ = load_two(grid_.cell_size().data());
     overhang_ = load_two(grid_.overhang().data());
-    last_cell_ = {grid_.columns() - 1, grid_.rows() - 1};
-    if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * largest;
     for (std::size_t a = 0; a < 2; ++a) {
         const double size = box.length(a);
         const bool periodic = box.is_periodic(a);
-        narrow_[a] = periodic && 4.0 * largest > 0.99 * size;
-        last_cells_[a] = last_cell_[a];
+        last_cell_[a] = grid_.last_cell()[a];
         box_size_[a] = size;
         solid_[a] = periodic ? 0 : -1;
         has_walls_ |= !periodic;
-        surely_nearest_[a] = narrow_[a] ? -1.0 : periodic ? 0.5 * size : never<double>;
+        surely_nearest_[a] = grid_.narrow()[a] ? -1.0 : periodic ? 0.5 * size : never<double>;
     }
 }
 
@@ -120,8 +117,8 @@ bool Plane::separation_of_images(const Body& a, const Body& b, double sigma, dou
         along[axis] = {nearest, nearest > 0.0 ? nearest - size : nearest + size};
     }
     double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < (narrow_[0] ? 2 : 1); ++i) {
-        for (std::size_t j = 0; j < (narrow_[1] ? 2 : 1); ++j) {
+    for (std::size_t i = 0; i < (grid_.narrow()[0] ? 2 : 1); ++i) {
+        for (std::size_t j = 0; j < (grid_.narrow()[1] ? 2 : 1); ++j) {
             const double rx = along[0][i];
             const double ry = along[1][j];
             if (!(rx * (b.v[0] - a.v[0]) + ry * (b.v[1] - a.v[1]) < 0.0)) continue;
@@ -151,30 +148,15 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     return true;
 }
 
-// In a periodic box the first follows the last.
-Cell Plane::next_cell(Cell cell, int side) const {
-    const auto axis = static_cast<std::size_t>(side / 2);
-    const int up = side % 2;
-    const int last = last_cell_[axis];
-    const int next = cell[axis] + 2 * up - 1;
-    const int beyond = (next < 0) | (next > last);
-    cell[axis] = static_cast<std::uint16_t>((next & (beyond - 1)) | (last & (up - 1) & -beyond));
-    return cell;
-}
-
 void Plane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
     Body& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;
-    const auto axis = static_cast<std::size_t>(side / 2);
-    const int up = side % 2;
-    body.cell = next_cell(from, side);
-    if (from[axis] == (last_cell_[axis] & -up)) [[unlikely]] {
+    body.cell = grid_.next_cell(from, side);
+    if (grid_.is_last(from, side)) [[unlikely]] {
         // leaves a periodic box, and enters at the other side
-        body.x[0] += body.v[0] * (now - body.time);
-        body.x[1] += body.v[1] * (now - body.time);
-        body.time = now;
-        const double size = box_.length(axis);
-        body.x[axis] += up == 1 ? -size : size;
+        const auto axis = static_cast<std::size_t>(side / 2);
+        advance_body(body, now);
+        body.x[axis] += side % 2 == 1 ? -box_.length(axis) : box_.length(axis);
     }
     grid_.move(i, properties_[i].radius, from, body.cell);
 }
@@ -192,7 +174,7 @@ inline double Plane::next_event(Body& d, double radius, double now,
     TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
     if (has_walls_) {
         const TwoLanes wall = select(up, box_size_ - radius, both(radius));
-        const TwoLanes last = select(up, last_cells_, zero);
+        const TwoLanes last = select(up, last_cell_, zero);
         // both the other way round for those that go down, so that one comparison is enough
         const TwoLanes before = select(up, wall, border), behind = select(up, border, wall);
         const TwoMasks at_wall = solid_ & ((cell == last) | (before <= behind));
@@ -323,7 +305,7 @@ void Plane::fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
 // Without a branch: the processor cannot predict which event comes.
 void Plane::fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const {
     const Body& a = at(bodies, i);
-    const Cell next = next_cell(a.cell, cell_side(a.prediction));
+    const Cell next = grid_.next_cell(a.cell, cell_side(a.prediction));
     const unsigned crosses = crosses_cells(a.prediction, time) ? ~0U : 0U;
     Cell about;
     for (std::size_t k = 0; k < 2; ++k)
@@ -337,7 +319,7 @@ void Plane::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double 
     const Body& a = at(bodies, i);
     if (crosses_cells(a.prediction, time)) {
         const int side = cell_side(a.prediction);
-        grid_.append_newly_around(next_cell(a.cell, side), side, near_, near_count_);
+        grid_.append_newly_around(grid_.next_cell(a.cell, side), side, near_, near_count_);
         fetch_listed<4>(bodies);
     } else {
         grid_.append_around(a.cell, near_, near_count_);

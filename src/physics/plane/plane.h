@@ -76,7 +76,6 @@ class Plane {
                 FirstContact& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first);
     const Pairing& pairing_near(Cell cell) const;
-    Cell next_cell(Cell cell, int side) const;
     double next_event(Body& d, double radius, double now, const FirstContact& contact) const;
     bool separation_at_contact(const Body& a, const Body& b, double sigma, double& x,
                                double& y) const;
@@ -93,12 +92,10 @@ class Plane {
         std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be looked at
     std::size_t near_count_ = 0;
 
-    std::array<int, 2> last_cell_{};
-    TwoLanes cell_size_{}, overhang_{}, box_size_{};
-    TwoLanes last_cells_{};  ///< last_cell_, as numbers to compare with
-    TwoMasks solid_{};       ///< of the walls
+    TwoLanes cell_size_{}, last_cell_{}, overhang_{};  ///< of the grid, as lanes
+    TwoLanes box_size_{};
+    TwoMasks solid_{};  ///< of the walls
     bool has_walls_ = false;
-    std::array<bool, 2> narrow_{};            ///< periodic and so narrow that two images may touch
     std::array<double, 2> surely_nearest_{};  ///< a disk less far away is the image in contact
 };
 

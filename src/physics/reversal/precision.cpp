@@ -271,14 +271,9 @@ ReturnDistance moved_by(const std::vector<Perturbation>& perturbations, Eigen::I
         largest = std::max(largest, square);
         sum += square;
     }
-    const auto distance = [](const Real& square) {
-        const Real root = sqrt(square);
-        constexpr double none = -std::numeric_limits<double>::infinity();
-        return std::pair{static_cast<double>(root), root.is_zero() ? none : log10(root)};
-    };
-    const auto [most, log10_most] = distance(largest);
-    const auto [mean, log10_mean] = distance(sum / static_cast<double>(particles));
-    return {most, mean, log10_most, log10_mean};
+    largest = sqrt(largest);
+    const Real mean = sqrt(sum / static_cast<double>(particles));
+    return {static_cast<double>(largest), static_cast<double>(mean), log10(largest), log10(mean)};
 }
 
 Simulation start_run(const Gas& gas, const Run& run, const TrialCallback& on_progress) {

@@ -177,7 +177,7 @@ TEST_CASE("contact times of two at once have the bits of those one by one") {
         const RelativeMotion<TwoLanes> both{{a.x, b.x}, {a.y, b.y}, {a.vx, b.vx}, {a.vy, b.vy}};
         const TwoLanes drift = TwoLanes{} + v;
         const TwoLanes round_off = approach_round_off(both, drift, drift, drift, drift);
-        const TwoLanes times = contact_times(both, TwoLanes{1.0, sigma}, round_off);
+        const TwoLanes times = contact_time(both, TwoLanes{1.0, sigma}, round_off);
         REQUIRE(times[0] == contact_time(a, 1.0, approach_round_off(a, v, v, v, v)));
         REQUIRE(times[1] == contact_time(b, sigma, approach_round_off(b, v, v, v, v)));
     }

@@ -19,37 +19,34 @@ std::optional<double> mirror_time(const std::vector<double>& reversals, double t
 
 EchoMeasurement::EchoMeasurement(const std::vector<double>& reversals, std::vector<double> times,
                                  double present, bool ends_branch) {
-    std::ranges::sort(times);
-    times.erase(std::unique(times.begin(), times.end()), times.end());
     for (const double time : times) {
         const auto mirror = mirror_time(reversals, time, ends_branch);
         if (!mirror || *mirror < present) continue;
-        (*mirror == time ? reversals_ : mirrors_).push_back({*mirror, time});
+        if (*mirror == time)
+            reversals_.insert(time);
+        else
+            mirrors_.emplace(*mirror, time);
     }
-    std::ranges::stable_sort(mirrors_, {}, &Mirror::time);
 }
 
 void EchoMeasurement::keep(const Positions& positions) {
-    const double now = next_time();
     const ExactPositions here = positions();
-    for (; next_time() == now; ++next_) mirrors_[next_].positions = here;
+    const auto now = mirrors_.equal_range(next_time());
+    for (auto mirror = now.first; mirror != now.second; ++mirror)
+        kept_.emplace(mirror->second, here);
+    mirrors_.erase(now.first, now.second);
 }
 
 void EchoMeasurement::keep_at_reversal(double time, const Positions& positions) {
-    for (Mirror& mirror : reversals_)
-        if (mirror.time == time && !mirror.positions) mirror.positions = positions();
+    if (reversals_.erase(time) > 0) kept_.emplace(time, positions());
 }
 
 std::optional<ReturnDistance> EchoMeasurement::compare(double time, const Positions& positions) {
     if (time == compared_) return distance_;
     compared_ = time;
     distance_.reset();
-    for (std::vector<Mirror>* mirrors : {&mirrors_, &reversals_}) {
-        const auto mirror = std::ranges::find(*mirrors, time, &Mirror::again);
-        if (mirror == mirrors->end() || !mirror->positions) continue;
-        distance_ = return_distance(*mirror->positions, positions());
-        mirror->positions.reset();
-    }
+    if (const auto before = kept_.extract(time))
+        distance_ = return_distance(before.mapped(), positions());
     return distance_;
 }
 

@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "physics/exact_positions.h"
@@ -31,8 +33,7 @@ class EchoMeasurement {
     /// The next mirror time at which keep() is to be called, after all events of that time;
     /// infinity after the last.
     double next_time() const {
-        return next_ < mirrors_.size() ? mirrors_[next_].time
-                                       : std::numeric_limits<double>::infinity();
+        return mirrors_.empty() ? std::numeric_limits<double>::infinity() : mirrors_.begin()->first;
     }
     void keep(const Positions& positions);
 
@@ -44,14 +45,9 @@ class EchoMeasurement {
     std::optional<ReturnDistance> compare(double time, const Positions& positions);
 
   private:
-    struct Mirror {
-        double time;   ///< when positions are kept, and
-        double again;  ///< when they are compared
-        std::optional<ExactPositions> positions = {};
-    };
-    std::vector<Mirror> mirrors_;    ///< by time
-    std::vector<Mirror> reversals_;  ///< those that mirror themselves, by time
-    std::size_t next_ = 0;
+    std::multimap<double, double> mirrors_;  ///< when to keep positions, and when to compare them
+    std::set<double> reversals_;             ///< chosen times that mirror themselves
+    std::map<double, ExactPositions> kept_;  ///< by the time when they are compared
     double compared_ = std::numeric_limits<double>::quiet_NaN();  ///< the time of
     std::optional<ReturnDistance> distance_;                      ///< the last comparison
 };

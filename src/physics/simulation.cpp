@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "physics/events/event_loop.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/placement/feasibility.h"
+#include "physics/placement/members.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
 
@@ -25,24 +25,20 @@ namespace {
 using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>>;
 
 bool beads_are_apart(const Box& box, const Particles& particles, const Sample& state) {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-        return state.position(a, 0) < state.position(b, 0);
-    });
     const double tolerance = touching_tolerance * box.size[0];
-    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-        const double distance = state.position(order[k + 1], 0) - state.position(order[k], 0);
-        if (distance < particles.radius[order[k]] + particles.radius[order[k + 1]] - tolerance)
-            return false;
-    }
-    return true;
+    bool are_apart = true;
+    for_each_two_neighbours(
+        box, beads_along(state, 0), [&](Eigen::Index left, Eigen::Index right, double apart) {
+            const double contact = particles.radius[left] + particles.radius[right];
+            are_apart = are_apart && apart >= contact - tolerance;
+        });
+    return are_apart;
 }
 
 bool nothing_overlaps(const Box& box, const Particles& particles, const Sample& state) {
     if (particles.count() == 0) return true;
     if (box.dimension == 1) return beads_are_apart(box, particles, state);
-    PlacedDisks placed(box, particles.count(), 0.5 * particles.radius.mean());
+    PlacedDisks placed(box, particles.radius);
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         const Eigen::Array2d centre = state.position.row(i).transpose();
         if (!placed.is_free(centre, particles.radius[i])) return false;

@@ -1,18 +1,16 @@
 #include "stats/overlap.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <numeric>
-#include <vector>
 
+#include "physics/placement/members.h"
 #include "physics/placement/placed_disks.h"
 
 namespace carom {
 namespace {
 
 double overlap_of_disks(const Box& box, const Particles& particles, const Sample& sample) {
-    PlacedDisks placed(box, particles.count(), particles.radius.mean());
+    PlacedDisks placed(box, particles.radius);
     double deepest = 0.0;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         const Eigen::Array2d centre = sample.position.row(i).transpose();
@@ -22,20 +20,13 @@ double overlap_of_disks(const Box& box, const Particles& particles, const Sample
     return deepest;
 }
 
-// Beads cannot pass one another: only neighbours along the line can overlap.
 double overlap_of_beads(const Box& box, const Particles& particles, const Sample& sample) {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
-    std::iota(order.begin(), order.end(), Eigen::Index{0});
-    const auto x = sample.position.col(0);
-    std::sort(order.begin(), order.end(),
-              [&](Eigen::Index a, Eigen::Index b) { return x[a] < x[b]; });
     double deepest = 0.0;
-    const auto look = [&](Eigen::Index a, Eigen::Index b, double turn) {
-        const double contact = particles.radius[a] + particles.radius[b];
-        if (contact > 0.0) deepest = std::max(deepest, 1.0 - (x[b] + turn - x[a]) / contact);
-    };
-    for (std::size_t k = 1; k < order.size(); ++k) look(order[k - 1], order[k], 0.0);
-    if (box.is_periodic(0) && order.size() > 1) look(order.back(), order.front(), box.size[0]);
+    for_each_two_neighbours(
+        box, beads_along(sample, 0), [&](Eigen::Index left, Eigen::Index right, double apart) {
+            const double contact = particles.radius[left] + particles.radius[right];
+            if (contact > 0.0) deepest = std::max(deepest, 1.0 - apart / contact);
+        });
     return deepest;
 }
 

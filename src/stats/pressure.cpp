@@ -6,10 +6,6 @@
 namespace carom {
 namespace {
 
-std::optional<double> if_finite(double value) {
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 // The length, in 1-D the number, of the two walls across an axis.
 double extent_of_walls(const Box& box, int axis) {
     return box.dimension == 1 ? 2.0 : 2.0 * box.size[1 - axis];
@@ -39,15 +35,17 @@ std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulse
         momentum += impulses.wall[side] + impulses.wall[side + 1];
         extent += extent_of_walls(box, axis);
     }
-    return if_finite(momentum / (extent * time));
+    if (!(extent * time > 0.0) || !std::isfinite(momentum)) return std::nullopt;
+    return momentum / (extent * time);
 }
 
 std::optional<double> virial_pressure(const Box& box, const Particles& particles,
                                       double thermal_energy, const ImpulseTotals& impulses,
                                       double time) {
     if (!(particles.inverse_mass > 0.0).any()) return std::nullopt;
-    const double twice = 2.0 * thermal_energy + impulses.virial / time;
-    return if_finite(twice / (box.dimension * size_of_room(box, mean_radius(particles))));
+    const double room = box.dimension * size_of_room(box, mean_radius(particles));
+    if (!(room * time > 0.0)) return std::nullopt;
+    return (2.0 * thermal_energy + impulses.virial / time) / room;
 }
 
 double pressure_of_points(const Box& box, double thermal_energy) {

@@ -21,7 +21,8 @@ std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulse
 /// disks, but for the change of sum p . r; see tests/physics/virial.cpp): V is
 /// (L_x L'_y + L_y L'_x) / 2, in 1-D L', so that it agrees with wall_pressure(). R is the mean
 /// radius of those with a finite mass.
-/// Nothing without such. Has no meaning where a moving infinite mass does work on the gas.
+/// Nothing without such, or where centres have no room. Has no meaning where a moving infinite mass
+/// does work on the gas.
 std::optional<double> virial_pressure(const Box& box, const Particles& particles,
                                       double thermal_energy, const ImpulseTotals& impulses,
                                       double time);

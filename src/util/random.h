@@ -2,9 +2,12 @@
 // fixes, and distributions of our own, since those of the standard library are unspecified.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace carom {
 
@@ -16,12 +19,17 @@ class Random {
     /// leaves the others as they were.
     Random(std::uint64_t seed, std::string_view purpose);
 
-    std::uint64_t bits() { return engine_(); }  ///< 64 uniform random bits
-    double uniform();                           ///< uniform in [0, 1), a multiple of 2^-53
-    double uniform(double low, double high);    ///< uniform in [low, high]
+    double uniform();                         ///< uniform in [0, 1), a multiple of 2^-53
+    double uniform(double low, double high);  ///< uniform in [low, high]
     double normal();  ///< standard normal, by the polar method (Marsaglia and Bray 1964)
     std::uint64_t below(
         std::uint64_t bound);  ///< uniform in {0, ..., bound - 1}, without bias; bound > 0
+
+    /// Brings a list into a random order, all orders being equally probable (Fisher and Yates).
+    template <typename T>
+    void shuffle(std::vector<T>& list) {
+        for (std::size_t k = list.size(); k > 1; --k) std::swap(list[k - 1], list[below(k)]);
+    }
 
   private:
     std::mt19937_64 engine_;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include "physics/placement/draws.h"
 #include "physics/placement/jam.h"
 #include "physics/placement/lattice.h"
 #include "physics/placement/line_squeeze.h"
+#include "physics/placement/members.h"
 #include "physics/placement/placed_disks.h"
 
 namespace carom {
@@ -17,31 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Kind = Problem::Kind;
-
-template <typename Function>
-void for_each_species(const Gas& gas, Function&& f) {
-    Index first = 0;
-    for (std::size_t s = 0; s < gas.species.size(); ++s) {
-        const auto count = static_cast<Index>(gas.species[s].count);
-        f(s, first, count);
-        first += count;
-    }
-}
-
-template <typename Rule>
-bool has_rule(const Species& species) {
-    return std::holds_alternative<Rule>(species.position);
-}
-
-// Of the disks' areas, or of the beads' lengths.
-template <typename Radii>
-double sum_of_sizes(const Gas& gas, const Radii& radii) {
-    return gas.box.dimension == 1 ? 2.0 * radii.sum() : std::numbers::pi * radii.square().sum();
-}
-
-double size_of(const Gas& gas, const Eigen::Array2d& sides) {
-    return gas.box.dimension == 1 ? sides[0] : sides.prod();
-}
 
 double least_side(const Gas& gas, const Eigen::Array2d& sides) {
     return gas.box.dimension == 1 ? sides[0] * (1.0 + touching_tolerance) : sides.minCoeff();
@@ -77,7 +52,7 @@ class PlacementCheck {
         if (within == nullptr) return;
         const auto [low, high] = within->region;
         const Eigen::Array2d sides = high - low;
-        const double covered = sum_of_sizes(gas_, radii) / size_of(gas_, sides);
+        const double covered = sum_of_sizes(box_, radii) / size_of(box_, sides);
         if ((low < 0.0).any() || (high > box_.size).any())
             found_.push_back({.kind = Kind::region_outside, .species = s});
         else if (box_.dimension == 2 &&
@@ -89,13 +64,13 @@ class PlacementCheck {
 
     // Where all places are listed they say themselves whether disks overlap.
     bool check_density() {
-        const double covered = sum_of_sizes(gas_, particles_.radius) / size_of(gas_, box_.size);
-        const bool listed = std::ranges::all_of(gas_.species, has_rule<Places>);
+        const double covered = sum_of_sizes(box_, particles_.radius) / size_of(box_, box_.size);
+        const bool listed = std::ranges::all_of(gas_.species, has_position<Places>);
         if (covered <= most_covered(gas_) || (listed && box_.dimension == 2)) return true;
         std::size_t largest = 0;
         double most = -1.0;
         for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
-            const double its = sum_of_sizes(gas_, particles_.radius.segment(first, count));
+            const double its = sum_of_sizes(box_, particles_.radius.segment(first, count));
             if (its > most) largest = s;
             most = std::max(most, its);
         });
@@ -107,7 +82,7 @@ class PlacementCheck {
     void check_lattice() {
         Problem problem{.kind = Kind::no_lattice};
         for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
-            if (!has_rule<LatticePlaces>(gas_.species[s]) || count == 0) return;
+            if (!has_position<LatticePlaces>(gas_.species[s]) || count == 0) return;
             const auto radii = particles_.radius.segment(first, count);
             if (problem.count == 0) {
                 problem.species = s;
@@ -128,71 +103,52 @@ class PlacementCheck {
         found_.push_back(problem);
     }
 
-    // Calls f(species, particle, its place) for those whose place is listed and inside the box,
-    // which is checked.
-    template <typename Function>
-    void for_each_listed(double tolerance_of_radius, double tolerance_of_size, Function&& f) {
-        for_each_species(gas_, [&](std::size_t s, Index first, Index) {
-            const auto* places = std::get_if<Places>(&gas_.species[s].position);
-            if (places == nullptr) return;
-            for (std::size_t k = 0; k < places->values.size(); ++k) {
-                const Index i = first + static_cast<Index>(k);
-                const double radius = particles_.radius[i];
-                bool inside = true;
-                for (int axis = 0; axis < box_.dimension; ++axis) {
-                    const bool solid = !box_.is_periodic(axis);
-                    const double size = box_.size[axis], x = places->values[k][axis];
-                    const double margin =
-                        solid ? radius * (1.0 - tolerance_of_radius) - tolerance_of_size * size
-                              : 0.0;
-                    inside = inside && x >= margin && x <= size - margin;
-                }
-                if (inside)
-                    f(s, i, places->values[k]);
-                else
-                    found_.push_back(
-                        {.kind = Kind::outside, .species = s, .particle = i, .value = radius});
-            }
-        });
+    // Whether a particle is inside the box at its place; reported if it is not.
+    bool is_inside(std::size_t s, Index i, const Eigen::Array2d& place, double tolerance_of_radius,
+                   double tolerance_of_size) {
+        const double radius = particles_.radius[i];
+        const double margin = radius * (1.0 - tolerance_of_radius);
+        bool inside = true;
+        for (int axis = 0; axis < box_.dimension; ++axis) {
+            const double size = box_.size[axis], x = place[axis];
+            const double least = box_.is_periodic(axis) ? 0.0 : margin - tolerance_of_size * size;
+            inside = inside && x >= least && x <= size - least;
+        }
+        if (!inside)
+            found_.push_back({.kind = Kind::outside, .species = s, .particle = i, .value = radius});
+        return inside;
     }
 
     void check_listed_disks() {
-        const Index count = particles_.count();
-        PlacedDisks placed(box_, count, count > 0 ? 0.5 * particles_.radius.mean() : 0.0);
-        std::vector<Eigen::Array2d> places(static_cast<std::size_t>(count));
-        for_each_listed(
-            touching_tolerance, 0.0, [&](std::size_t s, Index i, const Eigen::Array2d& place) {
-                if (placed.compared() > most_compared_) return;
-                const double radius = particles_.radius[i];
-                if (const auto other = placed.overlapped(place, radius))
-                    found_.push_back(
-                        {.kind = Kind::overlap,
-                         .species = s,
-                         .particle = i,
-                         .other = *other,
-                         .value = std::sqrt(
-                             box_.nearest(place - places[static_cast<std::size_t>(*other)])
-                                 .square()
-                                 .sum()),
-                         .bound = radius + particles_.radius[*other]});
-                places[static_cast<std::size_t>(i)] = place;
-                placed.add(static_cast<std::int32_t>(i), place, radius);
-            });
+        PlacedDisks placed(box_, particles_.radius);
+        std::vector<Eigen::Array2d> places(static_cast<std::size_t>(particles_.count()));
+        for_each_listed(gas_, [&](std::size_t s, Index i, const Eigen::Array2d& place) {
+            if (!is_inside(s, i, place, touching_tolerance, 0.0)) return;
+            if (placed.compared() > most_compared_) return;
+            const double radius = particles_.radius[i];
+            if (const auto other = placed.overlapped(place, radius)) {
+                const Eigen::Array2d apart = place - places[static_cast<std::size_t>(*other)];
+                found_.push_back({.kind = Kind::overlap,
+                                  .species = s,
+                                  .particle = i,
+                                  .other = *other,
+                                  .value = std::sqrt(box_.nearest(apart).square().sum()),
+                                  .bound = radius + particles_.radius[*other]});
+            }
+            places[static_cast<std::size_t>(i)] = place;
+            placed.add(static_cast<std::int32_t>(i), place, radius);
+        });
     }
 
-    // Beads cannot pass one another: only neighbours along the line can overlap.
     void check_listed_beads() {
-        std::vector<std::pair<double, Index>> beads;
-        for_each_listed(0.0, touching_tolerance,
-                        [&](std::size_t, Index i, const Eigen::Array2d& place) {
-                            beads.emplace_back(place[0], i);
-                        });
-        std::ranges::stable_sort(beads);
-        for (std::size_t k = 0; k + 1 < beads.size(); ++k)
-            check_apart(beads[k].second, beads[k + 1].second, beads[k + 1].first - beads[k].first);
-        if (box_.is_periodic(0) && beads.size() > 1)
-            check_apart(beads.back().second, beads.front().second,
-                        beads.front().first + box_.size[0] - beads.back().first);
+        Beads beads;
+        for_each_listed(gas_, [&](std::size_t s, Index i, const Eigen::Array2d& place) {
+            if (is_inside(s, i, place, 0.0, touching_tolerance)) beads.emplace_back(place[0], i);
+        });
+        std::ranges::sort(beads);
+        for_each_two_neighbours(box_, beads, [&](Index left, Index right, double apart) {
+            check_apart(left, right, apart);
+        });
     }
 
     void check_apart(Index left, Index right, double apart) {
@@ -250,7 +206,7 @@ class MotionCheck {
   private:
     bool are_all_fixed_listed() const {
         return std::ranges::all_of(gas_.species, [](const Species& species) {
-            return !std::holds_alternative<Infinite>(species.mass) || has_rule<Places>(species);
+            return !std::holds_alternative<Infinite>(species.mass) || has_position<Places>(species);
         });
     }
 
@@ -279,11 +235,8 @@ class MotionCheck {
 
     Known listed() const {
         Known known;
-        for_each_species(gas_, [&](std::size_t s, Index first, Index) {
-            if (const auto* places = std::get_if<Places>(&gas_.species[s].position))
-                for (std::size_t k = 0; k < places->values.size(); ++k)
-                    known.add(first + static_cast<Index>(k), places->values[k]);
-        });
+        for_each_listed(
+            gas_, [&](std::size_t, Index i, const Eigen::Array2d& place) { known.add(i, place); });
         return known;
     }
 
@@ -304,11 +257,11 @@ class MotionCheck {
     Known on_lattice() const {
         Known known;
         const auto others = std::ranges::count_if(gas_.species, [](const Species& species) {
-            return !has_rule<RandomPlaces>(species) && !has_rule<WithinRegion>(species);
+            return !has_position<RandomPlaces>(species) && !has_position<WithinRegion>(species);
         });
         double radius = 0.0;
         for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
-            if (!has_rule<LatticePlaces>(gas_.species[s])) return;
+            if (!has_position<LatticePlaces>(gas_.species[s])) return;
             for (Index i = first; i < first + count; ++i) {
                 known.add(i, {0.0, 0.0});
                 radius = std::max(radius, particles_.radius[i]);

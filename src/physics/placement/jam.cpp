@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "physics/placement/members.h"
 #include "physics/placement/placed_disks.h"
 
 namespace carom {
@@ -70,22 +71,19 @@ std::optional<Jam> jam_on_line(const std::vector<Link>& links, double length, bo
 
 std::optional<Jam> jam_along(int axis, const Box& box, const Particles& particles,
                              const Sample& start) {
-    const int across = 1 - axis;
-    const auto level = [&](Eigen::Index i) {
-        return box.dimension == 1 ? 0.0 : start.position(i, across);
-    };
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, level);
-    const double same_level = touching_tolerance * box.size[across];
+    const bool is_line = box.dimension == 1;
+    const int across = is_line ? 0 : 1 - axis;
+    const Beads by_level = beads_along(start, across);
+    const double same_level =
+        is_line ? std::numeric_limits<double>::infinity() : touching_tolerance * box.size[across];
     const double length = box.size[axis];
     const bool periodic = box.is_periodic(axis);
-    for (auto begin = order.begin(), end = begin; begin != order.end(); begin = end) {
+    for (auto begin = by_level.begin(), end = begin; begin != by_level.end(); begin = end) {
         std::vector<Link> links;
-        for (; end != order.end() && level(*end) <= level(*begin) + same_level; ++end) {
-            links.push_back({start.position(*end, axis), particles.radius[*end],
-                             start.velocity(*end, axis), !(particles.inverse_mass[*end] > 0.0),
-                             *end});
+        for (; end != by_level.end() && end->first <= begin->first + same_level; ++end) {
+            const Eigen::Index i = end->second;
+            links.push_back({start.position(i, axis), particles.radius[i], start.velocity(i, axis),
+                             !(particles.inverse_mass[i] > 0.0), i});
         }
         std::ranges::stable_sort(links, {}, &Link::x);
         if (const auto jam = jam_on_line(links, length, periodic)) return jam;

@@ -5,14 +5,12 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <tuple>
 #include <vector>
 
-#include "physics/placement/draws.h"
-#include "physics/placement/feasibility.h"
 #include "physics/placement/line_room.h"
+#include "physics/placement/members.h"
 #include "physics/placement/placed_disks.h"
-#include "physics/placement/placement.h"
+#include "physics/placement/problem.h"
 #include "util/random.h"
 
 namespace carom {
@@ -29,20 +27,18 @@ struct Group {
 
 class LinePlacement {
   public:
-    explicit LinePlacement(const Gas& gas)
+    LinePlacement(const Gas& gas, const Particles& particles, Sample& start)
         : gas_(gas),
           length_(gas.box.size[0]),
           ring_(gas.box.is_periodic(0)),
+          particles_(particles),
+          start_(start),
           room_(gas.box),
           random_(gas.seed, "places on the wire") {}
 
-    std::pair<Particles, Sample> run() {
-        std::tie(particles_, start_) = draw_gas(gas_);
-        if (const auto problems = placement_problems(gas_, particles_); !problems.empty())
-            throw PlacementError(problems.front(), gas_);
+    void run() {
         place_listed();
         for (Group& group : groups()) place_group(group);
-        return {std::move(particles_), std::move(start_)};
     }
 
   private:
@@ -51,24 +47,11 @@ class LinePlacement {
     }
     double length(Eigen::Index i) const { return 2.0 * particles_.radius[i]; }
 
-    template <typename Function>
-    void for_each_species(Function&& f) const {
-        Eigen::Index first = 0;
-        for (const Species& species : gas_.species) {
-            f(species, first);
-            first += static_cast<Eigen::Index>(species.count);
-        }
-    }
-
     void place_listed() {
         std::vector<Eigen::Index> beads;
-        for_each_species([&](const Species& species, Eigen::Index first) {
-            const auto* places = std::get_if<Places>(&species.position);
-            if (places == nullptr) return;
-            for (std::size_t k = 0; k < places->values.size(); ++k) {
-                beads.push_back(first + static_cast<Eigen::Index>(k));
-                put(beads.back(), places->values[k][0]);
-            }
+        for_each_listed(gas_, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
+            beads.push_back(i);
+            put(i, place[0]);
         });
         take(beads);
     }
@@ -78,15 +61,13 @@ class LinePlacement {
         Group lattice, anywhere;
         lattice.even = true;
         std::vector<Group> parts;
-        for_each_species([&](const Species& species, Eigen::Index first) {
-            std::vector<Eigen::Index> beads(static_cast<std::size_t>(species.count));
-            std::iota(beads.begin(), beads.end(), first);
-            Group* group = &anywhere;
-            if (std::holds_alternative<Places>(species.position)) return;
-            if (std::holds_alternative<LatticePlaces>(species.position)) group = &lattice;
+        for_each_species(gas_, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
+            const Species& species = gas_.species[s];
+            if (has_position<Places>(species)) return;
+            Group* group = has_position<LatticePlaces>(species) ? &lattice : &anywhere;
             if (const auto* within = std::get_if<WithinRegion>(&species.position))
                 group = &part_in(parts, {within->region.low[0], within->region.high[0]});
-            group->beads.insert(group->beads.end(), beads.begin(), beads.end());
+            for (Eigen::Index i = first; i < first + count; ++i) group->beads.push_back(i);
         });
         std::stable_sort(parts.begin(), parts.end(), [](const Group& a, const Group& b) {
             return a.part.room() < b.part.room();
@@ -107,7 +88,7 @@ class LinePlacement {
         std::vector<Eigen::Index>& beads = group.beads;
         if (beads.empty()) return;
         const bool one_species = species_of(beads.front()) == species_of(beads.back());
-        if (!group.even || !one_species) shuffle(beads);
+        if (!group.even || !one_species) random_.shuffle(beads);
         if (ring_ && group.whole_line && room_.empty()) {
             // Where a ring begins is of no matter; its first bead makes a stretch of the rest.
             const double gap = (length_ - sum_of_lengths(beads)) / double(beads.size());
@@ -183,11 +164,6 @@ class LinePlacement {
                                [&](double sum, Eigen::Index i) { return sum + length(i); });
     }
 
-    void shuffle(std::vector<Eigen::Index>& beads) {
-        for (std::size_t k = beads.size(); k > 1; --k)
-            std::swap(beads[k - 1], beads[random_.below(k)]);
-    }
-
     void put(Eigen::Index i, double x) {
         start_.position(i, 0) = ring_ && x >= length_ ? x - length_ : x;
     }
@@ -221,14 +197,16 @@ class LinePlacement {
     const Gas& gas_;
     double length_;
     bool ring_;
-    Particles particles_;
-    Sample start_;
+    const Particles& particles_;
+    Sample& start_;
     LineRoom room_;
     Random random_;
 };
 
 }  // namespace
 
-std::pair<Particles, Sample> place_on_line(const Gas& gas) { return LinePlacement(gas).run(); }
+void place_on_line(const Gas& gas, const Particles& particles, Sample& start) {
+    LinePlacement(gas, particles, start).run();
+}
 
 }  // namespace carom

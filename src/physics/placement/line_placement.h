@@ -3,17 +3,16 @@
 // placement.h calls it for gases of one dimension.
 #pragma once
 
-#include <utility>
-
 #include "physics/gas.h"
 #include "physics/particles.h"
 
 namespace carom {
 
-/// The particles of a one-dimensional gas and their state at time 0. Beads at random places are
-/// uniform over all arrangements (the gaps of one stretch are uniform, the order is random); where
-/// beads placed before divide the line, each goes into a stretch with a chance proportional to the
-/// room left there. Throws PlacementError.
-std::pair<Particles, Sample> place_on_line(const Gas& gas);
+/// Sets the positions in `start` of the particles of a one-dimensional gas, of which
+/// placement_problems() has found none. Beads at random places are uniform over all arrangements
+/// (the gaps of one stretch are uniform, the order is random); where beads placed before divide the
+/// line, each goes into a stretch with a chance proportional to the room left there. Throws
+/// PlacementError.
+void place_on_line(const Gas& gas, const Particles& particles, Sample& start);
 
 }  // namespace carom

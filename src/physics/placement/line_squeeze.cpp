@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
-#include <numeric>
 #include <vector>
+
+#include "physics/placement/members.h"
 
 namespace carom {
 namespace {
@@ -32,11 +32,7 @@ class Chambers {
   public:
     Chambers(const Box& box, const Particles& particles, const Sample& start)
         : ring_(box.is_periodic(0)) {
-        std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
-        std::iota(order.begin(), order.end(), 0);
-        std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-            return start.position(a, 0) < start.position(b, 0);
-        });
+        const Beads from_left = beads_along(start, 0);
         double from = 0.0, covered = 0.0;
         int beads = 0;
         const auto close = [&](Boundary boundary, double low, double high) {
@@ -49,8 +45,8 @@ class Chambers {
             beads = 0;
         };
         if (!ring_) close({left_end, 0.0}, 0.0, 0.0);
-        for (const Eigen::Index i : order) {
-            const double x = start.position(i, 0), r = particles.radius[i];
+        for (const auto& [x, i] : from_left) {
+            const double r = particles.radius[i];
             if (particles.inverse_mass[i] > 0.0) {
                 covered += 2.0 * r;
                 ++beads;
@@ -59,7 +55,7 @@ class Chambers {
             }
         }
         if (!ring_) close({right_end, 0.0}, box.size[0], box.size[0]);
-        if (ring_ && boundaries_.size() > 1) close_ring(box, particles, start, order, from);
+        if (ring_ && boundaries_.size() > 1) close_ring(box, particles, from_left, from);
     }
 
     // Goes on by `time` at most; a squeeze ends it early.
@@ -97,18 +93,20 @@ class Chambers {
     }
 
     // The chamber across the end of the ring, from the last boundary to the first.
-    void close_ring(const Box& box, const Particles& particles, const Sample& start,
-                    const std::vector<Eigen::Index>& order, double last_high) {
-        const Eigen::Index first = boundaries_.front().bead;
-        Chamber across{boundaries_.size() - 1, 0, 0.0, 0};
-        across.room = start.position(first, 0) - particles.radius[first] + box.size[0] - last_high;
-        const auto is_fixed = [&](Eigen::Index i) { return !(particles.inverse_mass[i] > 0.0); };
-        const auto add = [&](auto from, auto to) {
-            for (auto i = from; i != to && !is_fixed(*i); ++i)
-                across.room -= 2.0 * particles.radius[*i];
+    void close_ring(const Box& box, const Particles& particles, const Beads& from_left,
+                    double last_high) {
+        const auto is_fixed = [&](const auto& bead) {
+            return !(particles.inverse_mass[bead.second] > 0.0);
         };
-        add(order.begin(), order.end());
-        add(order.rbegin(), order.rend());
+        const auto [x, first] = *std::ranges::find_if(from_left, is_fixed);
+        Chamber across{boundaries_.size() - 1, 0, 0.0, 0};
+        across.room = x - particles.radius[first] + box.size[0] - last_high;
+        const auto add = [&](auto bead, auto to) {
+            for (; bead != to && !is_fixed(*bead); ++bead)
+                across.room -= 2.0 * particles.radius[bead->second];
+        };
+        add(from_left.begin(), from_left.end());
+        add(from_left.rbegin(), from_left.rend());
         chambers_.push_back(across);
     }
 

@@ -6,9 +6,11 @@
 
 namespace carom {
 
-PlacedDisks::PlacedDisks(const Box& box, std::int64_t count, double typical_radius) : box_(box) {
-    const double least = std::sqrt(box.size.prod() / (2.0 * static_cast<double>(count) + 8.0));
-    const double cell = std::max(2.0 * typical_radius, least);
+// Many disks are small where sizes differ: cells as wide as the mean radius keep theirs small.
+PlacedDisks::PlacedDisks(const Box& box, const Eigen::ArrayXd& radii) : box_(box) {
+    const auto count = static_cast<double>(radii.size());
+    const double least = std::sqrt(box.size.prod() / (2.0 * count + 8.0));
+    const double cell = std::max(count > 0.0 ? radii.mean() : 0.0, least);
     cells_ = (box.size / cell).floor().cwiseMax(1.0).cwiseMin(1e8).cast<int>();
     cell_size_ = box.size / cells_.cast<double>();
     heads_.assign(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]), -1);

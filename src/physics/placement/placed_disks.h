@@ -17,8 +17,8 @@ inline constexpr double touching_tolerance = 1e-12;
 
 class PlacedDisks {
   public:
-    /// Room for about `count` disks of about `typical_radius`.
-    PlacedDisks(const Box& box, std::int64_t count, double typical_radius);
+    /// Room for disks of these radii.
+    PlacedDisks(const Box& box, const Eigen::ArrayXd& radii);
 
     /// The particle of the lowest number that overlaps a disk at `centre`, if any does.
     std::optional<std::int32_t> overlapped(const Eigen::Array2d& centre, double radius) const;

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
-#include <numeric>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "physics/placement/draws.h"
 #include "physics/placement/feasibility.h"
 #include "physics/placement/lattice.h"
 #include "physics/placement/line_placement.h"
+#include "physics/placement/members.h"
 #include "physics/placement/placed_disks.h"
 #include "util/interrupt.h"
 #include "util/random.h"
@@ -23,24 +22,16 @@ namespace {
 // At packing 0.5 the last disks need a few hundred; random placement jams at 0.547.
 constexpr int most_tries = 20'000;
 
-template <typename Rule>
-bool has_position(const Species& species) {
-    return std::holds_alternative<Rule>(species.position);
-}
-
 class Placement {
   public:
-    explicit Placement(const Gas& gas) : gas_(gas), placed_(gas.box, 0, 0.0) {}
+    Placement(const Gas& gas, const Particles& particles, Sample& start)
+        : gas_(gas), particles_(particles), start_(start), placed_(gas.box, particles.radius) {}
 
-    std::pair<Particles, Sample> run() {
-        std::tie(particles_, start_) = draw_gas(gas_);
-        count_ = particles_.count();
-        refuse(placement_problems(gas_, particles_));
-        placed_ = PlacedDisks(gas_.box, count_, typical_radius());
-        place_listed();
+    void run() {
+        for_each_listed(
+            gas_, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) { put(i, place); });
         place_on_lattice();
         place_at_random();
-        return {std::move(particles_), std::move(start_)};
     }
 
   private:
@@ -48,54 +39,26 @@ class Placement {
         return static_cast<std::size_t>(particles_.species[i]);
     }
 
-    // Many disks are small where sizes differ: half of the mean keeps their cells small.
-    double typical_radius() const { return count_ > 0 ? 0.5 * particles_.radius.mean() : 0.0; }
-
-    void refuse(const std::vector<Problem>& problems) const {
-        if (!problems.empty()) throw PlacementError(problems.front(), gas_);
-    }
-
     void put(Eigen::Index i, const Eigen::Array2d& centre) {
         start_.position.row(i) = centre;
         placed_.add(static_cast<std::int32_t>(i), centre, particles_.radius[i]);
-    }
-
-    void place_listed() {
-        Eigen::Index first = 0;
-        for (const Species& species : gas_.species) {
-            if (const auto* places = std::get_if<Places>(&species.position))
-                for (std::size_t k = 0; k < places->values.size(); ++k)
-                    put(first + static_cast<Eigen::Index>(k), places->values[k]);
-            first += static_cast<Eigen::Index>(species.count);
-        }
     }
 
     // All species on the lattice share one; which disk has which site is random where they differ.
     void place_on_lattice() {
         std::vector<Eigen::Index> disks;
         double radius = 0.0;
-        std::size_t kinds = 0;
-        Eigen::Index first = 0;
-        for (const Species& species : gas_.species) {
-            const auto count = static_cast<Eigen::Index>(species.count);
-            if (has_position<LatticePlaces>(species) && count > 0) {
-                ++kinds;
-                for (Eigen::Index i = first; i < first + count; ++i) disks.push_back(i);
-                radius = std::max(radius, particles_.radius.segment(first, count).maxCoeff());
-            }
-            first += count;
-        }
+        for_each_species(gas_, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
+            if (!has_position<LatticePlaces>(gas_.species[s]) || count == 0) return;
+            for (Eigen::Index i = first; i < first + count; ++i) disks.push_back(i);
+            radius = std::max(radius, particles_.radius.segment(first, count).maxCoeff());
+        });
         if (disks.empty()) return;
         const std::vector<Eigen::Array2d> sites = free_sites(disks, radius);
-        if (kinds > 1) shuffle(disks);
+        if (species_of(disks.front()) != species_of(disks.back()))
+            Random(gas_.seed, "sites of the lattice").shuffle(disks);
         for (std::size_t k = 0; k < disks.size(); ++k)  // sites left over are spread evenly
             put(disks[k], sites[k * sites.size() / disks.size()]);
-    }
-
-    void shuffle(std::vector<Eigen::Index>& disks) const {
-        Random random(gas_.seed, "sites of the lattice");
-        for (std::size_t k = disks.size(); k > 1; --k)
-            std::swap(disks[k - 1], disks[random.below(k)]);
     }
 
     // Of the fitting lattices the widest that has enough sites clear of the disks placed before.
@@ -125,7 +88,7 @@ class Placement {
         std::vector<Random> random;
         for (std::size_t s = 0; s < gas_.species.size(); ++s)
             random.emplace_back(gas_.seed, fmt::format("position of species {}", s));
-        for (Eigen::Index i = 0; i < count_; ++i) {
+        for (Eigen::Index i = 0; i < particles_.count(); ++i) {
             const Species& species = gas_.species[species_of(i)];
             if (has_position<RandomPlaces>(species) || has_position<WithinRegion>(species))
                 disks.push_back(i);
@@ -136,7 +99,7 @@ class Placement {
         std::vector<std::int64_t> found(gas_.species.size(), 0);
         for (const Eigen::Index i : disks) {
             const std::size_t s = species_of(i);
-            if (!place_somewhere(i, random[s])) refuse({no_place(s, found[s])});
+            if (!place_somewhere(i, random[s])) throw PlacementError(no_place(s, found[s]), gas_);
             ++found[s];
             if (found[s] % 1024 == 0) throw_if_interrupted();
         }
@@ -173,26 +136,31 @@ class Placement {
         const auto own = particles_.species == static_cast<int>(s);
         const Eigen::ArrayXd radii =
             within ? Eigen::ArrayXd(own.select(particles_.radius, 0.0)) : particles_.radius;
-        const double covered = std::numbers::pi * radii.square().sum();
-        const double room =
-            within ? (within->region.high - within->region.low).prod() : gas_.box.size.prod();
+        const Eigen::Array2d sides =
+            within ? Eigen::Array2d(within->region.high - within->region.low) : gas_.box.size;
         return {.kind = Problem::Kind::no_place,
                 .species = s,
                 .fitting = found,
-                .value = covered / room};
+                .value = sum_of_sizes(gas_.box, radii) / size_of(gas_.box, sides)};
     }
 
     const Gas& gas_;
-    Eigen::Index count_ = 0;
-    Particles particles_;
-    Sample start_;
+    const Particles& particles_;
+    Sample& start_;
     PlacedDisks placed_;
 };
 
 }  // namespace
 
 std::pair<Particles, Sample> place(const Gas& gas) {
-    return gas.box.dimension == 1 ? place_on_line(gas) : Placement(gas).run();
+    auto [particles, start] = draw_gas(gas);
+    if (const auto problems = placement_problems(gas, particles); !problems.empty())
+        throw PlacementError(problems.front(), gas);
+    if (gas.box.dimension == 1)
+        place_on_line(gas, particles, start);
+    else
+        Placement(gas, particles, start).run();
+    return {std::move(particles), std::move(start)};
 }
 
 }  // namespace carom

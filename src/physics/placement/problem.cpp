@@ -15,13 +15,21 @@ using Kind = Problem::Kind;
 
 bool on_line(const Gas& gas) { return gas.box.dimension == 1; }
 
-std::string_view noun(const Gas& gas) { return on_line(gas) ? "beads" : "disks"; }
+// What particles and their room are called.
+struct Nouns {
+    std::string_view particle, room, smaller, larger;
+};
+const Nouns& nouns(const Gas& gas) {
+    static constexpr Nouns in_plane{"disk", "box", "smaller", "larger"};
+    static constexpr Nouns along_line{"bead", "wire", "shorter", "longer"};
+    return on_line(gas) ? along_line : in_plane;
+}
 
 // Disks of species "cold".
 std::string members(const Gas& gas, std::size_t species) {
     const std::string& name = gas.species[species].name;
-    return name.empty() ? std::string(noun(gas))
-                        : fmt::format("{} of species \"{}\"", noun(gas), name);
+    return fmt::format("{}s{}", nouns(gas).particle,
+                       name.empty() ? "" : fmt::format(" of species \"{}\"", name));
 }
 
 // Particle 3 (cold).
@@ -40,19 +48,23 @@ std::string size_of(const Eigen::Array2d& size) {
     return fmt::format("{} by {}", size[0], size[1]);
 }
 
+// As particles are inside it, or reach outside.
+std::string whole_box(const Gas& gas) {
+    return on_line(gas) ? fmt::format("the wire from 0 to {}", gas.box.size[0])
+                        : "the box of " + size_of(gas.box.size);
+}
+
 Eigen::Array2d size_of_region(const Species& species) {
     const Region& region = std::get<WithinRegion>(species.position).region;
     return region.high - region.low;
 }
 
 ProblemText too_large(const Problem& p, const Gas& gas) {
-    if (on_line(gas))
-        return {fmt::format("a bead of radius {:.6g} does not fit on a wire of length {}", p.value,
-                            gas.box.size[0]),
-                "a shorter bead or a longer wire"};
-    return {fmt::format("a disk of radius {:.6g} does not fit into a box of {}", p.value,
-                        size_of(gas.box.size)),
-            "a smaller disk or a larger box"};
+    const auto& [particle, room, smaller, larger] = nouns(gas);
+    return {fmt::format("a {} of radius {:.6g} does not fit {}", particle, p.value,
+                        on_line(gas) ? fmt::format("on a wire of length {}", gas.box.size[0])
+                                     : "into a box of " + size_of(gas.box.size)),
+            fmt::format("a {} {} or a {} {}", smaller, particle, larger, room)};
 }
 
 ProblemText too_dense(const Problem& p, const Gas& gas) {
@@ -74,10 +86,7 @@ ProblemText too_dense(const Problem& p, const Gas& gas) {
 ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region) {
     const Species& species = gas.species[p.species];
     if (p.kind == Kind::region_outside)
-        return {fmt::format("{} reaches outside the {}", region,
-                            on_line(gas) ? fmt::format("wire from 0 to {}", gas.box.size[0])
-                                         : "box of " + size_of(gas.box.size)),
-                ""};
+        return {fmt::format("{} reaches outside {}", region, whole_box(gas)), ""};
     const Eigen::Array2d size = size_of_region(species);
     if (p.kind == Kind::region_too_narrow)
         return {fmt::format("a disk of radius {:.6g} does not fit into {}, {}", p.value, region,
@@ -111,15 +120,12 @@ ProblemText outside(const Problem& p, const Gas& gas) {
             low[axis] += p.value;
             high[axis] -= p.value;
         }
-    const std::string its = p.value > 0.0 ? fmt::format(" of radius {:.6g}", p.value) : "";
-    if (on_line(gas))
-        return {fmt::format("{}{} is not inside the wire from 0 to {}", called(gas, p.particle),
-                            its, gas.box.size[0]),
-                fmt::format("its middle has room from {} to {}", low[0], high[0])};
-    return {fmt::format("{}{} is not inside the box of {}", called(gas, p.particle), its,
-                        size_of(gas.box.size)),
-            fmt::format("its centre has room from {} to {} across and from {} to {} up", low[0],
-                        high[0], low[1], high[1])};
+    return {
+        fmt::format("{}{} is not inside {}", called(gas, p.particle),
+                    p.value > 0.0 ? fmt::format(" of radius {:.6g}", p.value) : "", whole_box(gas)),
+        on_line(gas) ? fmt::format("its middle has room from {} to {}", low[0], high[0])
+                     : fmt::format("its centre has room from {} to {} across and from {} to {} up",
+                                   low[0], high[0], low[1], high[1])};
 }
 
 ProblemText no_place(const Problem& p, const Gas& gas) {
@@ -143,15 +149,14 @@ ProblemText no_stretch(const Problem& p, const Gas& gas) {
 }
 
 ProblemText jam(const Problem& p, const Gas& gas) {
-    const std::string who = called(gas, p.particle);
-    const std::string end = "without any room: it would collide without end";
-    return {p.kind == Kind::jam_alone
-                ? fmt::format("{} moves where it stands between two walls {}", who, end)
-                : fmt::format("{} moves along a row of {} that touch one another from end to end, "
-                              "{}",
-                              who, noun(gas), end),
-            fmt::format("smaller {} or a {} leave them room", noun(gas),
-                        on_line(gas) ? "longer wire" : "larger box")};
+    const auto& [particle, room, smaller, larger] = nouns(gas);
+    const std::string where =
+        p.kind == Kind::jam_alone
+            ? "where it stands between two walls"
+            : fmt::format("along a row of {}s that touch one another from end to end,", particle);
+    return {fmt::format("{} moves {} without any room: it would collide without end",
+                        called(gas, p.particle), where),
+            fmt::format("smaller {}s or a {} {} leave them room", particle, larger, room)};
 }
 
 std::string boundary(Eigen::Index particle) {
@@ -207,8 +212,7 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
         case Kind::overlap:
             return {fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
                                 called(gas, p.particle), called(gas, p.other), p.value, p.bound),
-                    fmt::format("move one of them, or make them {}",
-                                on_line(gas) ? "shorter" : "smaller")};
+                    fmt::format("move one of them, or make them {}", nouns(gas).smaller)};
         case Kind::same_place:
             return {fmt::format("{} is at the place of {}", called(gas, p.particle),
                                 called(gas, p.other)),

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "physics/placement/members.h"
 #include "physics/theory/mechanics.h"
 
 namespace carom {
@@ -123,8 +124,7 @@ double rate_on_line(const Box& box, const Particles& particles, const Sample& sa
 }  // namespace
 
 double packing_fraction(const Box& box, const Particles& particles) {
-    return box.dimension == 1 ? 2.0 * particles.radius.sum() / box.size[0]
-                              : pi * particles.radius.square().sum() / box.size.prod();
+    return sum_of_sizes(box, particles.radius) / size_of(box, box.size);
 }
 
 std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,

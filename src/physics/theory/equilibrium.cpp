@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "physics/placement/draws.h"
+#include "physics/placement/members.h"
+#include "physics/theory/theory.h"
 
 namespace carom {
 namespace {
@@ -46,12 +47,8 @@ std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
 
 // Whether all beads of finite mass are in one stretch between those that never move.
 bool beads_are_together(const Box& box, const Particles& particles, const Sample& sample) {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(particles.count()));
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-        return sample.position(a, 0) < sample.position(b, 0);
-    });
-    const auto moves = [&](std::size_t k) { return particles.inverse_mass[order[k]] > 0.0; };
+    const Beads order = beads_along(sample, 0);
+    const auto moves = [&](std::size_t k) { return particles.inverse_mass[order[k].second] > 0.0; };
     int stretches = moves(0) && !(box.is_periodic(0) && moves(order.size() - 1)) ? 1 : 0;
     for (std::size_t k = 1; k < order.size(); ++k) stretches += moves(k) && !moves(k - 1);
     return stretches <= 1;
@@ -104,25 +101,20 @@ std::optional<NoEquilibrium> why_not(const Box& box, const Particles& particles,
 // The places of listed particles. Where others are placed later, no bead of infinite mass is taken
 // to part those that move.
 void set_known_places(const Gas& gas, const Particles& particles, Sample& sample) {
-    Eigen::Index first = 0;
-    bool all_listed = true;
-    for (const Species& species : gas.species) {
-        const auto* places = std::get_if<Places>(&species.position);
-        all_listed = all_listed && (places != nullptr || species.count == 0);
-        for (std::size_t k = 0; places != nullptr && k < places->values.size(); ++k)
-            sample.position.row(first + static_cast<Eigen::Index>(k)) =
-                places->values[k].head(gas.box.dimension).transpose();
-        first += static_cast<Eigen::Index>(species.count);
-    }
+    for_each_listed(gas, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
+        sample.position.row(i) = place.head(gas.box.dimension).transpose();
+    });
+    const bool all_listed = std::ranges::all_of(gas.species, [](const Species& species) {
+        return species.count == 0 || has_position<Places>(species);
+    });
     if (!all_listed) sample.position.col(0) = (particles.inverse_mass > 0.0).cast<double>();
 }
 
 }  // namespace
 
-std::variant<EquilibriumGas, NoEquilibrium> find_equilibrium(const Box& box,
-                                                             const Particles& particles,
-                                                             const Sample& sample) {
-    if (const auto reason = why_not(box, particles, sample)) return *reason;
+std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
+                                          const Sample& sample, const std::vector<int>& species) {
+    if (why_not(box, particles, sample)) return std::nullopt;
     const auto finite = particles.inverse_mass > 0.0;
     const bool momentum = finite.all() && box.is_periodic(0);
     const Eigen::ArrayXd masses = finite.select(particles.inverse_mass.inverse(), 0.0);
@@ -137,19 +129,11 @@ std::variant<EquilibriumGas, NoEquilibrium> find_equilibrium(const Box& box,
     gas.groups = group_by_mass(std::move(found));
     if (momentum)
         for (MassGroup& group : gas.groups) group.largest_share = 1.0 - group.mass / masses.sum();
-    return gas;
-}
-
-std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
-                                          const Sample& sample, const std::vector<int>& species) {
-    const auto found = find_equilibrium(box, particles, sample);
-    const auto* gas = std::get_if<EquilibriumGas>(&found);
-    if (gas == nullptr) return std::nullopt;
-    if (species.empty()) return *gas;
+    if (species.empty()) return gas;
     std::vector<Eigen::Index> chosen;
     for (Eigen::Index i = 0; i < particles.count(); ++i)
         if (std::ranges::find(species, particles.species[i]) != species.end()) chosen.push_back(i);
-    return among(*gas, particles, chosen);
+    return among(gas, particles, chosen);
 }
 
 std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,

@@ -1,15 +1,11 @@
-// Whether a gas has an equilibrium that theory knows, or why not: the one place where that is
-// decided. What it looks like is in theory.h.
+// Why theory knows no equilibrium of a gas. What an equilibrium looks like is in theory.h.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "physics/gas.h"
-#include "physics/particles.h"
-#include "physics/theory/theory.h"
 
 namespace carom {
 
@@ -35,14 +31,8 @@ struct NoEquilibrium {
     std::size_t species = 0;
 };
 
-/// The equilibrium towards which a gas tends, of all its particles of finite mass, or why there is
-/// none: the one place where that is decided.
-std::variant<EquilibriumGas, NoEquilibrium> find_equilibrium(const Box& box,
-                                                             const Particles& particles,
-                                                             const Sample& sample);
-
-/// The reason for a gas before it is placed: its particles are drawn, and places that are not
-/// listed are taken to allow it. Nothing of a gas that cannot be drawn.
+/// Why a gas has no equilibrium, before it is placed: its particles are drawn, and places that are
+/// not listed are taken to allow it. Nothing where it has one, and of a gas that cannot be drawn.
 std::optional<NoEquilibrium> why_no_equilibrium(const Gas& gas);
 
 /// It in words, as the end of a sentence.

@@ -168,6 +168,17 @@ TEST_CASE("what changes hands is added up") {
     CHECK(impulses.largest_overlap == 0.0);
 }
 
+TEST_CASE("beads that overlap across the end of a ring are refused") {
+    const Box ring{.dimension = 1, .size = {10.0, 0.0}, .walls = {Wall::periodic, Wall::solid}};
+    const Particles particles{Eigen::ArrayXd::Constant(2, 0.5), Eigen::ArrayXd::Ones(2),
+                              Eigen::ArrayXi::Zero(2)};
+    Sample start{0.0, Eigen::ArrayXXd::Zero(2, 1), Eigen::ArrayXXd::Zero(2, 1)};
+    start.position << 0.25, 9.25;
+    CHECK_NOTHROW(Simulation(ring, particles, start, {}));
+    start.position << 0.25, 9.5;
+    CHECK_THROWS_AS(Simulation(ring, particles, start, {}), std::invalid_argument);
+}
+
 TEST_CASE("a gas tells how far it has equilibrated, and is none the worse for it") {
     const Gas gas = test::equal_disks(0.3, 100);
     for (const int bits : {bits_of_double, least_bits}) {

@@ -26,7 +26,7 @@ Box box_of(double width, double height, Wall across = Wall::solid, Wall up = Wal
     return box;
 }
 
-Box wire_of(double length, Wall wall = Wall::solid) {
+Box line_of(double length, Wall wall = Wall::solid) {
     Box box = box_of(length, 0.0, wall);
     box.dimension = 1;
     return box;
@@ -127,8 +127,8 @@ TEST_CASE("a conserved momentum takes up one degree of freedom along its axis") 
     CHECK(freedom(solid, {0, 1, 2}) == 6.0);
     CHECK(freedom(tube, {0, 1, 2}) == 5.0);
     CHECK(freedom(around, {0, 1, 2}) == 4.0);
-    CHECK(freedom(wire_of(9), {0, 1, 2}) == 3.0);
-    CHECK(freedom(wire_of(9, Wall::periodic), {0, 1, 2}) == 2.0);
+    CHECK(freedom(line_of(9), {0, 1, 2}) == 3.0);
+    CHECK(freedom(line_of(9, Wall::periodic), {0, 1, 2}) == 2.0);
     // A part of the gas has its share of the drift: 1 - m / M for each particle.
     CHECK(freedom(around, {0, 1}) == 2.0 * (2.0 - 4.0 / 8.0));
     CHECK(freedom(around, {2}) == 2.0 * (1.0 - 4.0 / 8.0));
@@ -182,15 +182,15 @@ TEST_CASE("pressure on the walls is momentum for each time and length of those t
     CHECK(wall_pressure(box_of(4, 2, Wall::solid, Wall::periodic), impulses, 2.0) ==
           16.0 / (2.0 * 4.0));
     CHECK(!wall_pressure(box_of(4, 2, Wall::periodic, Wall::periodic), impulses, 2.0));
-    CHECK(wall_pressure(wire_of(4), impulses, 2.0) == 4.0);  // (6 + 10) / 2 walls / 2
-    CHECK(!wall_pressure(wire_of(4, Wall::periodic), impulses, 2.0));
+    CHECK(wall_pressure(line_of(4), impulses, 2.0) == 4.0);  // (6 + 10) / 2 walls / 2
+    CHECK(!wall_pressure(line_of(4, Wall::periodic), impulses, 2.0));
     impulses.wall[1] = infinite;
     CHECK(!wall_pressure(box_of(4, 2), impulses, 2.0));
 }
 
 TEST_CASE("the pressure of points is that of an ideal gas in the whole box") {
     CHECK(pressure_of_points(box_of(6, 4), 5.0) == relative(5.0 / 24.0, 1e-14));
-    CHECK(pressure_of_points(wire_of(6), 5.0) == relative(10.0 / 6.0, 1e-14));
+    CHECK(pressure_of_points(line_of(6), 5.0) == relative(10.0 / 6.0, 1e-14));
 }
 
 TEST_CASE("pressure by the virial is that of an ideal gas and what collisions add") {
@@ -205,9 +205,9 @@ TEST_CASE("pressure by the virial is that of an ideal gas and what collisions ad
     CHECK(*virial_pressure(box_of(6, 4), particles, 5.0, impulses, 3.0) ==
           relative(7.0 / 19.0, 1e-14));
     // P L = 2K + W / t = 10 + 4
-    CHECK(*virial_pressure(wire_of(6, Wall::periodic), particles, 5.0, impulses, 3.0) ==
+    CHECK(*virial_pressure(line_of(6, Wall::periodic), particles, 5.0, impulses, 3.0) ==
           relative(14.0 / 6.0, 1e-14));
-    CHECK(*virial_pressure(wire_of(6), particles, 5.0, impulses, 3.0) ==
+    CHECK(*virial_pressure(line_of(6), particles, 5.0, impulses, 3.0) ==
           relative(14.0 / 5.0, 1e-14));
     CHECK(
         !virial_pressure(around, particles_of({{1, 1, 0, 0, 0.5, infinite}}), 0.0, impulses, 3.0));
@@ -229,12 +229,12 @@ TEST_CASE("the deepest overlap is found, across periodic borders too") {
     bodies[1].x = 2.9;
     CHECK(depth(solid) == relative(0.1 / 2.0, 1e-14));
     CHECK(depth(around) == relative(0.3 / 1.5, 1e-14));
-    // On a wire the same; what counts are neighbours.
-    CHECK(depth(wire_of(10)) == relative(0.1 / 2.0, 1e-14));
-    CHECK(depth(wire_of(10, Wall::periodic)) == relative(0.3 / 1.5, 1e-14));
+    // On a line the same; what counts are neighbours.
+    CHECK(depth(line_of(10)) == relative(0.1 / 2.0, 1e-14));
+    CHECK(depth(line_of(10, Wall::periodic)) == relative(0.3 / 1.5, 1e-14));
     for (Body& body : bodies) body.radius = 0.0;
     bodies[1].x = bodies[0].x;
-    CHECK(depth(wire_of(10)) == 0.0);
+    CHECK(depth(line_of(10)) == 0.0);
     CHECK(largest_relative_overlap(solid, particles_of({}), sample_of({})) == 0.0);
 }
 

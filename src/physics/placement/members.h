@@ -1,0 +1,79 @@
+// The particles of a gas species by species, as Gas numbers them, and those whose places are
+// listed; beads from left to right. Draws and places nothing.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/particles.h"
+
+namespace carom {
+
+/// Whether the positions of a species follow this rule.
+template <typename Rule>
+bool has_position(const Species& species) {
+    return std::holds_alternative<Rule>(species.position);
+}
+
+/// What particles of these radii cover: the areas of disks, or the lengths of beads.
+template <typename Radii>
+double sum_of_sizes(const Box& box, const Radii& radii) {
+    return box.dimension == 1 ? 2.0 * radii.sum() : std::numbers::pi * radii.square().sum();
+}
+
+/// The area of a part of the box with these sides, or its length on a line.
+inline double size_of(const Box& box, const Eigen::Array2d& sides) {
+    return box.dimension == 1 ? sides[0] : sides.prod();
+}
+
+/// Calls f(species, its first particle, how many it has) for each species.
+template <typename Function>
+void for_each_species(const Gas& gas, Function&& f) {
+    Eigen::Index first = 0;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        const auto count = static_cast<Eigen::Index>(gas.species[s].count);
+        f(s, first, count);
+        first += count;
+    }
+}
+
+/// Calls f(species, particle, its place) for each particle whose place is listed.
+template <typename Function>
+void for_each_listed(const Gas& gas, Function&& f) {
+    for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index) {
+        if (const auto* places = std::get_if<Places>(&gas.species[s].position))
+            for (const Eigen::Array2d& place : places->values) f(s, first++, place);
+    });
+}
+
+/// Beads, or other particles along an axis: coordinate and number.
+using Beads = std::vector<std::pair<double, Eigen::Index>>;
+
+/// All particles by their coordinates along an axis; at one place by number.
+inline Beads beads_along(const Sample& sample, Eigen::Index axis) {
+    Beads beads;
+    for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
+        beads.emplace_back(sample.position(i, axis), i);
+    std::ranges::sort(beads);
+    return beads;
+}
+
+/// Calls f(left, right, distance of their centres) for each bead and the next one, also across the
+/// end of a periodic line. Beads cannot pass one another: no others can overlap.
+template <typename Function>
+void for_each_two_neighbours(const Box& box, const Beads& from_left, Function&& f) {
+    for (std::size_t k = 1; k < from_left.size(); ++k)
+        f(from_left[k - 1].second, from_left[k].second,
+          from_left[k].first - from_left[k - 1].first);
+    if (box.is_periodic(0) && from_left.size() > 1)
+        f(from_left.back().second, from_left.front().second,
+          from_left.front().first + box.size[0] - from_left.back().first);
+}
+
+}  // namespace carom

@@ -35,7 +35,7 @@ Gas plane(Wall wall, double side) {
     return gas;
 }
 
-Gas wire(Wall wall, double length) {
+Gas line(Wall wall, double length) {
     Gas gas;
     gas.box = {.dimension = 1, .size = {length, 0.0}, .walls = {wall, Wall::solid}};
     return gas;
@@ -83,9 +83,9 @@ TEST_CASE("a mixture of sizes and masses between walls collides as often as expe
 
 // Points of equal mass only pass on their velocities: the count over a long time is exact up to
 // one meeting of each pair.
-TEST_CASE("equal beads on a wire meet exactly as often as expected") {
+TEST_CASE("equal beads on a line meet exactly as often as expected") {
     for (const Wall wall : {Wall::solid, Wall::periodic}) {
-        Gas gas = wire(wall, 30.0);
+        Gas gas = line(wall, 30.0);
         gas.species = {{.name = "rods",
                         .count = 20,
                         .radius = 0.25,
@@ -98,7 +98,7 @@ TEST_CASE("equal beads on a wire meet exactly as often as expected") {
 
 TEST_CASE("beads of different masses meet about as often as expected") {
     for (const Wall wall : {Wall::solid, Wall::periodic}) {
-        Gas gas = wire(wall, 300.0);
+        Gas gas = line(wall, 300.0);
         gas.species = {{.name = "light", .count = 100, .radius = 0.0, .velocity = Temperature{1.0}},
                        {.name = "heavy",
                         .count = 100,
@@ -124,7 +124,7 @@ TEST_CASE("there is no expected rate where there is none") {
     CHECK(expected(gas) == 0.0);
     gas.species.pop_back();
     CHECK(expected(gas) == 0.0);
-    Gas full = wire(Wall::solid, 4.0);
+    Gas full = line(Wall::solid, 4.0);
     full.species = {{.name = "rods", .count = 4, .radius = 0.5, .velocity = Temperature{1.0}}};
     const auto [rods, start] = draw_gas(full);
     CHECK(!expected_collision_rate(full.box, rods, start));

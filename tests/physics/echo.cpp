@@ -1,4 +1,4 @@
-// Time reversal: a gas whose velocities are turned round comes home, to as many digits as its
+// Time reversal: a gas whose velocities are reversed returns to its start, to as many digits as its
 // numbers have bits for; and doubles do not.
 #include <doctest/doctest.h>
 
@@ -19,9 +19,9 @@ using namespace carom;
 
 namespace {
 
-/// A way out, the same way back, and what was seen.
+/// A run to a reversal and back, and what was seen.
 struct Echo {
-    double log10_distance = -1e9;  // of the coordinate farthest from home, in diameters of 1
+    double log10_distance = -1e9;  // of the coordinate farthest from its start, in diameters of 1
     CollisionCounts out, back;
     bool in_reverse_order = true;  // the partners of each particle
 };
@@ -43,7 +43,7 @@ Echo echo(const Box& box, const Particles& particles, const Sample& start, doubl
           const Arithmetic& arithmetic = {}) {
     EventLoop<Dimension, Scalar> loop(box, particles, arithmetic);
     loop.start(start);
-    const std::vector<Scalar> home = loop.positions(0.0);
+    const std::vector<Scalar> origin = loop.positions(0.0);
     std::vector<Collision> there, back;
     loop.advance(out, &there);
     Echo result;
@@ -53,9 +53,9 @@ Echo echo(const Box& box, const Particles& particles, const Sample& start, doubl
     loop.advance(2.0 * out, &back);
     result.back = loop.counts();
     const std::vector<Scalar> end = loop.positions(2.0 * out);
-    for (std::size_t k = 0; k < home.size(); ++k) {
+    for (std::size_t k = 0; k < origin.size(); ++k) {
         const auto axis = static_cast<Eigen::Index>(k % Dimension);
-        Scalar off = end[k] - home[k];
+        Scalar off = end[k] - origin[k];
         if (box.walls[k % Dimension] == Wall::periodic)
             off = off - box.size[axis] * std::round(static_cast<double>(off) / box.size[axis]);
         if (off != 0.0) result.log10_distance = std::max(result.log10_distance, log10(abs(off)));
@@ -72,7 +72,7 @@ int bits_for(double packing, double collisions_of_each) {
     return static_cast<int>(std::ceil(30.0 + 16.0 + lost + 2.0 * std::sqrt(lost)));
 }
 
-// Equal disks between walls, off the lattice: one that begins at a wall comes home to it, and the
+// Equal disks between walls, off the lattice: one that begins at a wall returns to it, and the
 // last bit would decide whether it hits it again.
 struct Start {
     Box box;
@@ -116,7 +116,7 @@ void check_home(const Echo& echo) {
 
 }  // namespace
 
-TEST_CASE("with as many bits as the rule says every gas of equal disks comes home") {
+TEST_CASE("with as many bits as the rule says every gas of equal disks returns") {
     for (const double packing : {0.1, 0.3, 0.5}) {
         for (const double of_each : {10.0, 50.0}) {
             CAPTURE(packing);
@@ -130,7 +130,7 @@ TEST_CASE("with as many bits as the rule says every gas of equal disks comes hom
     }
 }
 
-TEST_CASE("mixtures, all kinds of walls, fixed and moving infinite masses come home") {
+TEST_CASE("mixtures, all kinds of walls, fixed and moving infinite masses return") {
     std::int64_t collisions = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         CAPTURE(seed);
@@ -144,16 +144,16 @@ TEST_CASE("mixtures, all kinds of walls, fixed and moving infinite masses come h
     CHECK(collisions > 300);
 }
 
-TEST_CASE("beads of any masses come home on a wire and on a ring") {
+TEST_CASE("beads of any masses return on a line and on a ring") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         CAPTURE(seed);
-        const Gas gas = test::small_wire(seed);
+        const Gas gas = test::small_line(seed);
         const auto [particles, start] = place(gas);
         check_home(echo<1, Real>(gas.box, particles, start, 100.0, {256, true}));
     }
 }
 
-TEST_CASE("more bits bring a gas nearer home, bit by bit") {
+TEST_CASE("more bits bring a gas nearer to its start, bit by bit") {
     const Start gas = between_walls(0.3, 50, 7);
     const double out = time_of_collisions(gas, 20.0);
     double before = 0.0;
@@ -224,17 +224,17 @@ TEST_CASE("doubles go astray where the table says") {
         ++rows;
         for (const Threshold& threshold : thresholds) {
             CAPTURE(threshold.log10_distance);
-            int home = 0, astray = 0;
+            int returned = 0, astray = 0;
             for (std::uint64_t seed = 1; seed <= 5; ++seed) {
                 const Start gas = between_walls(packing, count, seed);
                 const auto is_near = [&](double of_each) {
                     const double out = time_of_collisions(gas, of_each);
                     return echo<double>(gas, out).log10_distance < threshold.log10_distance;
                 };
-                home += is_near(0.5 * std::stod(row[threshold.least])) ? 1 : 0;
+                returned += is_near(0.5 * std::stod(row[threshold.least])) ? 1 : 0;
                 astray += is_near(2.0 * std::stod(row[threshold.median])) ? 0 : 1;
             }
-            CHECK(home >= 4);
+            CHECK(returned >= 4);
             CHECK(astray == 5);
         }
     }

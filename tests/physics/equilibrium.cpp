@@ -1,5 +1,5 @@
 // The laws of equilibrium, exact for any number of particles, any masses, sizes and densities:
-// energy shares and, on a wire, places.
+// energy shares and, on a line, places.
 //
 // Each distribution is tested on independent samples (taken far apart in time, their correlation is
 // looked at) by Kolmogorov and Smirnov's test. All tests of fit together fail by chance once in a
@@ -135,7 +135,7 @@ TEST_CASE("energy shares of beads follow Beta(1/2, (N - 1)/2)") {
     }
 }
 
-TEST_CASE("bead k of N lies at Beta(k, N + 1 - k) of a wire, whatever the masses") {
+TEST_CASE("bead k of N lies at Beta(k, N + 1 - k) of a line, whatever the masses") {
     for (const int count : {4, 8}) {
         for (const double rod : {0.0, 0.4}) {
             CAPTURE(count);
@@ -167,7 +167,7 @@ TEST_CASE("bead k of N lies at Beta(k, N + 1 - k) of a wire, whatever the masses
     }
 }
 
-TEST_CASE("neighbours on a wire collide as often as their energy and masses say") {
+TEST_CASE("neighbours on a line collide as often as their energy and masses say") {
     // N/(L - N a) sqrt(E / 2 mu) Gamma(N/2) / (sqrt(pi) Gamma((N + 1)/2)), mu the reduced mass
     constexpr int count = 4, blocks = 20;
     Simulation simulation = unequal_beads(count, 9.0, 0.4);

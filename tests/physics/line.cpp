@@ -174,7 +174,7 @@ TEST_CASE("equal beads pass their velocities on, as if points flew through each 
                     check_that_equal_beads_pass_through(dimension, rod, count, random);
 }
 
-TEST_CASE("the force on the ends of a wire is twice the energy over the free length") {
+TEST_CASE("the force on the ends of a line is twice the energy over the free length") {
     // Seen from the rods' left neighbours, X = x - (k - 1/2) a, only the right end does virial
     // work: L' times what it received = 2 E t - [sum X p], exactly and at any time, for any masses.
     Random random(5, "rods of all masses");

@@ -1,4 +1,4 @@
-// How many bits it takes to come home is found by trying; and what a nudge does to an echo.
+// How many bits it takes to return is found by trying; and what a nudge does to an echo.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ ReturnDistance between(const Gas& gas, const Run& run, double first, double seco
 
 }  // namespace
 
-TEST_CASE("with the bits that were found a gas comes home, event by event") {
+TEST_CASE("with the bits that were found a gas returns, event by event") {
     for (const double packing : {0.15, 0.4}) {
         CAPTURE(packing);
         const Gas gas = test::equal_disks(packing, 49);
@@ -61,11 +61,11 @@ TEST_CASE("with the bits that were found a gas comes home, event by event") {
         const AdvanceResult back = simulation.advance_to(30.0);
         CHECK(there > 200);
         CHECK(back.counts.particle == 2 * there);
-        const ReturnDistance home = return_distance(start, simulation.exact_positions());
-        CHECK(home.largest < 0.5e-9);
-        CHECK(home.largest > 0.0);
-        CHECK(home.root_mean_square <= home.largest);
-        CHECK(home.log10_largest == doctest::Approx(std::log10(home.largest)));
+        const ReturnDistance returned = return_distance(start, simulation.exact_positions());
+        CHECK(returned.largest < 0.5e-9);
+        CHECK(returned.largest > 0.0);
+        CHECK(returned.root_mean_square <= returned.largest);
+        CHECK(returned.log10_largest == doctest::Approx(std::log10(returned.largest)));
     }
 }
 
@@ -90,16 +90,17 @@ TEST_CASE("a finer tolerance takes more bits") {
     run.tolerance = 1e-300;
     const int fine = bits_for_return(gas, run);
     CHECK(fine >= usual + 900);
-    const ReturnDistance home = between(gas, with_bits(run, fine), 0.0, 10.0);
-    CHECK(home.log10_largest < -300.0);
-    CHECK(home.log10_largest > -400.0);
+    const ReturnDistance returned = between(gas, with_bits(run, fine), 0.0, 10.0);
+    CHECK(returned.log10_largest < -300.0);
+    CHECK(returned.log10_largest > -400.0);
     CHECK(between(gas, with_bits(run, 2048), 0.0, 10.0).largest == 0.0);  // no double is so small
     CHECK(between(gas, with_bits(run, 2048), 0.0, 10.0).log10_largest < -550.0);
 }
 
-TEST_CASE("home again after several reversals, and beyond the start") {
+TEST_CASE("a gas returns after several reversals, and beyond the start") {
     const Gas gas = test::equal_disks(0.3, 36);
-    // Out to 8, back to 3, out to 9, home at 9 + 15 and on into the time before the start, home.
+    // To 8, back to 3, on to 9, at the start at 9 + 15, into the time before it, and at the start
+    // again.
     const Run run = reversed_at({8.0, 13.0, 19.0, 33.0}, 45.0);
     const int bits = bits_for_return(gas, run);
     const Run certain = with_bits(run, bits);
@@ -119,13 +120,13 @@ TEST_CASE("times that have no double on the other side do not ask for bits witho
     CHECK(bits <= 512);
 }
 
-TEST_CASE("mixtures, walls of all kinds and wires find their bits") {
+TEST_CASE("mixtures, walls of all kinds and lines find their bits") {
     int found = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         CAPTURE(seed);
-        const bool wire = seed % 2 == 0;
-        const Gas gas = wire ? test::small_wire(seed) : test::small_scene(seed);
-        if (!wire && test::may_crush(gas)) continue;
+        const bool on_line = seed % 2 == 0;
+        const Gas gas = on_line ? test::small_line(seed) : test::small_scene(seed);
+        if (!on_line && test::may_crush(gas)) continue;
         Run run = reversed_at({10.0}, 20.0);
         run.equilibrate = seed % 3 == 0 ? 2.0 : 0.0;
         const int bits = bits_for_return(gas, run);
@@ -149,7 +150,7 @@ TEST_CASE("no bits are needed where nothing turns round") {
     CHECK(bits <= 1200);
 }
 
-TEST_CASE("what cannot come home is refused with what to change") {
+TEST_CASE("what cannot return is refused with what to change") {
     const Gas gas = test::equal_disks(0.05, 16);
     const Run run = reversed_at({20'000.0}, 40'000.0);
     std::string message, hint;

@@ -45,7 +45,7 @@ Gas disks_of_two_masses(double radius, std::uint64_t seed) {
     return gas;
 }
 
-// Sixteen beads of different masses on a wire of length 20
+// Sixteen beads of different masses on a line of length 20
 Simulation sixteen_beads(double radius) {
     std::vector<test::Bead> beads;
     Random random(3, "beads");
@@ -136,7 +136,7 @@ TEST_CASE("the virial gives Henderson's equation of state") {
     CHECK(pressure * side * side / energy == relative(z, 0.006));
 }
 
-TEST_CASE("beads on a wire press on its ends with 2E / (L - N a)") {
+TEST_CASE("beads on a line press on its ends with 2E / (L - N a)") {
     Simulation simulation = sixteen_beads(0.3);
     constexpr double time = 20000.0;
     const ImpulseTotals impulses = simulation.advance_to(time).impulses;

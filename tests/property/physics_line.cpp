@@ -1,4 +1,4 @@
-// The event loop in one dimension against the slow, obvious wire.
+// The event loop in one dimension against the slow, obvious line.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 using namespace carom;
 using test::relative;
-using test::small_wire;
+using test::small_line;
 
-TEST_CASE("on a wire the same events in the same order as the slow, obvious simulator") {
+TEST_CASE("on a line the same events in the same order as the slow, obvious simulator") {
     int compared = 0;
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         CAPTURE(seed);
-        const Gas gas = small_wire(seed);
+        const Gas gas = small_line(seed);
         const auto [particles, start] = place(gas);
         compared +=
             test::require_same_events<1, test::SlowLine>(gas.box, particles, start, 1e5, 300);
@@ -32,7 +32,7 @@ TEST_CASE("on a wire the same events in the same order as the slow, obvious simu
 TEST_CASE("beads keep their order, their energy and on a ring their momentum") {
     for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
         CAPTURE(seed);
-        const Gas gas = small_wire(seed);
+        const Gas gas = small_line(seed);
         const auto [particles, start] = place(gas);
         EventLoop<1> beads(gas.box, particles);
         beads.start(start);

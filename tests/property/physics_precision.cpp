@@ -23,7 +23,7 @@ TEST_CASE("with many bits the same events in the same order as the slow, obvious
             disks += test::require_same_events<2, test::SlowSimulator, Real>(
                 gas.box, particles, start, 1e5, 300, arithmetic);
         }
-        const Gas gas = test::small_wire(seed);
+        const Gas gas = test::small_line(seed);
         const auto [particles, start] = place(gas);
         beads += test::require_same_events<1, test::SlowLine, Real>(gas.box, particles, start, 1e5,
                                                                     100, arithmetic);

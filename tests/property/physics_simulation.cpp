@@ -357,7 +357,7 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
           relative(kinetic_energies(particles, start).sum(), 1e-12));
 }
 
-TEST_CASE("a reversal brings everything home within what doubles can do") {
+TEST_CASE("a reversal returns everything to its start within what doubles can do") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
         Gas gas;
@@ -377,9 +377,9 @@ TEST_CASE("a reversal brings everything home within what doubles can do") {
         // s c + 2 sqrt(s c) + 16 bits for c collisions per particle, s = 2.5 at this packing
         const double bits = 2.5 * 2.0 * static_cast<double>(there.particle) / 100.0;
         const double bound = std::exp2(bits + 2.0 * std::sqrt(bits) + 16.0 - 53.0);
-        const Sample& home = simulation.sample();
-        CHECK((home.position - start.position).abs().maxCoeff() <= bound);
-        CHECK((home.velocity + start.velocity).abs().maxCoeff() <= bound);
+        const Sample& returned = simulation.sample();
+        CHECK((returned.position - start.position).abs().maxCoeff() <= bound);
+        CHECK((returned.velocity + start.velocity).abs().maxCoeff() <= bound);
     }
 }
 

@@ -33,7 +33,7 @@ Start beads(const std::vector<double>& x, const std::vector<double>& v,
             {0.0, column(x), column(v)}};
 }
 
-Box wire(double length, Wall ends) { return {1, {length, 0.0}, {ends, Wall::solid}}; }
+Box line(double length, Wall ends) { return {1, {length, 0.0}, {ends, Wall::solid}}; }
 
 int collisions(SlowLine& simulator, long double end) {
     int count = 0;
@@ -44,12 +44,12 @@ int collisions(SlowLine& simulator, long double end) {
 }  // namespace
 
 TEST_CASE("a wall, a light bead at rest and a heavy one count the digits of pi") {
-    // Galperin (2003), Playing pool with pi. The wire is so long that its other end is not reached.
+    // Galperin (2003), Playing pool with pi. The line is so long that its other end is not reached.
     int digits[] = {3, 31, 314, 3141};
     for (int n = 0; n < 4; ++n) {
         const Start start =
             beads({1.0, 2.0}, {0.0, -1.0}, {1.0, std::pow(100.0, n)}, n % 2 == 0 ? 0.0 : 0.25);
-        SlowLine simulator(wire(1e9, Wall::solid), start.particles, start.sample);
+        SlowLine simulator(line(1e9, Wall::solid), start.particles, start.sample);
         CHECK(collisions(simulator, 1e6L) == digits[n]);
     }
 }
@@ -62,7 +62,7 @@ TEST_CASE("equal beads hand on their velocities: points fly freely, and are renu
         v.push_back(random.normal());
     }
     const Start start = beads(x, v, std::vector<double>(9, 2.0), 0.0);
-    SlowLine simulator(wire(10.0, Wall::solid), start.particles, start.sample);
+    SlowLine simulator(line(10.0, Wall::solid), start.particles, start.sample);
     for (int k = 0; k < 500; ++k) {
         const SlowEvent event = *simulator.next(ever);
         std::vector<long double> flown, found;
@@ -83,7 +83,7 @@ TEST_CASE("equal beads hand on their velocities: points fly freely, and are renu
 TEST_CASE("rods on a ring keep their order, energy and momentum") {
     const Start start =
         beads({0.5, 9.0, 3.0, 6.0}, {1.0, -0.3, 0.2, -2.0}, {1.0, 3.0, 0.1, 20.0}, 0.4);
-    SlowLine simulator(wire(10.0, Wall::periodic), start.particles, start.sample);
+    SlowLine simulator(line(10.0, Wall::periodic), start.particles, start.sample);
     const auto sum = [&](int power) {
         long double total = 0.0L;
         for (int i = 0; i < 4; ++i)
@@ -106,10 +106,10 @@ TEST_CASE("rods on a ring keep their order, energy and momentum") {
 
 TEST_CASE("nothing happens at rest, alone on a ring, or between beads that part") {
     const Start rest = beads({1.0, 2.0}, {0.0, 0.0}, {1.0, 1.0}, 0.5);
-    CHECK(!SlowLine(wire(3.0, Wall::solid), rest.particles, rest.sample).next(ever));
+    CHECK(!SlowLine(line(3.0, Wall::solid), rest.particles, rest.sample).next(ever));
     const Start alone = beads({1.0}, {2.0}, {1.0}, 0.5);
-    CHECK(!SlowLine(wire(3.0, Wall::periodic), alone.particles, alone.sample).next(ever));
-    SlowLine bounces(wire(3.0, Wall::solid), alone.particles, alone.sample);
+    CHECK(!SlowLine(line(3.0, Wall::periodic), alone.particles, alone.sample).next(ever));
+    SlowLine bounces(line(3.0, Wall::solid), alone.particles, alone.sample);
     const SlowEvent right = *bounces.next(ever), left = *bounces.next(ever);
     CHECK(right.second == -2);
     CHECK(right.time == 0.75L);

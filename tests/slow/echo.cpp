@@ -1,4 +1,4 @@
-// Every gas comes home: few and many collisions, few and many particles, dilute and dense, mixed.
+// Every gas returns: few and many collisions, few and many particles, dilute and dense, mixed.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ double time_of_collisions(const Gas& gas, Run run, double of_each) {
     return time;
 }
 
-// Home within the tolerance, in smallest radii, by as many events; with the bits that are found.
+// Back within the tolerance, in smallest radii, by as many events; with the bits that are found.
 // Returns these.
 int check_comes_home(const Gas& gas, double of_each) {
     Run run{.until = 0.0, .equilibrate = 1.0, .events = {}};
@@ -47,7 +47,7 @@ int check_comes_home(const Gas& gas, double of_each) {
 
 }  // namespace
 
-TEST_CASE("equal disks come home, and the rule for the first guess is enough") {
+TEST_CASE("equal disks return, and the rule for the first guess is enough") {
     for (const double packing : {0.1, 0.2, 0.3, 0.4, 0.5}) {
         for (const int count : {50, 200}) {
             for (const double of_each : {10.0, 50.0, 200.0}) {
@@ -64,7 +64,7 @@ TEST_CASE("equal disks come home, and the rule for the first guess is enough") {
     }
 }
 
-TEST_CASE("mixtures of sizes and masses come home, with fixed and driven disks too") {
+TEST_CASE("mixtures of sizes and masses return, with fixed and driven disks too") {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         for (const bool driven : {false, true}) {
             CAPTURE(seed);

@@ -41,7 +41,7 @@ struct Bead {
     double x, v, inverse_mass = 1.0;
 };
 
-/// Beads of one radius between the ends of a wire; when `dimension` is 2, disks in a row.
+/// Beads of one radius between the ends of a line; when `dimension` is 2, disks in a row.
 inline Simulation along_a_line(int dimension, double length, double radius,
                                const std::vector<Bead>& beads) {
     const double height = 4.0 * radius;

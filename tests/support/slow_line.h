@@ -1,4 +1,4 @@
-// The obvious simulator of beads on a wire, to check the fast one against: at each event it looks
+// The obvious simulator of beads on a line, to check the fast one against: at each event it looks
 // at all neighbours and both ends, moves everybody to the earliest contact, and collides. The order
 // of the beads is fixed at the start. No queue, no local times; long double makes up for its
 // round-off.

@@ -1,4 +1,4 @@
-// Small scenes of every kind, in the plane and on a wire, each from a number.
+// Small scenes of every kind, in the plane and on a line, each from a number.
 #pragma once
 
 #include <cmath>
@@ -47,9 +47,9 @@ inline Gas small_scene(std::uint64_t seed) {
 /// end.
 inline bool may_crush(const Gas& gas) { return gas.species.size() > 3; }
 
-/// A small wire of any kind: points and rods, mixed masses, a fixed bead, walls or a ring, one bead
+/// A small line of any kind: points and rods, mixed masses, a fixed bead, walls or a ring, one bead
 /// alone, all at rest.
-inline Gas small_wire(std::uint64_t seed) {
+inline Gas small_line(std::uint64_t seed) {
     Random random(seed, "small wire");
     Gas gas;
     gas.seed = seed;

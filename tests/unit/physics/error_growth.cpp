@@ -43,6 +43,6 @@ TEST_CASE("the law is for equal disks that move") {
     other = equal;
     other.radius.setZero();
     CHECK_FALSE(bits_lost_per_collision(gas.box, other));
-    const Box wire{1, {100.0, 0.0}, {}};
-    CHECK_FALSE(bits_lost_per_collision(wire, equal));
+    const Box line{1, {100.0, 0.0}, {}};
+    CHECK_FALSE(bits_lost_per_collision(line, equal));
 }

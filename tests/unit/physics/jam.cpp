@@ -41,7 +41,7 @@ struct Case {
 
 constexpr double fixed = 0.0;  // the inverse of an infinite mass
 
-Box wire(Wall ends) { return {1, {6.0, 0.0}, {ends, Wall::solid}}; }
+Box line(Wall ends) { return {1, {6.0, 0.0}, {ends, Wall::solid}}; }
 Box room(double width, double height, Wall sides = Wall::solid) {
     return {2, {width, height}, {sides, sides}};
 }
@@ -49,32 +49,32 @@ Box room(double width, double height, Wall sides = Wall::solid) {
 const std::vector<Case> cases{
     {"beads from wall to wall",
      "1",
-     wire(Wall::solid),
+     line(Wall::solid),
      {{1, 0, 0, 0, 1}, {3, 0, 1, 0, 1}, {5, 0, 0, 0, 1}}},
     {"they are at rest",
      "none",
-     wire(Wall::solid),
+     line(Wall::solid),
      {{1, 0, 0, 0, 1}, {3, 0, 0, 0, 1}, {5, 0, 0, 0, 1}}},
     {"a thousandth is room",
      "none",
-     wire(Wall::solid),
+     line(Wall::solid),
      {{1, 0, 0, 0, 1}, {3, 0, 1, 0, 1}, {5, 0, 0, 0, 0.999}}},
-    {"one bead as long as its wire", "0 alone", wire(Wall::solid), {{3, 0, -1, 0, 3}}},
+    {"one bead as long as its wire", "0 alone", line(Wall::solid), {{3, 0, -1, 0, 3}}},
     {"around a ring",
      "2",
-     wire(Wall::periodic),
+     line(Wall::periodic),
      {{1, 0, 1, 0, 1}, {3, 0, 1, 0, 1}, {5, 0, 2, 0, 1}}},
     {"they turn together",
      "none",
-     wire(Wall::periodic),
+     line(Wall::periodic),
      {{1, 0, 1, 0, 1}, {3, 0, 1, 0, 1}, {5, 0, 1, 0, 1}}},
     {"beads in no order across the end of a ring, between two posts",
      "0",
-     wire(Wall::periodic),
+     line(Wall::periodic),
      {{5.5, 0, 1, 0, 0.5}, {1, 0, 0, 0, 1, fixed}, {4.5, 0, 0, 0, 0.5, fixed}}},
     {"a post beside it leaves room on the other side",
      "none",
-     wire(Wall::solid),
+     line(Wall::solid),
      {{1, 0, 0, 0, 0.5, fixed}, {2, 0, 1, 0, 0.5}, {4, 0, 0, 0, 0.5, fixed}}},
     {"a row across the box", "1", room(4, 10), {{1, 5, 0, 1, 1}, {3, 5, 1, 0, 1}, {1, 8, 1, 0, 1}}},
     {"it moves along its free side",
@@ -112,9 +112,9 @@ TEST_CASE("a jam is where a run would collide without end at its start, and nowh
 
 TEST_CASE("a velocity that is not known differs from all others") {
     const double drawn = std::numeric_limits<double>::quiet_NaN();
-    CHECK(jam_of(wire(Wall::solid), {{3, 0, drawn, 0, 3}}) == "0 alone");
-    CHECK(jam_of(wire(Wall::periodic), {{1.5, 0, drawn, 0, 1.5}, {4.5, 0, drawn, 0, 1.5}}) == "1");
-    CHECK(jam_of(wire(Wall::periodic), {{3, 0, drawn, 0, 3}}) == "none");
+    CHECK(jam_of(line(Wall::solid), {{3, 0, drawn, 0, 3}}) == "0 alone");
+    CHECK(jam_of(line(Wall::periodic), {{1.5, 0, drawn, 0, 1.5}, {4.5, 0, drawn, 0, 1.5}}) == "1");
+    CHECK(jam_of(line(Wall::periodic), {{3, 0, drawn, 0, 3}}) == "none");
 }
 
 TEST_CASE("a gas that is placed in a jam is refused, with its species") {

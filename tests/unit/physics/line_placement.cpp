@@ -17,7 +17,7 @@ using test::relative;
 
 namespace {
 
-Gas wire_of(double length, std::vector<Species> species, Wall ends = Wall::solid) {
+Gas line_of(double length, std::vector<Species> species, Wall ends = Wall::solid) {
     Gas gas;
     gas.box = {1, {length, 0.0}, {ends, Wall::solid}};
     gas.species = std::move(species);
@@ -62,11 +62,11 @@ double least_gap(const Gas& gas, const Particles& particles, const Sample& sampl
 
 }  // namespace
 
-TEST_CASE("beads never overlap, even where they fill the wire, and depend on the seed only") {
+TEST_CASE("beads never overlap, even where they fill the line, and depend on the seed only") {
     for (const Wall ends : {Wall::solid, Wall::periodic})
         for (const double filled : {0.0, 0.5, 0.999, 1.0}) {
             CAPTURE(filled);
-            Gas gas = wire_of(100.0,
+            Gas gas = line_of(100.0,
                               {{.name = "short", .count = 50, .radius = 0.6 * filled},
                                {.name = "long", .count = 10, .radius = 2.0 * filled}},
                               ends);
@@ -83,7 +83,7 @@ TEST_CASE("beads never overlap, even where they fill the wire, and depend on the
 }
 
 TEST_CASE("random beads are uniform over all arrangements") {
-    // Free places of rods are those of points on a shorter wire: the k-th of N has x ~ Beta(k, N +
+    // Free places of rods are those of points on a shorter line: the k-th of N has x ~ Beta(k, N +
     // 1 - k) whatever the lengths. Mean and variance over many seeds, to 4.5 standard errors of 16.
     constexpr int seeds = 4000;
     const std::vector<double> radii{1.0, 0.0, 2.0, 0.5};
@@ -91,7 +91,7 @@ TEST_CASE("random beads are uniform over all arrangements") {
     Eigen::Array4d sum = Eigen::Array4d::Zero(), squares = Eigen::Array4d::Zero();
     Eigen::Array4d first = Eigen::Array4d::Zero();
     for (int seed = 1; seed <= seeds; ++seed) {
-        Gas gas = wire_of(17.0, {{.name = "a", .count = 2, .radius = std::vector{1.0, 0.0}},
+        Gas gas = line_of(17.0, {{.name = "a", .count = 2, .radius = std::vector{1.0, 0.0}},
                                  {.name = "b", .count = 2, .radius = std::vector{2.0, 0.5}}});
         gas.seed = static_cast<std::uint64_t>(seed);
         const auto [particles, start] = place(gas);
@@ -117,12 +117,12 @@ TEST_CASE("random beads are uniform over all arrangements") {
     }
 }
 
-TEST_CASE("on a ring no place is like the ends of a wire") {
+TEST_CASE("on a ring no place is like the ends of a line") {
     // Gaps of N beads on a ring are those of N - 1 points: the mean square is 2 / (N (N + 1)).
     constexpr int seeds = 4000;
     double square = 0.0, left_half = 0.0, across_the_end = 0.0;
     for (int seed = 1; seed <= seeds; ++seed) {
-        Gas gas = wire_of(8.0, {{.name = "", .count = 3, .radius = 1.0}}, Wall::periodic);
+        Gas gas = line_of(8.0, {{.name = "", .count = 3, .radius = 1.0}}, Wall::periodic);
         gas.seed = static_cast<std::uint64_t>(seed);
         const auto [particles, start] = place(gas);
         for (const double gap : gaps(gas, particles, start)) square += gap * gap / 4.0 / 3.0;
@@ -139,7 +139,7 @@ TEST_CASE("on a ring no place is like the ends of a wire") {
 TEST_CASE("a lattice has equal gaps, and stands in the order of the numbers") {
     for (const Wall ends : {Wall::solid, Wall::periodic})
         for (const int count : {1, 2, 7, 1000}) {
-            Gas gas = wire_of(50.0, {{.name = "", .count = count, .radius = 0.02}}, ends);
+            Gas gas = line_of(50.0, {{.name = "", .count = count, .radius = 0.02}}, ends);
             gas.species[0].position = LatticePlaces{};
             const auto [particles, start] = place(gas);
             const double gap = (50.0 - 0.04 * count) / (count + (ends == Wall::solid ? 1 : 0));
@@ -150,7 +150,7 @@ TEST_CASE("a lattice has equal gaps, and stands in the order of the numbers") {
         }
     // Around a piston at 3 : 1: of 40 points 31 and 9 have gaps of at least 30/32, 30 and 10 of
     // 10/11.
-    Gas gas = wire_of(41.0, {{.name = "piston", .count = 1, .radius = 0.5, .position = at({30.5})},
+    Gas gas = line_of(41.0, {{.name = "piston", .count = 1, .radius = 0.5, .position = at({30.5})},
                              {.name = "a", .count = 20, .radius = 0.0},
                              {.name = "b", .count = 20, .radius = 0.0}});
     gas.species[1].position = gas.species[2].position = LatticePlaces{};
@@ -160,9 +160,9 @@ TEST_CASE("a lattice has equal gaps, and stands in the order of the numbers") {
     CHECK((start.position.middleRows(1, 20) < 30.0).count() != 20);  // mixed
 }
 
-TEST_CASE("random beads go around listed ones, and stay in their part of the wire") {
+TEST_CASE("random beads go around listed ones, and stay in their part of the line") {
     for (const Wall ends : {Wall::solid, Wall::periodic}) {
-        Gas gas = wire_of(100.0,
+        Gas gas = line_of(100.0,
                           {{.name = "listed", .count = 3, .radius = 2.0},
                            {.name = "part", .count = 40, .radius = 0.1},
                            {.name = "inner", .count = 10, .radius = 0.05},
@@ -183,7 +183,7 @@ TEST_CASE("random beads go around listed ones, and stay in their part of the wir
 }
 
 TEST_CASE("each stretch gets points in proportion to its length") {
-    Gas gas = wire_of(10.0, {{.name = "walls", .count = 2, .radius = 0.5},
+    Gas gas = line_of(10.0, {{.name = "walls", .count = 2, .radius = 0.5},
                              {.name = "", .count = 20000, .radius = 0.0}});
     gas.species[0].position = at({2.5, 6.5});  // free: 2, 3 and 3
     const auto [particles, start] = place(gas);
@@ -193,7 +193,7 @@ TEST_CASE("each stretch gets points in proportion to its length") {
 }
 
 TEST_CASE("points where numbers are scarce have different places all the same") {
-    Gas gas = wire_of(2.0, {{.name = "", .count = 3, .radius = 0.0}});
+    Gas gas = line_of(2.0, {{.name = "", .count = 3, .radius = 0.0}});
     gas.species[0].position = WithinRegion{{{1.0, 0.0}, {1.0 + 0x1p-49, 0.0}}};  // 7 between
     for (gas.seed = 1; gas.seed <= 100; ++gas.seed) {
         const auto [particles, start] = place(gas);
@@ -207,7 +207,7 @@ TEST_CASE("points where numbers are scarce have different places all the same") 
 
 TEST_CASE("rods that just fit into their stretches are found room, whatever the luck") {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-        Gas gas = wire_of(
+        Gas gas = line_of(
             10.0, {{.name = "piston", .count = 1, .radius = 0.5}, {.name = "rods", .count = 4}});
         gas.species[0].position = at({4.5});                        // free: 4 and 5
         gas.species[1].radius = std::vector{1.25, 1.25, 1.5, 0.5};  // 2.5 + 2.5, 3 + 1
@@ -220,19 +220,19 @@ TEST_CASE("rods that just fit into their stretches are found room, whatever the 
 TEST_CASE("very many beads find their places at once") {
     std::vector<double> posts;
     for (int i = 0; i < 100'000; ++i) posts.push_back(1.0 + i);
-    Gas gas = wire_of(100'001.0, {{.name = "posts", .count = 100'000, .radius = 0.1},
+    Gas gas = line_of(100'001.0, {{.name = "posts", .count = 100'000, .radius = 0.1},
                                   {.name = "", .count = 200'000, .radius = 0.1}});
     gas.species[0].position = at(posts);
     const auto [particles, start] = place(gas);
     CHECK(least_gap(gas, particles, start) > -1e-12 * 1e5);
 }
 
-TEST_CASE("no room on the wire: one sentence with the numbers and a way out") {
+TEST_CASE("no room on the line: one sentence with the numbers and a way out") {
     CHECK(
-        placement_error(wire_of(10.0, {{.name = "rods", .count = 11, .radius = 0.5}})) ==
+        placement_error(line_of(10.0, {{.name = "rods", .count = 11, .radius = 0.5}})) ==
         "the beads are 11 long together, longer than the wire of 10; fewer or shorter beads, or a "
         "wire of about 22");
-    Gas gas = wire_of(10.0, {{.name = "piston", .count = 1, .radius = 0.5},
+    Gas gas = line_of(10.0, {{.name = "piston", .count = 1, .radius = 0.5},
                              {.name = "rods", .count = 3, .radius = 1.4}});
     gas.species[0].position = at({4.0});
     CHECK(placement_error(gas) ==
@@ -249,14 +249,14 @@ TEST_CASE("no room on the wire: one sentence with the numbers and a way out") {
           "2 beads of species \"rods\" have no room in their part of the wire: together they are "
           "6.4 long, and the free stretches 6, the widest 5.5; fewer or shorter beads, or a "
           "longer part");
-    gas = wire_of(10.0, {{.name = "", .count = 1, .mass = Density{2.0}}});
+    gas = line_of(10.0, {{.name = "", .count = 1, .mass = Density{2.0}}});
     gas.species[0].radius = 0.0;
     CHECK(placement_error(gas) ==
           "a point, of radius 0, has no mass from a density; give a radius, or a mass instead");
 }
 
 TEST_CASE("listed places are checked, across the ends of a ring too") {
-    Gas gas = wire_of(10.0, {{.name = "p", .count = 2, .radius = 0.5}});
+    Gas gas = line_of(10.0, {{.name = "p", .count = 2, .radius = 0.5}});
     gas.species[0].position = at({0.5, 9.8});
     CHECK(placement_error(gas) ==
           "particle 1 (p) of radius 0.5 is not inside the wire from 0 to 10; its middle has room "
@@ -284,7 +284,7 @@ TEST_CASE("listed places are checked, across the ends of a ring too") {
 
 TEST_CASE("masses and velocities of beads follow their rules") {
     Gas gas =
-        wire_of(100.0, {{.name = "dense", .count = 1, .radius = 2.0, .mass = Density{3.0}},
+        line_of(100.0, {{.name = "dense", .count = 1, .radius = 2.0, .mass = Density{3.0}},
                         {.name = "list", .count = 2, .radius = 0.0},
                         {.name = "speed", .count = 400, .radius = 0.0, .velocity = Speed{3.0}},
                         {.name = "warm",
@@ -313,7 +313,7 @@ TEST_CASE("masses and velocities of beads follow their rules") {
 TEST_CASE("two beads alone on a ring never start at rest for want of momentum") {
     int to_the_right = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        Gas gas = wire_of(10.0, {{.name = "", .count = 2, .radius = 0.0, .velocity = Speed{1.0}}},
+        Gas gas = line_of(10.0, {{.name = "", .count = 2, .radius = 0.0, .velocity = Speed{1.0}}},
                           Wall::periodic);
         gas.seed = seed;
         const Sample start = place(gas).second;

@@ -44,7 +44,7 @@ TEST_CASE("two beads of infinite mass meet, whatever is between them") {
     const std::vector<Bead> far{{2.0, 1.0, fixed, 0.5}, {4.0, 0.0, 1.0}, {8.0, -1.0, fixed}};
     CHECK(squeeze_of(Wall::solid, far, until(3.0)) == met + " at time 2.75");
     CHECK(squeeze_of(Wall::solid, far, until(2.7)) == "none");
-    // Turned round at 2 they go home by 4, and on to the walls, where no bead is.
+    // Turned round at 2 they return by 4, and on to the walls, where no bead is.
     CHECK(squeeze_of(Wall::solid, far, until(9.0, {2.0})) == "none");
     // A rod between them takes up room.
     std::vector<Bead> rod = far;
@@ -66,7 +66,7 @@ TEST_CASE("two beads of infinite mass meet, whatever is between them") {
     CHECK(squeeze_of(Wall::solid, far, early) == met + " at time 0.75");
 }
 
-TEST_CASE("a bead of infinite mass presses others against the end of the wire, or bounces there") {
+TEST_CASE("a bead of infinite mass presses others against the end of the line, or bounces there") {
     const std::vector<Bead> piston{{1.0, 0.0, 1.0}, {5.0, -1.0, fixed}};
     CHECK(squeeze_of(Wall::solid, piston, until(6.0)) ==
           "particle 1 of infinite mass presses beads against the left end of the wire at time 5");

@@ -91,7 +91,7 @@ namespace {
 
 // Beads of different masses with all energy in the first, or in the first two back to back; in
 // their centre-of-mass frame.
-State wire_of(const std::vector<double>& masses, Wall ends) {
+State line_of(const std::vector<double>& masses, Wall ends) {
     const auto count = static_cast<Eigen::Index>(masses.size());
     State s;
     s.box = {1, {10.0, 0.0}, {ends, Wall::solid}};
@@ -113,7 +113,7 @@ TEST_CASE("moments of beads between walls are the exact ones of the finite gas")
         if (!row[0].starts_with("1D walls")) continue;
         ++rows;
         const int count = std::stoi(row[1]);
-        // The laws are the same for all masses; a wire draws them only where masses differ.
+        // The laws are the same for all masses; a line draws them only where masses differ.
         const EquilibriumGas gas{9.0, 0.5, 0.5 * (count - 1), {{2.0, double(count), 1.0}}};
         const double thermal = std::sqrt(2.0 * 9.0 / count / 2.0);
         CHECK(mean_speed(gas) / thermal == relative(std::stod(row[6]), 1e-12));
@@ -142,7 +142,7 @@ TEST_CASE("moments of beads between walls are the exact ones of the finite gas")
 TEST_CASE("energies of beads are those of points spread evenly over the energy sphere") {
     const std::vector<double> masses{1.0, 2.0, 2.0, 7.0, 0.5};
     for (const Wall ends : {Wall::solid, Wall::periodic}) {
-        State s = wire_of(masses, ends);
+        State s = line_of(masses, ends);
         s.particles.species << 0, 1, 1, 2, 0;
         const auto gas = equilibrium(s.box, s.particles, s.sample, {1, 2});
         REQUIRE(gas.has_value());
@@ -177,7 +177,7 @@ TEST_CASE("energies of beads are those of points spread evenly over the energy s
 }
 
 TEST_CASE("the probability of an interval is the integral of the density") {
-    const State s = wire_of({1.0, 2.0, 3.0, 0.2}, Wall::solid);
+    const State s = line_of({1.0, 2.0, 3.0, 0.2}, Wall::solid);
     const auto gas = equilibrium(s.box, s.particles, s.sample);
     REQUIRE(gas.has_value());
     const double step = mean_energy(*gas) / 3.0;
@@ -198,29 +198,29 @@ TEST_CASE("beads that do not mix have no curve") {
     const auto none = [](const State& s) {
         return !equilibrium(s.box, s.particles, s.sample).has_value();
     };
-    CHECK(none(wire_of({2.0, 2.0, 2.0, 2.0, 2.0}, Wall::solid)));
-    CHECK(none(wire_of({2.0, 2.0, 2.0, 2.0, 2.0}, Wall::periodic)));
-    CHECK(none(wire_of({1.0, 2.0}, Wall::solid)));
-    CHECK_FALSE(none(wire_of({1.0, 2.0, 2.0}, Wall::solid)));
-    CHECK(none(wire_of({1.0, 2.0, 2.0}, Wall::periodic)));
-    CHECK_FALSE(none(wire_of({1.0, 2.0, 2.0, 2.0}, Wall::periodic)));
-    State s = wire_of({1.0, 2.0, 2.0, 2.0}, Wall::periodic);
+    CHECK(none(line_of({2.0, 2.0, 2.0, 2.0, 2.0}, Wall::solid)));
+    CHECK(none(line_of({2.0, 2.0, 2.0, 2.0, 2.0}, Wall::periodic)));
+    CHECK(none(line_of({1.0, 2.0}, Wall::solid)));
+    CHECK_FALSE(none(line_of({1.0, 2.0, 2.0}, Wall::solid)));
+    CHECK(none(line_of({1.0, 2.0, 2.0}, Wall::periodic)));
+    CHECK_FALSE(none(line_of({1.0, 2.0, 2.0, 2.0}, Wall::periodic)));
+    State s = line_of({1.0, 2.0, 2.0, 2.0}, Wall::periodic);
     s.sample.velocity(3, 0) = 1.0;
     CHECK(none(s));  // it drifts
-    // A fixed bead parts a wire with walls, but makes one of a ring.
+    // A fixed bead parts a line with walls, but makes one of a ring.
     for (const Wall ends : {Wall::solid, Wall::periodic}) {
-        s = wire_of({1.0, 2.0, 2.0, 1.0, 3.0, 4.0}, ends);
+        s = line_of({1.0, 2.0, 2.0, 1.0, 3.0, 4.0}, ends);
         s.particles.inverse_mass[3] = 0.0;
         CHECK(none(s) == (ends == Wall::solid));
     }
-    s = wire_of({1.0, 2.0, 2.0, 1.0}, Wall::solid);
+    s = line_of({1.0, 2.0, 2.0, 1.0}, Wall::solid);
     s.particles.inverse_mass[3] = 0.0;
     CHECK_FALSE(none(s));  // the fixed one stands at the end
-    s = wire_of({1.0, 1.0, 1.0, 5.0}, Wall::solid);
+    s = line_of({1.0, 1.0, 1.0, 5.0}, Wall::solid);
     s.particles.inverse_mass[3] = 0.0;
     CHECK(none(s));
     // Species may be picked although each has one mass.
-    s = wire_of({1.0, 2.0, 2.0, 1.0}, Wall::solid);
+    s = line_of({1.0, 2.0, 2.0, 1.0}, Wall::solid);
     s.particles.species << 0, 1, 1, 0;
     CHECK(equilibrium(s.box, s.particles, s.sample, {1}).has_value());
 }
@@ -345,7 +345,7 @@ TEST_CASE("a component of velocity is that of points spread evenly over the ener
         CAPTURE(count);
         CAPTURE(one.dimension);
         const bool periodic = one.wall == Wall::periodic;
-        State s = wire_of(one.masses, one.wall);
+        State s = line_of(one.masses, one.wall);
         if (one.dimension == 2) {
             s.box = {2, {10.0, 10.0}, {one.wall, one.wall}};
             s.particles.radius = Eigen::ArrayXd::Constant(count, 0.1);
@@ -384,7 +384,7 @@ TEST_CASE("in one dimension a speed is a component of velocity of either sign") 
 }
 
 TEST_CASE("among all particles the equilibrium is the same, and among none there is none") {
-    State s = wire_of({3.0, 1.0, 2.0, 5.0}, Wall::periodic);
+    State s = line_of({3.0, 1.0, 2.0, 5.0}, Wall::periodic);
     const auto whole = equilibrium(s.box, s.particles, s.sample);
     const auto all = among(whole.value(), s.particles, {0, 1, 2, 3});
     REQUIRE(all.has_value());

@@ -32,8 +32,8 @@ bool names_folder(const std::string& output, bool several) {
 Option shortcut(SceneOptions& options, const std::string& flag, const std::string& key,
                 const std::string& meaning) {
     return {flag, meaning, [&options, key](const std::string& value) {
-                options.shortcuts.emplace_back(key,
-                                               key == "film.size" ? as_yaml_size(value) : value);
+                options.shortcuts.push_back(key + "=" +
+                                            (key == "film.size" ? as_yaml_size(value) : value));
             }};
 }
 
@@ -58,12 +58,12 @@ std::vector<Option> picture_options(SceneOptions& options) {
 }
 
 Overrides overrides_of(const SceneOptions& options) {
-    Overrides overrides{options.shortcuts};
+    Overrides overrides = options.shortcuts;
     for (const std::string& set : options.sets) {
         const std::size_t equals = set.find('=');
         if (equals == std::string::npos || equals == 0)
             throw UsageError(fmt::format("--set {}: expected KEY.PATH=VALUE", set));
-        overrides.values.emplace_back(set.substr(0, equals), set.substr(equals + 1));
+        overrides.push_back(set);
     }
     return overrides;
 }

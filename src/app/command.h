@@ -47,9 +47,9 @@ struct Command {
 
 /// What may be said to every command that reads scenes.
 struct SceneOptions {
-    std::vector<std::string> sets;                               ///< --set, as given
-    std::vector<std::pair<std::string, std::string>> shortcuts;  ///< of --set: key path and value
-    int threads = 0;                                             ///< 0: as many as there are cores
+    std::vector<std::string> sets;  ///< --set, as given
+    Overrides shortcuts;            ///< of --set
+    int threads = 0;                ///< 0: as many as there are cores
     bool quiet = false;
     bool timings = false;
 };

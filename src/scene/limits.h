@@ -2,8 +2,8 @@
 // refused with the number and the limit, before memory is taken.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace carom {
@@ -11,9 +11,15 @@ namespace carom {
 /// An upper (or lower) limit and what it counts.
 struct Limit {
     double value;
-    std::string_view meaning;
+    std::string_view meaning = {};  ///< empty: messages do not name the limit
     constexpr std::size_t count() const { return static_cast<std::size_t>(value); }
 };
+
+/// "the limit is 200 species"; empty if it has no meaning.
+std::string to_text(const Limit& limit);
+
+/// A bound as a message writes it: 2000000, 1e12.
+std::string number_text(double value);
 
 inline constexpr Limit most_file_bytes{4 << 20, "bytes in a scene or template file"};
 inline constexpr Limit most_nesting{24, "levels of nested lists and mappings"};
@@ -57,20 +63,5 @@ inline constexpr Limit most_monitors{8, "numbers in a row of monitors"};
 inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
-
-inline constexpr std::array limits{most_file_bytes,     most_nesting,       most_values,
-                                   most_letters,        most_title_letters, most_caption_letters,
-                                   most_words_letters,  most_name_letters,  most_seconds,
-                                   most_trail_seconds,  most_overrides,     most_errors_shown,
-                                   largest_quantity,    smallest_quantity,  largest_seed,
-                                   most_seeds,          most_particles,     most_returning,
-                                   most_species,        most_events,        most_samples,
-                                   most_pairs_compared, most_frames,        most_frames_per_second,
-                                   smallest_side,       largest_side,       most_panels,
-                                   most_slow_spans,     most_monitors,      most_bins,
-                                   most_chosen,         largest_grid,       most_figures,
-                                   most_set_scenes,     most_strip,         most_compared,
-                                   most_changes,        largest_figure,     smallest_figure,
-                                   most_precise};
 
 }  // namespace carom

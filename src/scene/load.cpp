@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "scene/describe.h"
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
 #include "scene/overrides.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
+#include "scene/reading/set_reading.h"
 #include "scene/reading/template.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
@@ -39,8 +41,8 @@ void refuse_newer_format(const Node& root) {
 }
 
 void refuse_figure_set(const Node& root) {
-    const auto scenes = std::ranges::find(root.keys, "scenes", &Node::text);
-    if (scenes == root.keys.end() || find(root, "box") != nullptr) return;
+    const Node* scenes = key_of_set(root);
+    if (scenes == nullptr) return;
     Errors errors;
     errors.add(*scenes, "this is a figure set, and a scene is wanted",
                "`carom figures` makes the figures of a set, `carom check` checks it");
@@ -56,18 +58,9 @@ int dimension_of(const Node& root) {
     if (length != nullptr)
         return size == nullptr || length->source->origin > size->source->origin ? 1 : 2;
     const std::vector<std::string> names{"size", "length", "walls"};
-    return std::any_of(
-               box->keys.begin(), box->keys.end(),
-               [&](const Node& key) { return nearest_spelling(key.text, names) == names[1]; })
-               ? 1
-               : 2;
-}
-
-Node empty_mapping(const Source& source) {
-    Node node;
-    node.kind = Node::Kind::mapping;
-    node.source = &source;
-    return node;
+    const bool is_misspelt = std::ranges::any_of(
+        box->keys, [&](const Node& key) { return nearest_spelling(key.text, names) == names[1]; });
+    return is_misspelt ? 1 : 2;
 }
 
 /// What a scene and its template say, and where: checked for form.
@@ -95,12 +88,8 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
     if (!asked) return;
     const auto file = find_template(*asked, scene, resources.templates, errors);
     if (!file) return;
-    Source& source = sources.emplace_back();
-    source = {file->path.string(), {}, Origin::template_file};
-    auto text = file_text(file->path, source, errors);
-    if (!text) return;
-    source.text = std::move(*text);
-    auto root = read_yaml(source, errors);
+    Source& source = sources.emplace_back(Source{.origin = Origin::template_file});
+    auto root = read_yaml_file(file->path, source, errors);
     if (!root) return;
     tree.template_file = std::move(*root);
     tree.template_name = file->name;
@@ -120,65 +109,58 @@ double usual_sample_every(const Scene& scene, bool has_film) {
     return scene.run.until / steps;
 }
 
-// The gas and the run from the drafts of the scene, which they are checked with.
+// The gas and the run from the draft of the scene, which they are checked with.
 void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
-    Scene& scene = draft.scene;
-    scene.gas.seed = scene.seed;
-    scene.run = draft.run.run;
-    scene.marks = draft.run.marks;
-    for (const auto& [caption, node] : draft.run.captions) scene.captions.push_back(caption);
-    const Node* precision = draft.run.precision;
-    scene.precision_place = place_of(precision != nullptr ? *precision : root);
-    for (const Node* node : draft.run.event_nodes) scene.event_places.push_back(place_of(*node));
+    draft.gas.seed = draft.seed;
+    draft.run = draft.written_run;
+    draft.marks = draft.written_run.marks;
+    draft.captions = values_of(draft.written_run.captions);
+    const Node* precision = draft.written_run.precision;
+    draft.precision_place = place_of(precision != nullptr ? *precision : root);
+    for (const Node* node : draft.written_run.event_nodes)
+        draft.event_places.push_back(place_of(*node));
     for (const SpeciesDraft& species : draft.species) {
-        scene.gas.species.push_back(species.species);
-        scene.looks.push_back(species.look);
-        scene.species_spans.push_back(place_of(*species.node));
+        draft.gas.species.push_back(species);
+        draft.looks.push_back(species);
+        draft.species_spans.push_back(place_of(*species.node));
     }
     if (!draft.box) return;
-    scene.gas.box = *draft.box;
-    check_feasibility(*draft.box, draft.species, scene.seed, scene.run, errors);
-    check_nudges(draft.run, scene.gas, errors);
+    draft.gas.box = *draft.box;
+    check_feasibility(*draft.box, draft.species, draft.seed, draft.run, errors);
+    check_nudges(draft.written_run, draft.gas, errors);
 }
 
 void complete_film(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
                    Reading& reading) {
-    const auto layout = read_layout(tree.template_file, reading);
-    FilmDraft film;
-    film_table(resources.panels).read(tree.film, film, reading);
-    const auto others = [&](std::size_t panels) {
-        return templates_with_places(resources.templates, panels);
-    };
-    Scene& scene = draft.scene;
-    film.template_name = tree.template_name;
-    scene.film = complete_film(film, tree.film, tree.root, layout, others, reading);
+    draft.film = read_film({tree.film, tree.template_file, tree.root}, tree.template_name,
+                           resources.panels, resources.templates, reading);
     if (reading.errors.empty())
-        check_captions(scene, draft.run.captions, tree.root, reading.errors);
-    if (!scene.captions.empty()) scene.film.layout = with_caption_line(scene.film.layout);
+        check_captions(draft, draft.written_run.captions, tree.root, reading.errors);
+    if (!draft.captions.empty()) draft.film.layout = with_caption_line(draft.film.layout);
 }
 
 Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wanted, Errors& errors) {
     SceneDraft draft;
-    Scene& scene = draft.scene;
-    Reading reading{errors, scene.gas, scene.run};
+    Reading reading{errors, draft.gas, draft.run};
     scene_table(resources.panels, tree.dimension).read(tree.root, draft, reading);
     complete_physics(draft, tree.root, errors);
     const bool has_film = find(tree.root, "film") != nullptr;
     if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film))
         complete_film(draft, tree, resources, reading);
-    if (draft.figures != nullptr)
-        scene.figures = figures_notation(resources.panels).read(*draft.figures, reading).value();
+    if (draft.figures_node != nullptr)
+        draft.figures =
+            figures_notation(resources.panels).read(*draft.figures_node, reading).value();
     errors.throw_if_any();
-    if (scene.run.sample_every == 0.0) scene.run.sample_every = usual_sample_every(scene, has_film);
-    scene.description = draft.description.value_or(describe(scene));
-    return scene;
+    if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft, has_film);
+    if (draft.description.empty()) draft.description = describe(draft);
+    return draft;
 }
 
 // The scene of a compared run, as `reload` makes it of overrides, with that figure alone.
 template <typename Reload>
 Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides overrides,
                      const Reload& reload) {
-    for (const std::string& value : run.values) overrides.values.push_back(parted_change(value));
+    overrides.insert(overrides.end(), run.values.begin(), run.values.end());
     Diagnostic error = run.place;
     try {
         Scene scene = reload(figure.name, overrides);
@@ -243,13 +225,13 @@ Scene load(Sources& sources, const fs::path& path, const SceneResources& resourc
     tree.dimension = dimension_of(tree.root);
     check_mapping(tree.root, scene_table(resources.panels, tree.dimension).section(), errors);
     const Node* film = find(tree.root, "film");
-    tree.film = film != nullptr && film->is_mapping() ? *film : empty_mapping(source);
+    tree.film = film != nullptr && film->is_mapping()
+                    ? *film
+                    : Node{.kind = Node::Kind::mapping, .source = &source};
     read_template(tree, path, resources, sources, errors);
     Scene scene = read_scene(tree, resources, wanted, errors);
     const Source* used = tree.template_file.source;
-    scene.source = {source.name, source.text, used != nullptr ? used->text : "", {}};
-    for (const auto& [key, value] : overrides.values)
-        scene.source.overrides.push_back(key + "=" + value);
+    scene.source = {source.name, source.text, used != nullptr ? used->text : "", overrides};
     if (!figure)
         load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
             Sources again(1);

@@ -12,11 +12,9 @@
 
 namespace carom {
 
-/// What the command line lays over a scene, after the file and before validation.
-struct Overrides {
-    std::vector<std::pair<std::string, std::string>>
-        values;  ///< key path (counted lists: gas.0.count) and YAML value; the last wins
-};
+/// What the command line lays over a scene, after the file and before validation: KEY.PATH=VALUE,
+/// with a key path (counted lists: gas.0.count) and a YAML value each; the last wins.
+using Overrides = std::vector<std::string>;
 
 /// What the scene is for. A scene that says nothing of a film is one of 1 second for each unit of
 /// time where a film is wanted, and has none where only the physics is.

@@ -35,12 +35,8 @@ std::optional<std::size_t> list_index(const std::string& word) {
 }
 
 Node key_node(const Source& source, const Step& step) {
-    Node key;
-    key.kind = Node::Kind::scalar;
-    key.source = &source;
-    key.offset = step.offset;
-    key.text = step.word;
-    return key;
+    return {
+        .kind = Node::Kind::scalar, .source = &source, .offset = step.offset, .text = step.word};
 }
 
 Node* enter_list(Node& list, const Source& source, const Step& step, Errors& errors) {
@@ -60,10 +56,7 @@ Node* enter_mapping(Node& mapping, const Source& source, const Step& step) {
         return &mapping.items[i];
     }
     mapping.keys.push_back(key_node(source, step));
-    Node& value = mapping.items.emplace_back();
-    value.source = &source;
-    value.offset = step.offset;
-    return &value;
+    return &mapping.items.emplace_back(Node{.source = &source, .offset = step.offset});
 }
 
 Node* enter(Node& node, const Source& source, const Step& step, Errors& errors) {
@@ -82,13 +75,14 @@ std::optional<Node> read_value(const Source& source, std::size_t begin, Errors& 
     return key_node(source, {source.text.substr(begin), begin});
 }
 
-void apply(const Source& source, const std::string& path, std::size_t path_at, Node& scene,
-           Errors& errors) {
-    std::optional<Node> value = read_value(source, path_at + path.size() + 1, errors);
+// The change begins at `begin` of the source's text.
+void apply(const Source& source, std::size_t begin, Node& scene, Errors& errors) {
+    const std::size_t sign = source.text.find('=', begin);
+    std::optional<Node> value = read_value(source, sign + 1, errors);
     if (!value) return;
-    if (value->kind == Node::Kind::null) value->offset = path_at;
+    if (value->kind == Node::Kind::null) value->offset = begin;
     Node* place = &scene;
-    for (const Step& step : steps_of(path, path_at)) {
+    for (const Step& step : steps_of(source.text.substr(begin, sign - begin), begin)) {
         place = enter(*place, source, step, errors);
         if (place == nullptr) return;
     }
@@ -99,16 +93,16 @@ void apply(const Source& source, const std::string& path, std::size_t path_at, N
 
 void apply_overrides(const Overrides& overrides, Node& scene, Sources& sources, Errors& errors) {
     constexpr std::string_view option = "--set ";
-    if (overrides.values.size() > most_overrides.count()) {
+    if (overrides.size() > most_overrides.count()) {
         sources.push_back({"--set", "", Origin::command_line});
-        errors.add(sources.back(), fmt::format("{} values are set", overrides.values.size()),
-                   fmt::format("the limit is {} {}", most_overrides.value, most_overrides.meaning));
+        errors.add(sources.back(), fmt::format("{} values are set", overrides.size()),
+                   to_text(most_overrides));
         return;
     }
-    for (const auto& [path, value] : overrides.values) {
-        const std::string text = fmt::format("{}{}={}", option, path, value);
+    for (const std::string& change : overrides) {
+        const std::string text = fmt::format("{}{}", option, change);
         sources.push_back({text, text, Origin::command_line});
-        apply(sources.back(), path, option.size(), scene, errors);
+        apply(sources.back(), option.size(), scene, errors);
     }
 }
 

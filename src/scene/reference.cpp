@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "scene/keys/key_text.h"
-#include "scene/language.h"
+#include "scene/reading/film_reading.h"
+#include "scene/reading/scene_reading.h"
+#include "scene/reading/set_reading.h"
 #include "util/text.h"
 
 namespace carom {
@@ -45,12 +46,6 @@ constexpr const char* rules =
 
 )";
 
-std::string capital(std::string text) {
-    if (!text.empty())
-        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    return text;
-}
-
 std::string cell(std::string text) {
     for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
         text.insert(i, "\\");
@@ -58,18 +53,13 @@ std::string cell(std::string text) {
 }
 
 bool is_one_of_needed(const Section& section, const std::string& name) {
-    return std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
-        return choice.required &&
-               std::find(choice.names.begin(), choice.names.end(), name) != choice.names.end();
+    return std::ranges::any_of(section.choices, [&](const Choice& choice) {
+        return choice.required && std::ranges::find(choice.names, name) != choice.names.end();
     });
 }
 
 std::string default_of(const Section& section, const Key& key) {
-    const bool alone =
-        std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
-            return choice.required && choice.names == std::vector<std::string>{key.name};
-        });
-    if (key.required || alone) return "required";
+    if (key.required) return "required";
     if (!key.default_value.empty()) return "`" + key.default_value + "`";
     if (!key.default_text.empty()) return key.default_text;
     return is_one_of_needed(section, key.name) ? "see below" : "none";
@@ -88,12 +78,9 @@ std::string table(const std::string& rows) {
 
 std::string choices(const Section& section) {
     std::string text;
-    for (const Choice& choice : section.choices) {
-        const std::string names = listed(choice.names, "and", "`");
-        if (choice.names.size() > 1)
-            text += fmt::format("{} of {}.\n\n", choice.required ? "Exactly one" : "At most one",
-                                names);
-    }
+    for (const Choice& choice : section.choices)
+        text += fmt::format("{} of {}.\n\n", choice.required ? "Exactly one" : "At most one",
+                            listed(choice.names, "and", "`"));
     return text;
 }
 
@@ -124,7 +111,7 @@ class Page {
         if (!shown_.insert(plane.name).second) return;
         std::string rows;
         for (const Key& key : plane.keys) rows += row(plane, key);
-        text_ += fmt::format("## {}\n\n", capital(plane.name)) + table(rows) + choices(plane) +
+        text_ += fmt::format("## {}\n\n", capitalised(plane.name)) + table(rows) + choices(plane) +
                  on_wire(plane, wire);
         for (const Key& key : plane.keys) {
             const std::size_t index = wire.index(key.name);
@@ -150,17 +137,17 @@ std::string reference_example() { return example; }
 
 std::string scene_reference(PanelKinds kinds) {
     Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules);
-    page.add(scene_section(kinds, 2), scene_section(kinds, 1));
+    page.add(scene_table(kinds, 2).section(), scene_table(kinds, 1).section());
     page.add(
         "A film template, a file in `templates/films/` or beside the scene, has the keys of "
         "`film` except `template`, and a `layout`:\n\n");
-    const Section film_template = template_section(kinds);
+    const Section film_template = template_table(kinds).section();
     const Section& layout = section_of(film_template, "layout");
     page.add(layout, layout);
     page.add(
         "A figure set, a file given to `carom figures`, lists scenes whose figures belong "
         "together ([figures.md](figures.md)):\n\n");
-    const Section set = set_section(kinds);
+    const Section set = set_table(kinds, {}).section();
     page.add(set, set);
     page.add(
         "## Limits\n\nWhat exceeds a limit is refused before memory is taken: "

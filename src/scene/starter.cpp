@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/keys/key_text.h"
-#include "scene/language.h"
+#include "scene/reading/scene_reading.h"
 
 namespace carom {
 namespace {
@@ -83,7 +83,7 @@ std::string species_lines(const Section& item) {
 }  // namespace
 
 std::string starter_scene(PanelKinds kinds, const std::string& schema, const std::string& name) {
-    const Section scene = scene_section(kinds, 2);
+    const Section scene = scene_table(kinds, 2).section();
     const auto inner = [&](const char* key) -> const Section& { return section_of(scene, key); };
     std::string text = first_line(schema);
     text +=

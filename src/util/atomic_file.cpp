@@ -22,10 +22,6 @@ namespace fs = std::filesystem;
     throw SystemError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)));
 }
 
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 // Names have room for 255 bytes: of a long one the beginning, as whole code points.
 std::string pattern_beside(const fs::path& path) {
     std::string name = path.filename().string();
@@ -93,6 +89,10 @@ void sync_folder(const fs::path& folder) {
 }
 
 }  // namespace
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
     std::error_code error;

@@ -10,6 +10,9 @@
 
 namespace carom {
 
+/// The folder that a path names a file of; "." for a name alone.
+std::filesystem::path folder_of(const std::filesystem::path& path);
+
 /// Writes to a temporary file in the folder of `path`; `commit()` gives it its name, replacing an
 /// earlier one. Of a symbolic link, in the folder and by the name that it leads to. Destroyed
 /// uncommitted, it leaves nothing.

@@ -27,7 +27,7 @@ struct Cost {
 
 void render_once(const std::string& precision, const std::filesystem::path& output, Cost& best) {
     const Scene scene = load_scene(library_folder() / "time-reversal.yaml", scene_resources(),
-                                   {{{"run.precision", precision}}});
+                                   {"run.precision=" + precision});
     Progress silent(Progress::Form::silent, "");
     const RenderReport report = render(scene, {output, Quality::standard, 2}, silent);
     best.wall = std::min(best.wall, report.wall_seconds);

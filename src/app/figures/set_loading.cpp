@@ -11,7 +11,6 @@
 #include "app/resources.h"
 #include "media/formats.h"
 #include "panels/registry.h"
-#include "scene/reading/figure_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -54,7 +53,7 @@ SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
 }
 
 ComparedRun run_of(const SetRun& run, Overrides overrides) {
-    for (const std::string& value : run.values) overrides.values.push_back(parted_change(value));
+    overrides.insert(overrides.end(), run.values.begin(), run.values.end());
     Scene scene;
     try {
         scene = load_run(run.path, scene_resources(), overrides);
@@ -63,8 +62,10 @@ ComparedRun run_of(const SetRun& run, Overrides overrides) {
         const Diagnostic& first = error.diagnostics().front();
         fail(run.place, "with this the scene is not valid: " + first.message, first.hint);
     }
-    const std::string label = run.label.value_or(scene.title);
-    return {label, run.values, run.place, std::make_shared<Scene>(std::move(scene))};
+    ComparedRun compared = run;
+    if (compared.label.empty()) compared.label = scene.title;
+    compared.scene = std::make_shared<Scene>(std::move(scene));
+    return compared;
 }
 
 SetPart part_of(const std::string& path, const SetFile& set, const SetComparison& comparison,

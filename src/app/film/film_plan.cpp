@@ -71,13 +71,8 @@ struct SceneRecord {
 Scene scene_of(const SceneRecord& record, const Archive& archive) {
     if (record.program != CAROM_VERSION)
         archive.refuse("it was written by carom " + record.program);
-    Overrides overrides;
-    for (const std::string& change : record.source.overrides) {
-        const std::size_t equals = change.find('=');
-        overrides.values.emplace_back(change.substr(0, equals), change.substr(equals + 1));
-    }
-    Scene scene =
-        load_scene_text(record.source.text, record.source.path, scene_resources(), overrides);
+    Scene scene = load_scene_text(record.source.text, record.source.path, scene_resources(),
+                                  record.source.overrides);
     if (scene.source.template_text != record.source.template_text)
         archive.refuse("the template of its film has changed");
     scene.run.bits = record.bits;

@@ -9,8 +9,8 @@
 
 #include "app/film/webvtt.h"
 #include "app/progress.h"
+#include "scene/describe.h"
 #include "scene/time/captions.h"
-#include "scene/time/event_words.h"
 #include "scene/time/timeline.h"
 #include "stats/speed_classes.h"
 #include "util/atomic_file.h"

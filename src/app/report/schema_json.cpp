@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "panels/registry.h"
-#include "scene/language.h"
+#include "scene/reading/scene_reading.h"
+#include "scene/reading/set_reading.h"
 #include "scene/yaml/scalar.h"
 
 namespace carom {
@@ -33,7 +34,7 @@ Json section_schema(const Section& section);
 Json value_schema(const std::vector<Form>& forms);
 
 Json number_schema(const char* type, const Range& range) {
-    return {{"type", type}, {"minimum", number(range.low)}, {"maximum", number(range.high)}};
+    return {{"type", type}, {"minimum", number(range.low)}, {"maximum", number(range.most.value)}};
 }
 
 // No control characters, and no line breaks unless it may have lines; what a text ends with does
@@ -48,7 +49,7 @@ std::string text_pattern(const Form& form) {
 // `title: 2026` is a text for carom, though YAML calls it a number.
 Json text_schema(const Form& form) {
     return {{"type", {"string", "number", "boolean"}},
-            {"maxLength", form.longest},
+            {"maxLength", form.most.count()},
             {"pattern", text_pattern(form)}};
 }
 
@@ -61,7 +62,7 @@ Json list_schema(const Form& form) {
     return {{"type", "array"},
             {"items", value_schema(form.items)},
             {"minItems", form.shortest},
-            {"maxItems", form.longest}};
+            {"maxItems", form.most.count()}};
 }
 
 Json form_schema(const Form& form) {
@@ -197,8 +198,8 @@ Json header(const char* title, const char* description) {
 // Draft 07: the newest draft that yaml-language-server, which editors read YAML with, takes whole;
 // of 2019-09 and 2020-12 it knows only parts.
 std::string scene_schema_json() {
-    Json plane = section_schema(scene_section(panel_kinds(), 2));
-    part_dimensions(plane, section_schema(scene_section(panel_kinds(), 1)));
+    Json plane = section_schema(scene_table(panel_kinds(), 2).section());
+    part_dimensions(plane, section_schema(scene_table(panel_kinds(), 1).section()));
     Json schema =
         header("A scene of carom", "What is in the box, what happens to it, what the viewer sees.");
     schema.update(plane);
@@ -207,7 +208,7 @@ std::string scene_schema_json() {
 
 std::string set_schema_json() {
     Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
-    schema.update(section_schema(set_section(panel_kinds())));
+    schema.update(section_schema(set_table(panel_kinds(), {}).section()));
     return schema.dump(1) + "\n";
 }
 

@@ -47,7 +47,7 @@ std::vector<Binding<PanelSpec>> collision_map_keys() {
     const auto fill_velocities = [](PanelSpec& panel, const Eigen::Array2d& velocity) {
         given_pair(panel).velocity = velocity;
     };
-    return {bind_with<PanelSpec>("masses", fill_masses, list_of(mass, 2, 2, "[mass, mass]"),
+    return {bind_with<PanelSpec>("masses", fill_masses, list_of(mass, 2, {2}, "[mass, mass]"),
                                  "Two masses of a pair that need not be in the scene, with their "
                                  "`velocities`; one of them may be `infinite`.")
                 .default_text("those of the pair in the scene"),

@@ -18,14 +18,14 @@ constexpr std::string_view region = "`within`";
 // What errors left open, or lists of a wrong length, are reported elsewhere: what is found without
 // them holds as well.
 Species known_part(const SpeciesDraft& draft) {
-    Species species = draft.species;
+    Species species = draft;
     const FittingRules fits = fitting_rules(species);
     const bool radius_known = draft.radius_known && fits.radius;
     const bool needs_radius = std::holds_alternative<Density>(species.mass);
     if (!radius_known) species.radius = 0.0;
     if (!fits.mass || (needs_radius && !radius_known)) species.mass = Quantity{1.0};
     if (!fits.velocity) species.velocity = AtRest{};
-    if (!draft.position_known || !fits.position) species.position = RandomPlaces{};
+    if (!fits.position) species.position = RandomPlaces{};
     return species;
 }
 
@@ -65,7 +65,7 @@ const Node& node_of(const Problem& problem, const Gas& gas,
         case Kind::squeeze:
             break;
     }
-    if (!std::holds_alternative<Places>(draft.species.position)) return at_key(draft, "radius");
+    if (!std::holds_alternative<Places>(draft.position)) return at_key(draft, "radius");
     Eigen::Index index = problem.particle;
     if (problem.kind == Kind::squeeze) index = std::max(problem.particle, problem.other);
     for (std::size_t s = 0; s < problem.species; ++s)
@@ -81,7 +81,7 @@ void check_feasibility(const Box& box, const std::vector<SpeciesDraft>& drafts, 
     double count = 0.0;
     for (const SpeciesDraft& draft : drafts) {
         gas.species.push_back(known_part(draft));
-        count += static_cast<double>(draft.species.count);
+        count += static_cast<double>(draft.count);
     }
     if (count > most_particles.value) return;
     std::set<const Node*> words;

@@ -116,26 +116,12 @@ Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
             }};
 }
 
-/// Bindings of a part as bindings of the whole that has it as a member, itself or in its base.
-template <typename Whole, typename Part, typename Base>
-std::vector<Binding<Whole>> within(Part Base::*part,
-                                   const std::type_identity_t<std::vector<Binding<Part>>>& keys) {
-    std::vector<Binding<Whole>> all;
-    for (const Binding<Part>& one : keys)
-        all.push_back({one.key,
-                       [part, read = one.read](Whole& into, const Node& node, Reading& reading) {
-                           read(into.*part, node, reading);
-                       },
-                       one.reads_default});
+/// Bindings of a T and of its bases, one after another.
+template <typename T, typename... Bases>
+std::vector<Binding<T>> joined(const std::vector<Binding<Bases>>&... parts) {
+    std::vector<Binding<T>> all;
+    (all.insert(all.end(), parts.begin(), parts.end()), ...);
     return all;
-}
-
-/// Bindings one after another.
-template <typename T>
-std::vector<Binding<T>> joined(std::vector<Binding<T>> first,
-                               const std::vector<std::type_identity_t<Binding<T>>>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
 }
 
 /// A default as a node.
@@ -183,6 +169,21 @@ Notation<T> mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
                 table->read(node, *value, reading);
                 return value;
             }};
+}
+
+/// The same, but nothing where a required key has no valid value.
+template <typename T>
+Notation<T> complete_mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
+    Notation<T> notation = mapping(keys, std::move(phrase));
+    notation.read = [keys = std::move(keys), read = notation.read](
+                        const Node& node, Reading& reading) -> std::optional<T> {
+        auto value = read(node, reading);
+        for (const Binding<T>& binding : keys.keys)
+            if (value && binding.key.required && given(node, binding.key.name) == nullptr)
+                value.reset();
+        return value;
+    };
+    return notation;
 }
 
 }  // namespace carom

@@ -57,22 +57,21 @@ void mismatch(Node& node, const std::vector<Form>& forms, std::string hint, Cont
 }
 
 const Form* form_of(const std::vector<Form>& forms, Shape shape) {
-    const auto found = std::find_if(forms.begin(), forms.end(),
-                                    [&](const Form& form) { return form.shape == shape; });
+    const auto found = std::ranges::find(forms, shape, &Form::shape);
     return found == forms.end() ? nullptr : &*found;
 }
 
 bool in_range(double value, const Form& form) {
     const bool whole = form.shape != Shape::integer || value == std::floor(value);
-    return whole && value >= form.range.low && value <= form.range.high;
+    return whole && value >= form.range.low && value <= form.range.most.value;
 }
 
 void check_number(Node& node, double value, const Form& form, const std::vector<Form>& forms,
                   Context context) {
     if (in_range(value, form)) return;
     std::string hint;
-    if (value > form.range.high && !form.range.meaning.empty())
-        hint = fmt::format("the limit is {} {}", number_text(form.range.high), form.range.meaning);
+    if (value > form.range.most.value)
+        hint = to_text(form.range.most);
     else if (value > 0.0 && value < form.range.low && form.range.low == smallest_quantity.value)
         hint = fmt::format("the smallest is {}", smallest_quantity.value);
     mismatch(node, forms, hint, context);
@@ -92,10 +91,9 @@ bool is_comment_behind(const Node& nothing) {
 
 void check_text(Node& node, const Form& form, Context context) {
     const int length = code_points(node.text);
-    if (static_cast<std::size_t>(length) > form.longest)
+    if (length > form.most.value)
         return refuse(node, fmt::format("{} has {} characters", context.what, length),
-                      fmt::format("the limit is {} {}", form.longest, form.meaning),
-                      context.errors);
+                      to_text(form.most), context.errors);
     const std::size_t end = node.text.find_last_not_of(" \t\n") + 1;
     if (end == 0 && form.shortest > 0) return mismatch(node, {form}, "", context);
     for (std::size_t i = 0; i < end;) {
@@ -137,21 +135,20 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
     const bool numbers = form_of(forms, Shape::number) || form_of(forms, Shape::integer);
     if (numbers) return number_hint(node);
     if (form_of(forms, Shape::flag)) return flag_hint(node);
-    if (form_of(forms, Shape::color)) {
-        std::string names;
-        for (const std::string& word : form_of(forms, Shape::color)->words)
-            names += (names.empty() ? "" : ", ") + word;
-        return "names: " + names;
-    }
+    if (const Form* colors = form_of(forms, Shape::color))
+        return fmt::format("names: {}", fmt::join(colors->words, ", "));
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     const Form* list = form_of(forms, Shape::list);
     return list != nullptr && forms.size() > 1 ? "or give " + phrase(*list) : "";
 }
 
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
 bool is_word(const Node& node, const std::vector<Form>& forms) {
-    return std::any_of(forms.begin(), forms.end(), [&](const Form& form) {
-        return std::find(form.words.begin(), form.words.end(), node.text) != form.words.end();
-    });
+    return std::ranges::any_of(forms,
+                               [&](const Form& form) { return contains(form.words, node.text); });
 }
 
 void check_scalar(Node& node, const std::vector<Form>& forms, Context context) {
@@ -177,18 +174,15 @@ bool fits_items(const Node& node, const Form& form) {
 
 void check_length(Node& node, const Form& form, const std::vector<Form>& forms, Context context) {
     const std::size_t length = node.items.size();
-    if (length >= form.shortest && length <= form.longest) return;
-    std::string hint;
-    if (length > form.longest && !form.meaning.empty())
-        hint = fmt::format("the limit is {} {}", form.longest, form.meaning);
-    mismatch(node, forms, hint, context);
+    const bool too_long = length > form.most.count();
+    if (length >= form.shortest && !too_long) return;
+    mismatch(node, forms, too_long ? to_text(form.most) : "", context);
 }
 
 void check_list(Node& node, const std::vector<Form>& forms, Context context) {
-    auto form = std::find_if(forms.begin(), forms.end(),
-                             [&](const Form& candidate) { return fits_items(node, candidate); });
-    if (form == forms.end()) form = forms.begin();
-    while (form != forms.end() && form->shape != Shape::list) ++form;
+    auto form = std::ranges::find_if(
+        forms, [&](const Form& candidate) { return fits_items(node, candidate); });
+    if (form == forms.end()) form = std::ranges::find(forms, Shape::list, &Form::shape);
     if (form == forms.end())
         return mismatch(node, forms, forms.empty() ? "" : forms.front().instead_of_list, context);
     check_length(node, *form, forms, context);
@@ -226,8 +220,8 @@ void check_value(Node& node, const std::vector<Form>& forms, Context context) {
 }
 
 void unknown_key(const Node& key, const Section& section, Errors& errors) {
-    for (const Refused& refused : section.refused)
-        if (refused.name == key.text) return errors.add(key, refused.reason, refused.hint);
+    const auto refused = std::ranges::find(section.refused, key.text, &Refused::name);
+    if (refused != section.refused.end()) return errors.add(key, refused->reason, refused->hint);
     const std::vector<std::string> names = key_names(section);
     const auto near = nearest_spelling(key.text, names);
     std::string hint = near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section);
@@ -237,7 +231,7 @@ void unknown_key(const Node& key, const Section& section, Errors& errors) {
 }
 
 bool knows_all(const Section& section, const Node& mapping) {
-    return std::all_of(mapping.keys.begin(), mapping.keys.end(), [&](const Node& key) {
+    return std::ranges::all_of(mapping.keys, [&](const Node& key) {
         return section.index(key.text) < section.keys.size();
     });
 }
@@ -246,8 +240,7 @@ bool knows_all(const Section& section, const Node& mapping) {
 void check_choice(Node& node, const Choice& choice, const Section& section, Errors& errors) {
     Node* kept = nullptr;
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
-        const auto& names = choice.names;
-        if (std::find(names.begin(), names.end(), node.keys[i].text) == names.end()) continue;
+        if (!contains(choice.names, node.keys[i].text)) continue;
         Node& value = node.items[i];
         const Origin origin = node.keys[i].source->origin;
         if (kept == nullptr) {
@@ -269,11 +262,10 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
 // A key that seems to be meant by an unknown one, which has been reported.
 bool is_meant(const Node& node, const Section& section, const std::string& name) {
     const std::vector<std::string> names = key_names(section);
-    return std::any_of(node.keys.begin(), node.keys.end(), [&](const Node& key) {
+    return std::ranges::any_of(node.keys, [&](const Node& key) {
         if (section.index(key.text) < names.size()) return false;
         const bool refused =
-            std::any_of(section.refused.begin(), section.refused.end(),
-                        [&](const Refused& entry) { return entry.name == key.text; });
+            std::ranges::find(section.refused, key.text, &Refused::name) != section.refused.end();
         return refused || names.size() == 1 || nearest_spelling(key.text, names) == name;
     });
 }
@@ -295,7 +287,7 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
         const std::size_t index = section.index(node.keys[i].text);
         if (index == section.keys.size()) continue;
         const std::vector<std::string>& kinds = section.keys[index].kinds;
-        if (kinds.empty() || std::ranges::find(kinds, kind->text) != kinds.end()) continue;
+        if (kinds.empty() || contains(kinds, kind->text)) continue;
         errors.add(node.keys[i],
                    fmt::format("`{}` does not apply to a panel of kind `{}`", node.keys[i].text,
                                kind->text),

@@ -11,7 +11,7 @@ std::string example(const Form& form);
 
 // 1 where it is allowed, else the least.
 std::string example_number(const Range& range) {
-    return number_text(range.low <= 1.0 && range.high >= 1.0 ? 1.0 : range.low);
+    return number_text(range.low <= 1.0 && range.most.value >= 1.0 ? 1.0 : range.low);
 }
 
 std::string example_list(const Form& form) {
@@ -23,7 +23,7 @@ std::string example_list(const Form& form) {
 }
 
 bool is_first_of_needed(const Section& section, const std::string& name) {
-    return std::any_of(section.choices.begin(), section.choices.end(), [&](const Choice& choice) {
+    return std::ranges::any_of(section.choices, [&](const Choice& choice) {
         return choice.required && choice.names.front() == name;
     });
 }
@@ -58,7 +58,7 @@ std::string example(const Form& form) {
 
 std::string form_text(const Form& form) {
     const bool is_number = form.shape == Shape::number || form.shape == Shape::integer;
-    if (is_number && form.range.low == form.range.high) return number_text(form.range.low);
+    if (is_number && form.range.low == form.range.most.value) return number_text(form.range.low);
     const std::string words = phrase(form);
     return form.section && words == "a mapping" ? "a mapping, see " + form.section->name : words;
 }

@@ -14,12 +14,13 @@ namespace {
 
 std::string range_phrase(std::string_view what, const Range& range) {
     const bool open_below = range.low <= -largest_quantity.value;
-    const bool open_above = range.high >= largest_quantity.value;
+    const bool open_above = range.most.value >= largest_quantity.value;
     if (range.low == smallest_quantity.value && open_above)
         return fmt::format("a positive {}", what);
     if (open_below && open_above) return fmt::format("a {}", what);
     if (open_above) return fmt::format("a {} of at least {}", what, number_text(range.low));
-    return fmt::format("a {} from {} to {}", what, number_text(range.low), number_text(range.high));
+    return fmt::format("a {} from {} to {}", what, number_text(range.low),
+                       number_text(range.most.value));
 }
 
 using NamedColor = std::pair<std::string_view, std::string_view>;
@@ -95,15 +96,6 @@ std::string phrase(const Form& form) {
             return "a mapping";
     }
     return "a value";
-}
-
-std::string number_text(double value) {
-    std::string text = fmt::format("{}", value);
-    if (value >= 1e9 && text.ends_with("000000000")) text = fmt::format("{:g}", value);
-    std::erase(text, '+');
-    if (const std::size_t zero = text.find("e-0"); zero != std::string::npos)
-        text.erase(zero + 2, 1);  // 1e-9, as it is written by hand
-    return text;
 }
 
 std::vector<std::string> color_names() {

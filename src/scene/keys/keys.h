@@ -15,17 +15,15 @@ namespace carom {
 
 enum class Shape { number, integer, flag, text, word, color, list, mapping };
 
-/// Allowed numbers, both ends included; the ends that are limits say so.
+/// Allowed numbers, both ends included.
 struct Range {
     double low = -largest_quantity.value;
-    double high = largest_quantity.value;
-    std::string_view meaning = largest_quantity.meaning;  ///< what `high` counts; may be empty
+    Limit most = largest_quantity;
 };
 
 inline constexpr Range any_number{};
-inline constexpr Range not_negative{0.0, largest_quantity.value, largest_quantity.meaning};
-inline constexpr Range positive{smallest_quantity.value, largest_quantity.value,
-                                largest_quantity.meaning};
+inline constexpr Range not_negative{0.0};
+inline constexpr Range positive{smallest_quantity.value};
 
 struct Section;
 
@@ -43,8 +41,7 @@ struct Form {
     bool lines = false;                           ///< text: may it have line breaks
     std::vector<Form> items = {};                 ///< list: what each item may be
     std::size_t shortest = 1;                     ///< list, text: least length
-    std::size_t longest = 0;                      ///< list, text: greatest length
-    std::string_view meaning = {};                ///< list: what `longest` counts
+    Limit most = {0};                             ///< list, text: greatest length
     std::string instead_of_list = {};             ///< no list: what to do where one is given
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape
@@ -93,9 +90,6 @@ std::vector<const Section*> sections_in(const std::vector<Form>& forms);
 
 /// How a message calls a form: "a positive number", "`light`, `dark` or `print`".
 std::string phrase(const Form& form);
-
-/// A bound as a message writes it: 2000000, 1e12.
-std::string number_text(double value);
 
 /// The colour names of CSS 2.1 that color_hex() knows.
 std::vector<std::string> color_names();

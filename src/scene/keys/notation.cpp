@@ -18,11 +18,7 @@ std::string without_space_at_end(const std::string& text) {
 }
 
 Notation<std::string> text_form(bool lines, std::size_t shortest, Limit most) {
-    return {{{.shape = Shape::text,
-              .lines = lines,
-              .shortest = shortest,
-              .longest = most.count(),
-              .meaning = most.meaning}},
+    return {{{.shape = Shape::text, .lines = lines, .shortest = shortest, .most = most}},
             [](const Node& node, Reading&) -> std::optional<std::string> {
                 if (!node.is_scalar()) return std::nullopt;
                 return without_space_at_end(node.text);
@@ -52,7 +48,7 @@ KeyTable<Distribution> distribution(Range range) {
                                        in_quotes(list.items[0].text)));
         return std::nullopt;
     };
-    const Range spread{0.0, range.high, range.meaning};
+    const Range spread{0.0, range.most};
     return {.name = "a distribution",
             .keys = {bind_key("uniform", &Distribution::value,
                               parsed(pair_of(range, "[low, high]"), ordered),
@@ -72,7 +68,7 @@ Notation<double> number(Range range) {
 }
 
 Notation<std::int64_t> whole(double low, Limit most) {
-    return {{{.shape = Shape::integer, .range = {low, most.value, most.meaning}}},
+    return {{{.shape = Shape::integer, .range = {low, most}}},
             [](const Node& node, Reading&) -> std::optional<std::int64_t> {
                 const auto value = number_in(node);
                 if (!value) return std::nullopt;
@@ -106,18 +102,8 @@ Notation<std::string> word(const std::vector<std::string>& words) {
     return one_of(std::move(pairs));
 }
 
-Form notation::list_form(std::vector<Form> items, std::size_t shortest, std::size_t longest,
-                         std::string_view meaning, std::string phrase) {
-    return {.shape = Shape::list,
-            .items = std::move(items),
-            .shortest = shortest,
-            .longest = longest,
-            .meaning = meaning,
-            .phrase = std::move(phrase)};
-}
-
 Notation<Eigen::Array2d> pair_of(Range range, std::string phrase) {
-    return mapped(list_of(number(range), 2, 2, std::move(phrase)),
+    return mapped(list_of(number(range), 2, {2}, std::move(phrase)),
                   [](const std::vector<double>& values) {
                       return Eigen::Array2d(values.at(0), values.at(1));
                   });
@@ -147,10 +133,8 @@ Notation<Quantity> quantity(Range range) {
     const Notation<Quantity> drawn = parsed(
         mapping(distribution(range), "{uniform: [low, high]} or {normal: [mean, deviation]}"),
         [](const Distribution& one, const Node&, Reading&) { return one.value; });
-    return either(alternative<Quantity>(number(range)),
-                  either(alternative<Quantity>(
-                             list_of(number(range), 1, most_particles, "a list of numbers")),
-                         drawn));
+    const auto each = list_of(number(range), 1, most_particles, "a list of numbers");
+    return either(as<Quantity>(number(range)), either(as<Quantity>(each), drawn));
 }
 
 const Node* given(const Node& mapping, std::string_view key) {
@@ -159,11 +143,7 @@ const Node* given(const Node& mapping, std::string_view key) {
 }
 
 Node default_node(const std::string& written) {
-    Node node;
-    node.source = &default_source();
-    node.kind = Node::Kind::scalar;
-    node.text = written;
-    return node;
+    return {.kind = Node::Kind::scalar, .source = &default_source(), .text = written};
 }
 
 }  // namespace carom

@@ -90,8 +90,7 @@ Notation<V> one_of(std::vector<std::pair<std::string, V>> words) {
 template <typename E>
 Notation<E> one_of() {
     std::vector<std::pair<std::string, E>> words;
-    for (const EnumWord<E>& entry : EnumWords<E>::table)
-        words.emplace_back(entry.word, entry.value);
+    for (const EnumWord<E>& entry : enum_words<E>) words.emplace_back(entry.word, entry.value);
     return one_of<E>(std::move(words));
 }
 
@@ -108,6 +107,19 @@ auto mapped(Notation<V> from, Convert convert) {
                            if (!value) return std::nullopt;
                            return std::optional<W>(std::in_place, convert(std::move(*value)));
                        }};
+}
+
+/// The value as another type that is made from it: an alternative of a variant, its only member, a
+/// base.
+template <typename W, typename V>
+Notation<W> as(Notation<V> notation) {
+    Notation<W> other = mapped(notation, [](V value) { return W{std::move(value)}; });
+    if constexpr (requires(const W& whole) { std::get_if<V>(&whole); })
+        other.write = [write = notation.write](const W& whole) {
+            const V* its = std::get_if<V>(&whole);
+            return its != nullptr ? write(*its) : std::string{};
+        };
+    return other;
 }
 
 /// The same where `parse(value, node, reading)` may find a mistake, which it reports: it gives an
@@ -135,22 +147,6 @@ Notation<V> checked(Notation<V> notation, Check check) {
     return notation;
 }
 
-/// One alternative of a variant.
-template <typename Variant, typename V>
-Notation<Variant> alternative(Notation<V> notation) {
-    return {notation.forms,
-            [read = notation.read](const Node& node, Reading& reading) {
-                auto value = read(node, reading);
-                std::optional<Variant> whole;
-                if (value) whole.emplace(std::in_place_type<V>, std::move(*value));
-                return whole;
-            },
-            [write = notation.write](const Variant& value) {
-                const V* its = std::get_if<V>(&value);
-                return its != nullptr ? write(*its) : std::string{};
-            }};
-}
-
 /// Either of two notations; which, the forms tell.
 template <typename V>
 Notation<V> either(Notation<V> first, Notation<V> second) {
@@ -167,13 +163,16 @@ Notation<V> either(Notation<V> first, Notation<V> second) {
             }};
 }
 
-namespace notation {
-
-Form list_form(std::vector<Form> items, std::size_t shortest, std::size_t longest,
-               std::string_view meaning, std::string phrase);
-
+/// A list of at least `shortest` items, at most so many; `phrase` is how a message calls it. Items
+/// with mistakes, which are reported, are left out.
 template <typename V>
-Notation<std::vector<V>> list(Notation<V> item, Form form) {
+Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, Limit most,
+                                 std::string phrase) {
+    Form form{.shape = Shape::list,
+              .items = item.forms,
+              .shortest = shortest,
+              .most = most,
+              .phrase = std::move(phrase)};
     return {{std::move(form)},
             [item](const Node& node, Reading& reading) -> std::optional<std::vector<V>> {
                 if (!node.is_list()) return std::nullopt;
@@ -187,28 +186,10 @@ Notation<std::vector<V>> list(Notation<V> item, Form form) {
             }};
 }
 
-}  // namespace notation
-
-/// A list of a fixed or bounded length; `phrase` is how a message calls it. Items with mistakes,
-/// which are reported, are left out.
-template <typename V>
-Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, std::size_t longest,
-                                 std::string phrase) {
-    return notation::list(item, notation::list_form(item.forms, shortest, longest, {}, phrase));
-}
-
-template <typename V>
-Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, Limit most,
-                                 std::string phrase) {
-    return notation::list(
-        item, notation::list_form(item.forms, shortest, most.count(), most.meaning, phrase));
-}
-
 /// One value or a list of several.
 template <typename V>
 Notation<std::vector<V>> one_or_list(Notation<V> one, Limit most, std::string phrase) {
-    return either(mapped(one, [](V value) { return std::vector<V>{std::move(value)}; }),
-                  list_of(one, 1, most, std::move(phrase)));
+    return either(as<std::vector<V>>(one), list_of(one, 1, most, std::move(phrase)));
 }
 
 /// A list of two numbers.
@@ -237,6 +218,14 @@ Notation<Placed<V>> placed(Notation<V> notation) {
     return parsed(notation, [](V value, const Node& node, Reading&) {
         return std::optional(Placed<V>{std::move(value), &node});
     });
+}
+
+/// The values without their nodes.
+template <typename V>
+std::vector<V> values_of(const std::vector<Placed<V>>& placed) {
+    std::vector<V> values;
+    for (const Placed<V>& one : placed) values.push_back(one.value);
+    return values;
 }
 
 /// The node alone, to be read later.

@@ -12,9 +12,9 @@ namespace carom {
 namespace {
 
 /// A figure with what only the rules between its keys need.
-struct FigureReading : FigureSpec {
-    std::optional<double> at;
-    std::vector<double> over;  ///< from and to; empty: not given
+struct FigureReading : FigureSpec, PanelSpec {
+    std::optional<double> one_time;
+    std::vector<double> interval;  ///< from and to; empty: not given
     std::vector<double> strip;
     const Node* scenes = nullptr;  ///< of a comparison
 };
@@ -31,7 +31,7 @@ constexpr double page_width = 18.3;
 constexpr double slide_width = 33.867, slide_height = 19.05;  // 13 1/3 by 7 1/2 inches
 
 Binding<FigureSpec> size_key() {
-    const Range side{smallest_figure.value, largest_figure.value, largest_figure.meaning};
+    const Range side{smallest_figure.value, largest_figure};
     const auto named = one_of<FigureSize>({{"column", {.width = column_width}},
                                            {"page", {.width = page_width}},
                                            {"slide", {slide_width, slide_height, true}}});
@@ -81,27 +81,16 @@ Notation<std::vector<ComparedRun>> compared_runs() {
         .keys = {bind_key("seeds", &Seeds::count, whole(2, most_compared),
                           "How many runs: with the scene's seed and those that follow it.")
                      .required()}};
-    const KeyTable<ComparedRun> run{
-        .name = "an item of `compare`",
-        .keys = {bind_key("label", &ComparedRun::label, text(1, most_name_letters),
-                          "Its name in the figure.")
-                     .required(),
-                 bind_key("set", &ComparedRun::values, changes_notation(), meaning_of_changes)
-                     .default_text("nothing")},
-        .rule = [](ComparedRun& one, const Node& node, Reading&) { one.place = place_of(node); }};
+    const KeyTable<ComparedRun> run{.name = "an item of `compare`",
+                                    .keys = {label_key().required(), changes_key()},
+                                    .rule = place_run};
     const auto of_seeds = [](const Seeds& several, const Node& node, Reading& reading) {
         return std::optional(runs_of_seeds(several.count, node, reading));
     };
-    const auto without_nodes = [](std::vector<Placed<ComparedRun>> placed_runs) {
-        std::vector<ComparedRun> runs;
-        for (auto& [one, node] : placed_runs) runs.push_back(std::move(one));
-        return runs;
-    };
-    return either(
-        parsed(mapping(seeds, "{seeds: number}"), of_seeds),
-        mapped(checked(list_of(placed(mapping(run)), 2, most_compared, "a list of {label, set}"),
-                       check_labels),
-               without_nodes));
+    const auto listed = checked(
+        list_of(placed(mapping(run)), 2, most_compared, "a list of {label, set}"), check_labels);
+    return either(parsed(mapping(seeds, "{seeds: number}"), of_seeds),
+                  mapped(listed, values_of<ComparedRun>));
 }
 
 void check_time(const Node& node, double time, Reading& reading) {
@@ -113,15 +102,15 @@ void check_time(const Node& node, double time, Reading& reading) {
 
 // The times that a figure shows: one, the end of an interval, or several.
 void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
-    figure.times = {figure.at.value_or(reading.run.until)};
-    if (figure.at) check_time(*given(node, "at"), *figure.at, reading);
-    if (!figure.over.empty()) {
+    figure.times = {figure.one_time.value_or(reading.run.until)};
+    if (figure.one_time) check_time(*given(node, "at"), *figure.one_time, reading);
+    if (!figure.interval.empty()) {
         const Node& over = *given(node, "over");
-        const double from = figure.over[0], to = figure.over[1];
+        const double from = figure.interval[0], to = figure.interval[1];
         check_time(over.items[1], to, reading);
         if (from >= to) reading.errors.add(over, "expected [from, to] with from < to for `over`");
         figure.times = {to};
-        figure.panel.over = Over{Over::Since::window, to - from};
+        figure.over = Over{Over::Since::window, to - from};
     }
     for (std::size_t i = 0; i < figure.strip.size(); ++i) {
         const Node& moment = given(node, "strip")->items[i];
@@ -130,7 +119,7 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
             reading.errors.add(moment, "expected increasing times");
     }
     if (!figure.strip.empty()) figure.times = figure.strip;
-    figure.panel.at = figure.times.back();
+    figure.at = figure.times.back();
 }
 
 // A name that is a file's on every system, and part of a label in every kind of document.
@@ -152,15 +141,15 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
 }
 
 // Of what the test supposes, as much as is known before the run.
-void check_test(const FigureSpec& figure, const Node& node, Reading& reading) {
+void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
-    if (asked == nullptr || !figure.panel.test) return;
+    if (asked == nullptr || !panel.test) return;
     if (find(node, "over") != nullptr)
         reading.errors.add(*asked,
                            "`test` applies to one time: over a longer time the same particles are "
                            "counted repeatedly, and values are not independent",
                            "give a time in `at` instead of `over`");
-    if (!figure.panel.theory)
+    if (!panel.theory)
         reading.errors.add(*asked,
                            "`test` compares the bars with the theory, which `theory: false` hides",
                            "leave out one of them");
@@ -172,8 +161,8 @@ void check_test(const FigureSpec& figure, const Node& node, Reading& reading) {
 }
 
 // The figure's key names runs, not what is drawn of each.
-void check_one_line(const FigureSpec& figure, const Node& node, Reading& reading) {
-    if (const Node* of = given(node, "of"); of != nullptr && figure.panel.of.size() > 1)
+void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) {
+    if (const Node* of = given(node, "of"); of != nullptr && panel.of.size() > 1)
         reading.errors.add(
             *of, "a comparison shows one line for each run: `of` takes one species or particle",
             "make a figure for each");
@@ -194,23 +183,20 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
     Notation<double> one_time = number(not_negative);
     one_time.forms.front().instead_of_list =
         "a figure has one time; `strip` shows several side by side, in a figure of kind `gas`";
-    return {
-        bind_key("at", &FigureReading::at, one_time, "The simulated time that it shows.")
-            .default_text("the end of the run"),
-        bind_key("over", &FigureReading::over, list_of(number(not_negative), 2, 2, "[from, to]"),
-                 "Instead of `at`: the time over which its values are taken.")
-            .only_with(kinds_that_can(kinds, Ability::over)),
-        bind_key("strip", &FigureReading::strip,
-                 list_of(number(not_negative), 2, most_strip, "a list of times"),
-                 "Instead of `at`: several times, shown side by side.")
-            .only_with(kinds_that_can(kinds, Ability::strip))};
+    return {bind_key("at", &FigureReading::one_time, one_time, "The simulated time that it shows.")
+                .default_text("the end of the run"),
+            bind_key("over", &FigureReading::interval,
+                     list_of(number(not_negative), 2, {2}, "[from, to]"),
+                     "Instead of `at`: the time over which its values are taken.")
+                .only_with(kinds_that_can(kinds, Ability::over)),
+            bind_key("strip", &FigureReading::strip,
+                     list_of(number(not_negative), 2, most_strip, "a list of times"),
+                     "Instead of `at`: several times, shown side by side.")
+                .only_with(kinds_that_can(kinds, Ability::strip))};
 }
 
 std::vector<Binding<FigureSpec>> page_keys() {
-    return {size_key(),
-            bind_key("theme", &FigureSpec::theme, one_of<ThemeName>(),
-                     "The colours of background and text; `print` is black, white and greys, "
-                     "except for colours that the scene gives."),
+    return {size_key(), theme_key(&FigureSpec::theme),
             bind_key("caption", &FigureSpec::caption, lines(1, most_letters),
                      "The words under the figure.")
                 .default_text("made from what the figure shows"),
@@ -220,36 +206,35 @@ std::vector<Binding<FigureSpec>> page_keys() {
 }
 
 void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
-    complete_panel(figure.panel, node, kinds, reading);
+    complete_panel(figure, node, kinds, reading);
     complete_times(figure, node, reading);
     check_test(figure, node, reading);
     if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)
         check_one_line(figure, node, reading);
+    figure.panel = figure;
 }
 
 KeyTable<FigureReading> figure_table(PanelKinds kinds) {
     std::vector<std::string> names;
     for (const PanelKind& kind : kinds) names.push_back(kind.name);
-    std::vector<Binding<PanelSpec>> panel =
-        joined(panel_keys(kinds, kind_key(word(names)), {}), keys_of_runs(kinds));
-    std::vector<Binding<FigureReading>> keys{
+    const std::vector name{
         bind_key("name", &FigureSpec::name, checked(text(1, most_name_letters), check_name),
                  "The name of its files: lower-case letters, digits and hyphens.")
             .required()};
-    keys = joined(keys, within<FigureReading>(&FigureSpec::panel, panel));
-    keys.push_back(bind_key("compare", &FigureSpec::compare, compared_runs(),
-                            "Several runs in one panel with shared axes and a legend: with several "
-                            "seeds, or of the scene with other values, each with its label.")
-                       .default_text("the scene's run alone")
-                       .only_with(kinds_that_can(kinds, Ability::comparison)));
-    keys = joined(keys, time_keys(kinds));
-    for (const Binding<FigureSpec>& key : page_keys()) keys.push_back(key);
-    return {.name = "a figure",
-            .keys = std::move(keys),
-            .choices = {{{"at", "over", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
-            .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
-                complete_figure(figure, node, kinds, reading);
-            }};
+    const std::vector compare{
+        bind_key("compare", &FigureSpec::compare, compared_runs(),
+                 "Several runs in one panel with shared axes and a legend: with several seeds, or "
+                 "of the scene with other values, each with its label.")
+            .default_text("the scene's run alone")
+            .only_with(kinds_that_can(kinds, Ability::comparison))};
+    return {
+        .name = "a figure",
+        .keys = joined<FigureReading>(name, panel_keys(kinds, kind_key(word(names)), {}),
+                                      keys_of_runs(kinds), compare, time_keys(kinds), page_keys()),
+        .choices = {{{"at", "over", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
+        .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
+            complete_figure(figure, node, kinds, reading);
+        }};
 }
 
 // A key that only some kinds take is there if one of these can be compared.
@@ -263,11 +248,14 @@ bool is_for_comparison(Binding<FigureReading>& key, const std::vector<std::strin
     return !key.key.kinds.empty();
 }
 
-FigureSpec sliced(FigureReading figure) { return FigureSpec(std::move(figure)); }
-
 }  // namespace
 
-Notation<std::vector<std::string>> changes_notation() {
+Binding<ComparedRun> label_key() {
+    return bind_key("label", &ComparedRun::label, text(1, most_name_letters),
+                    "Its name in the figure.");
+}
+
+Binding<ComparedRun> changes_key() {
     const auto check = [](const std::string& change, const Node& node, Reading& reading) {
         const std::size_t sign = change.find('=');
         if (sign == 0 || sign == std::string::npos)
@@ -275,14 +263,16 @@ Notation<std::vector<std::string>> changes_notation() {
                                fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(change)),
                                "for instance gas.0.temperature=4");
     };
-    return one_or_list(checked(text(3, most_title_letters).called("KEY.PATH=VALUE"), check),
-                       most_changes, "a list of KEY.PATH=VALUE");
+    const auto one = checked(text(3, most_title_letters).called("KEY.PATH=VALUE"), check);
+    return bind_key(
+               "set", &ComparedRun::values,
+               one_or_list(one, most_changes, "a list of KEY.PATH=VALUE"),
+               "The values that differ in its scene: KEY.PATH=VALUE as for `--set`, or a list of "
+               "these.")
+        .default_text("nothing");
 }
 
-std::pair<std::string, std::string> parted_change(const std::string& change) {
-    const std::size_t sign = std::min(change.find('='), change.size());
-    return {change.substr(0, sign), sign < change.size() ? change.substr(sign + 1) : ""};
-}
+void place_run(ComparedRun& run, const Node& node, Reading&) { run.place = place_of(node); }
 
 Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes) {
     const std::vector<std::string> compared = kinds_that_can(kinds, Ability::comparison);
@@ -300,19 +290,13 @@ Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const 
                     .required());
     }
     table.choices = {{{"at", "over"}}};
-    return mapped(mapping(table), sliced);
+    return as<FigureSpec>(mapping(table));
 }
 
 Notation<std::vector<FigureSpec>> figures_notation(PanelKinds kinds) {
-    const auto without_nodes = [](std::vector<Placed<FigureSpec>> placed_figures) {
-        std::vector<FigureSpec> figures;
-        for (auto& [figure, node] : placed_figures) figures.push_back(std::move(figure));
-        return figures;
-    };
-    return mapped(checked(list_of(placed(mapped(mapping(figure_table(kinds)), sliced)), 0,
-                                  most_figures, "a list of figures"),
-                          check_names),
-                  without_nodes);
+    const auto figure = placed(as<FigureSpec>(mapping(figure_table(kinds))));
+    return mapped(checked(list_of(figure, 0, most_figures, "a list of figures"), check_names),
+                  values_of<FigureSpec>);
 }
 
 }  // namespace carom

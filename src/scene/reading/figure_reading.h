@@ -1,8 +1,6 @@
 // The keys of a scene's `figures`, and of the comparisons of a set, and what they mean together.
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "scene/keys/binding.h"
@@ -18,12 +16,11 @@ Notation<std::vector<FigureSpec>> figures_notation(PanelKinds kinds);
 /// runs, with `scenes`, which are kept for others to read.
 Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes);
 
-/// What is laid over the scene of a compared run: KEY.PATH=VALUE, or a list of these.
-Notation<std::vector<std::string>> changes_notation();
-inline constexpr const char* meaning_of_changes =
-    "The values that differ in its scene: KEY.PATH=VALUE as for `--set`, or a list of these.";
+/// The keys of a compared run: its name, and what is laid over its scene.
+Binding<ComparedRun> label_key();
+Binding<ComparedRun> changes_key();
 
-/// KEY.PATH=VALUE as a key path and a value.
-std::pair<std::string, std::string> parted_change(const std::string& change);
+/// Notes where a compared run is written.
+void place_run(ComparedRun& run, const Node& node, Reading& reading);
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 
 #include "scene/limits.h"
 #include "scene/reading/panel_reading.h"
-#include "scene/time/captions.h"
+#include "scene/reading/template.h"
 #include "scene/time/pace.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"
@@ -23,7 +23,8 @@ Notation<PictureSize> size_notation() {
     return either(
         one_of<PictureSize>(
             {{"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}}),
-        mapped(list_of(whole(smallest_side.value, largest_side), 2, 2, "[width, height]"), sides));
+        mapped(list_of(whole(smallest_side.value, largest_side), 2, {2}, "[width, height]"),
+               sides));
 }
 
 Binding<Film> velocities_key() {
@@ -48,7 +49,7 @@ Notation<double> title_card_notation() {
     constexpr double usual_seconds = 3.0;
     Notation<double> seconds =
         either(mapped(flag(), [](bool shown) { return shown ? usual_seconds : 0.0; }),
-               number({0.5, most_seconds.value, most_seconds.meaning}));
+               number({0.5, most_seconds}));
     seconds.write = [](double value) { return value > 0.0 ? number_text(value) : "false"; };
     return seconds;
 }
@@ -61,8 +62,7 @@ Notation<Trails> trails_notation() {
                  "of", &Trails::of, chosen_notation(),
                  "Which particles: all, a species, a particle by its number, or several of these.")
                  .default_value("all"),
-             bind_key("seconds", &Trails::seconds,
-                      number({0.0, most_trail_seconds.value, most_trail_seconds.meaning}),
+             bind_key("seconds", &Trails::seconds, number({0.0, most_trail_seconds}),
                       "How long they are, in seconds of film.")
                  .default_value("1")},
         .rule = [](Trails& trails, const Node& node, Reading&) {
@@ -71,13 +71,13 @@ Notation<Trails> trails_notation() {
     return mapping(table, "{of: particles, seconds: length}");
 }
 
-Notation<SlowDraft> slow_notation() {
-    return mapping(KeyTable<SlowDraft>{
+Notation<SlowSpan> slow_notation() {
+    return complete_mapping(KeyTable<SlowSpan>{
         .name = "an item of `slow`",
-        .keys = {bind_key("from", &SlowDraft::from, number(not_negative), "Its first time."),
-                 bind_key("to", &SlowDraft::to, number(positive), "Its last time, at most `until`.")
+        .keys = {bind_key("from", &SlowSpan::from, number(not_negative), "Its first time."),
+                 bind_key("to", &SlowSpan::to, number(positive), "Its last time, at most `until`.")
                      .default_text("until"),
-                 bind_key("factor", &SlowDraft::factor, number({0.001, 1.0, {}}),
+                 bind_key("factor", &SlowSpan::factor, number({0.001, {1.0}}),
                           "The speed of the film there, relative to the rest.")
                      .required()}});
 }
@@ -85,8 +85,7 @@ Notation<SlowDraft> slow_notation() {
 // How long the film is, and of what pictures.
 std::vector<Binding<FilmDraft>> picture_keys() {
     return {
-        bind_key("seconds", &FilmDraft::given_seconds,
-                 number({0.01, most_seconds.value, most_seconds.meaning}),
+        bind_key("seconds", &FilmDraft::given_seconds, number({0.01, most_seconds}),
                  "The length of the whole film, holds and pauses included."),
         bind_key("pace", &FilmDraft::pace, number(positive),
                  "Instead of seconds: simulated time in a second of film."),
@@ -94,9 +93,7 @@ std::vector<Binding<FilmDraft>> picture_keys() {
         bind_key("size", &Film::size, size_notation(),
                  "The picture in pixels: a name, or width and height. H.264 and VP9 add a row or "
                  "a column to odd ones."),
-        bind_key("theme", &Film::theme, one_of<ThemeName>(),
-                 "The colours of background and text; `print` is black, white and greys, except "
-                 "for colours that the scene gives."),
+        theme_key(&Film::theme),
         bind_key("ground", &Film::transparent, one_of<bool>({{"theme", false}, {"none", true}}),
                  "The background: the theme's, or none, so that a slide shows through. Choose the "
                  "theme that suits the slide.")};
@@ -119,134 +116,44 @@ std::vector<Binding<Film>> gas_keys() {
                  "A short flash where two particles touch, at most three a second.")};
 }
 
+// What is shown beside the gas, and when.
+std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
+    const auto slow =
+        list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}");
+    return {
+        bind_key(
+            "title_card", &Film::title_card, title_card_notation(),
+            "A card with title and subtitle before the film: `true` for 3 seconds, or a number of "
+            "seconds. It is part of the film's `seconds`; with `pace` it is added to them."),
+        bind_key("end_card", &Film::end_card, text(1, most_title_letters),
+                 "The text of a card of 4 seconds after the film, which is part of its `seconds` "
+                 "too. Both cards together take at most a third of the film.")
+            .default_text("none"),
+        bind_key(
+            "trails", &Film::trails, trails_notation(),
+            "Trails that some of the particles leave; the `trail` of a species takes precedence.")
+            .default_text("of single disks among many"),
+        bind_key("slow", &FilmDraft::spans, slow,
+                 "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The "
+                 "film eases in before the span and out after it, over half a second each (in "
+                 "films shorter than five seconds, a tenth of the film), and shows ×0.1 beside the "
+                 "clock. With `seconds` the rest is faster, with `pace` the film is longer.")
+            .default_text("none"),
+        bind_key("monitors", &Film::monitors, monitors_notation(),
+                 "The numbers in the row of monitors; all-collisions includes those with walls, "
+                 "return-distance is the largest distance of a particle from where it was on the "
+                 "way out.")
+            .default_text("all but all-collisions and return-distance"),
+        bind_key("panels", &Film::panels, panels_notation(kinds),
+                 "What the panels show, each a kind or a mapping with options.")
+            .default_text("the template's")};
+}
+
 std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
-    std::vector<Binding<FilmDraft>> keys = picture_keys();
-    for (const Binding<Film>& key : gas_keys()) keys.push_back(key);
-    return joined(
-        keys,
-        {bind_key(
-             "title_card", &Film::title_card, title_card_notation(),
-             "A card with title and subtitle before the film: `true` for 3 seconds, or a number of "
-             "seconds. It is part of the film's `seconds`; with `pace` it is added to them."),
-         bind_key("end_card", &Film::end_card, text(1, most_title_letters),
-                  "The text of a card of 4 seconds after the film, which is part of its `seconds` "
-                  "too. Both cards together take at most a third of the film.")
-             .default_text("none"),
-         bind_key(
-             "trails", &Film::trails, trails_notation(),
-             "Trails that some of the particles leave; the `trail` of a species takes precedence.")
-             .default_text("of single disks among many"),
-         bind_key(
-             "slow", &FilmDraft::spans,
-             list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}"),
-             "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The film "
-             "eases in before the span and out after it, over half a second each (in films shorter "
-             "than five seconds, a tenth of the film), and shows ×0.1 beside the clock. With "
-             "`seconds` the rest is "
-             "faster, with `pace` the film is longer.")
-             .default_text("none"),
-         bind_key("monitors", &Film::monitors, monitors_notation(),
-                  "The numbers in the row of monitors; all-collisions includes those with walls, "
-                  "return-distance is the largest distance of a particle from where it was on the "
-                  "way out.")
-             .default_text("all but all-collisions and return-distance"),
-         bind_key("panels", &Film::panels, panels_notation(kinds),
-                  "What the panels show, each a kind or a mapping with options.")
-             .default_text("the template's")});
+    return joined<FilmDraft>(picture_keys(), gas_keys(), frame_keys(kinds));
 }
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};
-
-bool is_inside(const Slot& slot, const LayoutSpec& layout) {
-    constexpr double rounding = 1e-9;
-    return slot.x + slot.width <= layout.grid_width + rounding &&
-           slot.y + slot.height <= layout.grid_height + rounding;
-}
-
-void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& errors) {
-    const LayoutSpec with_line = with_caption_line(layout);
-    std::vector<Slot> slots{with_line.title, with_line.gas, with_line.color_bar};
-    if (with_line.monitors) slots.push_back(*with_line.monitors);
-    slots.insert(slots.end(), with_line.panels.begin(), with_line.panels.end());
-    if (std::ranges::any_of(slots, [](const Slot& slot) { return slot.height <= 0.0; }))
-        errors.add(line, "the place for captions leaves another place without room");
-}
-
-/// A layout with the nodes of its places.
-struct LayoutDraft : LayoutSpec {
-    std::optional<Eigen::Array2d> grid;
-    std::vector<Placed<Slot>> places;
-};
-
-// A place in the grid, which is looked at when the grid is known.
-template <typename Field>
-Binding<LayoutDraft> slot_key(std::string name, Field LayoutSpec::*field,
-                              const Notation<Placed<Slot>>& slot, std::string meaning) {
-    const auto fill = [field](LayoutDraft& layout, const Placed<Slot>& place) {
-        layout.*field = place.value;
-        layout.places.push_back(place);
-    };
-    return bind_with<LayoutDraft>(std::move(name), fill, slot, std::move(meaning));
-}
-
-Notation<Placed<Slot>> slot_notation() {
-    const Range units{0.0, largest_grid.value, largest_grid.meaning};
-    const auto slot = [](const std::vector<double>& sides) {
-        return Slot{sides.at(0), sides.at(1), sides.at(2), sides.at(3)};
-    };
-    const auto check = [](const Slot& place, const Node& node, Reading& reading) {
-        if (place.width <= 0.0 || place.height <= 0.0)
-            reading.errors.add(node,
-                               "expected [x, y, width, height] with a positive width and height");
-    };
-    return placed(
-        checked(mapped(list_of(number(units), 4, 4, "[x, y, width, height]"), slot), check));
-}
-
-void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
-    if (!layout.grid) return;
-    layout.grid_width = (*layout.grid)[0];
-    layout.grid_height = (*layout.grid)[1];
-    for (const Placed<Slot>& place : layout.places)
-        if (!is_inside(place.value, layout))
-            reading.errors.add(*place.node,
-                               fmt::format("the place reaches outside the grid of {} by {}",
-                                           layout.grid_width, layout.grid_height));
-    if (layout.caption) check_caption_line(*given(node, "caption"), layout, reading.errors);
-}
-
-KeyTable<LayoutDraft> layout_table() {
-    const Range sides{1.0, largest_grid.value, largest_grid.meaning};
-    const auto slot = slot_notation();
-    const auto panels = [](LayoutDraft& layout, const std::vector<Placed<Slot>>& places) {
-        for (const Placed<Slot>& place : places) layout.panels.push_back(place.value);
-        layout.places.insert(layout.places.end(), places.begin(), places.end());
-    };
-    return {
-        .name = "`layout`",
-        .keys = {bind_key("grid", &LayoutDraft::grid, pair_of(sides, "[width, height]"),
-                          "Width and height of the picture in units of the layout; one unit is the "
-                          "smallest size of text.")
-                     .required(),
-                 slot_key("title", &LayoutSpec::title, slot, "The place of title and subtitle.")
-                     .required(),
-                 slot_key("gas", &LayoutSpec::gas, slot, "The place of the box.").required(),
-                 slot_key("color_bar", &LayoutSpec::color_bar, slot,
-                          "The place of the colour scale.")
-                     .required(),
-                 slot_key("caption", &LayoutSpec::caption, slot,
-                          "The place of captions in films that have any; whatever overlaps it is "
-                          "made smaller.")
-                     .default_text("the foot of the gas's place"),
-                 slot_key("monitors", &LayoutSpec::monitors, slot, "The place of the numbers.")
-                     .default_text("none"),
-                 bind_with<LayoutDraft>(
-                     "panels", panels,
-                     list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
-                     "The places of the panels, in their order.")
-                     .default_text("none")},
-        .rule = complete_layout};
-}
 
 // A template laid over a scene by the command line shows the first of the scene's panels.
 bool is_laid_over(const Node& film, const Node& panels) {
@@ -262,7 +169,8 @@ std::string templates_hint(const std::vector<std::string>& names) {
                        listed(names, "and", "`") + (names.size() == 1 ? " has" : " have"));
 }
 
-void check_slots(const Node& node, Film& film, const TemplatesFor& templates, Errors& errors) {
+void check_slots(const Node& node, Film& film, const std::filesystem::path& templates,
+                 Errors& errors) {
     const Node* list = given(node, "panels");
     const std::size_t slots = film.layout.panels.size();
     if (list == nullptr || list->items.size() <= slots) return;
@@ -274,7 +182,7 @@ void check_slots(const Node& node, Film& film, const TemplatesFor& templates, Er
                fmt::format("the template `{}` has {} for panels, found {}", film.template_name,
                            counted(static_cast<long long>(slots), "place"),
                            counted(static_cast<long long>(list->items.size()), "panel")),
-               templates_hint(templates(list->items.size())));
+               templates_hint(templates_with_places(templates, list->items.size())));
 }
 
 using Spans = std::vector<Placed<SlowSpan>>;
@@ -295,13 +203,12 @@ void check_spans(const Spans& spans, const Run& run, Errors& errors) {
     }
 }
 
-// In order of time; those of which nothing is missing.
-Spans spans_of(const FilmDraft& draft, Reading& reading) {
-    Spans spans;
+// In order of time; a span without an end lasts until that of the run.
+Spans spans_of(Spans spans, Reading& reading) {
     const double until = reading.run.until;
-    for (const auto& [span, node] : draft.spans)
-        if (span.factor && until > 0.0)
-            spans.push_back({{span.from, span.to.value_or(until), *span.factor}, node});
+    if (until <= 0.0) return {};  // there is a mistake in it
+    for (auto& [span, node] : spans)
+        if (span.to == 0.0) span.to = until;
     std::ranges::stable_sort(spans, {}, [](const Placed<SlowSpan>& one) { return one.value.from; });
     check_spans(spans, reading.run, reading.errors);
     return spans;
@@ -348,9 +255,7 @@ bool check_frames(const Film& film, const Node& node, const Node& root, Errors& 
     const double frames = std::round(film.seconds * film.fps);
     if (frames >= 2.0 && frames <= most_frames.value) return true;
     const bool has_seconds = given(node, "seconds") != nullptr;
-    std::string hint =
-        frames < 2.0 ? "a film has at least 2 frames"
-                     : fmt::format("the limit is {} {}", most_frames.value, most_frames.meaning);
+    std::string hint = frames < 2.0 ? "a film has at least 2 frames" : to_text(most_frames);
     if (!has_seconds) hint += "; give `film.seconds`, or another `film.pace`";
     errors.add(place_of_length(node, root),
                fmt::format("a film of {:.6g} seconds at {} frames a second has {:.6g} {}",
@@ -381,45 +286,42 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
 }  // namespace
 
 KeyTable<FilmDraft> film_table(PanelKinds kinds) {
-    std::vector<Binding<FilmDraft>> keys{
+    const std::vector its_template{
         bind_key("template", &Film::template_name, text(1, most_title_letters),
                  "The layout: a file in the scene's folder or in templates/films, by name.")};
-    return {.name = "`film`", .keys = joined(keys, film_keys(kinds)), .choices = film_choices};
+    return {.name = "`film`",
+            .keys = joined<FilmDraft>(its_template, film_keys(kinds)),
+            .choices = film_choices};
 }
 
 KeyTable<FilmDraft> template_table(PanelKinds kinds) {
-    std::vector<Binding<FilmDraft>> keys = film_keys(kinds);
-    const auto ignore = [](FilmDraft&, const Node*) {};  // read_layout() reads it
-    keys.push_back(bind_with<FilmDraft>("layout", ignore, kept(mapping(layout_table())),
-                                        "Where everything is in a frame.")
-                       .required());
-    return {.name = "a template", .keys = std::move(keys), .choices = film_choices};
+    const std::vector layout{bind_key("layout", &FilmDraft::layout_node, kept(layout_notation()),
+                                      "Where everything is in a frame.")
+                                 .required()};
+    return {.name = "a template",
+            .keys = joined<FilmDraft>(film_keys(kinds), layout),
+            .choices = film_choices};
 }
 
-std::optional<LayoutSpec> read_layout(const Node& template_file, Reading& reading) {
-    const Node* node = given(template_file, "layout");
-    if (node == nullptr || !node->is_mapping()) return std::nullopt;
-    LayoutDraft layout;
-    layout_table().read(*node, layout, reading);
-    const bool has_panels = find(*node, "panels") == nullptr || given(*node, "panels") != nullptr;
-    return layout.grid && has_panels ? std::optional<LayoutSpec>(layout) : std::nullopt;
-}
-
-Film complete_film(const FilmDraft& draft, const Node& node, const Node& root,
-                   const std::optional<LayoutSpec>& layout, const TemplatesFor& templates,
-                   Reading& reading) {
-    Film film = draft;
-    const Run& run = reading.run;
+Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,
+               const std::filesystem::path& templates, Reading& reading) {
+    const Node* layout_node = given(nodes.template_file, "layout");
+    const auto layout = layout_node != nullptr ? layout_notation().read(*layout_node, reading)
+                                               : std::optional<LayoutSpec>();
+    FilmDraft film;
+    film_table(kinds).read(nodes.film, film, reading);
+    film.template_name = template_name;
     film.layout = layout.value_or(LayoutSpec{});
-    const Spans spans = spans_of(draft, reading);
-    for (const Placed<SlowSpan>& span : spans) film.slow.push_back(span.value);
-    film.seconds = draft.given_seconds.value_or(seconds_at_pace(film.slow, run.until, draft.pace) +
-                                                card_seconds(film));
-    if (film.seconds > 0.0 && check_frames(film, node, root, reading.errors)) {
-        check_legs(film, run, root, reading.errors);
+    const Run& run = reading.run;
+    const Spans spans = spans_of(film.spans, reading);
+    film.slow = values_of(spans);
+    film.seconds = film.given_seconds.value_or(seconds_at_pace(film.slow, run.until, film.pace) +
+                                               card_seconds(film));
+    if (film.seconds > 0.0 && check_frames(film, nodes.film, nodes.root, reading.errors)) {
+        check_legs(film, run, nodes.root, reading.errors);
         if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }
-    if (layout) check_slots(node, film, templates, reading.errors);
+    if (layout) check_slots(nodes.film, film, templates, reading.errors);
     return film;
 }
 

@@ -2,8 +2,7 @@
 // slots there are.
 #pragma once
 
-#include <cstddef>
-#include <functional>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,18 +13,12 @@
 
 namespace carom {
 
-/// A span of slow motion, as far as it is given.
-struct SlowDraft {
-    double from = 0.0;
-    std::optional<double> to;
-    std::optional<double> factor;
-};
-
 /// A film as it is written. Refers to its nodes.
 struct FilmDraft : Film {
     std::optional<double> given_seconds;
     double pace = 1.0;
-    std::vector<Placed<SlowDraft>> spans;
+    std::vector<Placed<SlowSpan>> spans;
+    const Node* layout_node = nullptr;  ///< of a template
 };
 
 KeyTable<FilmDraft> film_table(PanelKinds kinds);
@@ -33,21 +26,18 @@ KeyTable<FilmDraft> film_table(PanelKinds kinds);
 /// The keys of `film` but `template`, and `layout`.
 KeyTable<FilmDraft> template_table(PanelKinds kinds);
 
-/// Where things stand, from a checked template; nothing when an error leaves it open.
-std::optional<LayoutSpec> read_layout(const Node& template_file, Reading& reading);
+/// What a film is read from: mappings, checked for form.
+struct FilmNodes {
+    const Node& film;  ///< the scene's, laid over the template's
+    const Node& template_file;
+    const Node& root;  ///< the scene
+};
 
-/// The names of templates with places for so many panels.
-using TemplatesFor = std::function<std::vector<std::string>(std::size_t panels)>;
-
-/// The film of a draft that was read from `film`, which is laid over its template, in the scene
-/// `root`. Its run gives the length where the film does not. A scene's panels may be more than the
-/// places of a template that the command line asks for: the first are shown. Where they are too
-/// many, `templates` is asked for others.
-Film complete_film(const FilmDraft& draft, const Node& film, const Node& root,
-                   const std::optional<LayoutSpec>& layout, const TemplatesFor& templates,
-                   Reading& reading);
-
-/// What the film shows, in a plain sentence or two.
-std::string describe(const Scene& scene);
+/// The film of a scene, of which the gas and the run are known. Its run gives the length where the
+/// film does not. A scene's panels may be more than the places of a template that the command line
+/// asks for: the first are shown. Where they are too many, the message names those of `templates`
+/// that have places for them.
+Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,
+               const std::filesystem::path& templates, Reading& reading);
 
 }  // namespace carom

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
 #include "scene/limits.h"
-#include "scene/reading/word_pattern.h"
+#include "scene/reading/word_places.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
 
@@ -91,21 +91,16 @@ struct PositionDraft {
 
 /// A species with what only the rules between its keys need.
 struct SpeciesReading : SpeciesDraft {
-    std::optional<Quantity> radius;
-    std::optional<PositionDraft> position;
+    std::optional<Quantity> written_radius;  ///< none: there is a mistake in it
+    PositionDraft written_position;
 };
 
-/// A part of the box, as far as it is known.
-struct Part {
-    std::optional<Region> within;
-    const Node* letters = nullptr;
-};
-
-std::optional<Region> region_in(const std::vector<double>& ends, const Node& node,
-                                Reading& reading) {
-    if (ends.size() == 2 && ends[0] < ends[1]) return Region{{ends[0], 0.0}, {ends[1], 0.0}};
+std::optional<WithinRegion> region_in(const std::vector<double>& ends, const Node& node,
+                                      Reading& reading) {
+    if (ends.size() == 2 && ends[0] < ends[1])
+        return WithinRegion{{{ends[0], 0.0}, {ends[1], 0.0}}};
     if (ends.size() == 4 && ends[0] < ends[2] && ends[1] < ends[3])
-        return Region{{ends[0], ends[1]}, {ends[2], ends[3]}};
+        return WithinRegion{{{ends[0], ends[1]}, {ends[2], ends[3]}}};
     reading.errors.add(
         node, ends.size() == 2 ? "expected [x0, x1] with x0 < x1 for `within`"
                                : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
@@ -114,19 +109,20 @@ std::optional<Region> region_in(const std::vector<double>& ends, const Node& nod
 
 const char* corners(int dimension) { return dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]"; }
 
-KeyTable<Part> part_table(int dimension) {
-    const std::size_t count = 2 * static_cast<std::size_t>(dimension);
-    KeyTable<Part> table{
+KeyTable<PositionDraft> part_table(int dimension) {
+    const Limit count{2.0 * dimension};
+    KeyTable<PositionDraft> table{
         .name = "`position`",
-        .keys = {bind_key("within", &Part::within,
-                          parsed(list_of(number(any_number), count, count, corners(dimension)),
-                                 region_in),
-                          "A part of the box, with the particles entirely inside it.")
-                     .required()}};
+        .keys = {
+            bind_key("within", &PositionDraft::rule,
+                     parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
+                            region_in),
+                     "A part of the box, with the particles entirely inside it.")
+                .required()}};
     if (dimension == 2)
         table.keys.push_back(
             bind_key(
-                "text", &Part::letters, kept(text(1, most_name_letters)),
+                "text", &PositionDraft::letters, kept(text(1, most_name_letters)),
                 "A word as a pattern of disks, as large as fits into `within`: capitals, digits, "
                 ". ! ? - + = ♥ ☺. Without `count` there are as many disks as fit well apart.")
                 .default_text("random places"));
@@ -136,79 +132,45 @@ KeyTable<Part> part_table(int dimension) {
 Notation<PositionDraft> position_notation(int dimension) {
     const std::string phrase = fmt::format("{{within: {}}}{}", corners(dimension),
                                            dimension == 2 ? " (and a `text`)" : "");
-    const auto in_part = [](const Part& part, const Node& node,
-                            Reading&) -> std::optional<PositionDraft> {
-        if (!part.within) return std::nullopt;
-        const Node* letters = find(node, "text");
-        if (letters != nullptr && part.letters == nullptr) return std::nullopt;  // it is wrong
-        return PositionDraft{WithinRegion{*part.within}, letters};
-    };
-    const auto anywhere = [](bool on_lattice) {
-        return on_lattice ? PositionDraft{LatticePlaces{}} : PositionDraft{RandomPlaces{}};
-    };
-    const auto listed = [](std::vector<Eigen::Array2d> values) {
-        return PositionDraft{Places{std::move(values)}};
-    };
-    return either(mapped(one_of<bool>({{"random", false}, {"lattice", true}}), anywhere),
-                  either(parsed(mapping(part_table(dimension), phrase), in_part),
-                         mapped(points(dimension), listed)));
-}
-
-double usual_radius(int dimension) {
-    return dimension == 1 ? 0.0 : std::get<double>(Species{}.radius);
+    const auto anywhere =
+        mapped(one_of<bool>({{"random", false}, {"lattice", true}}), [](bool on_lattice) {
+            return on_lattice ? PositionDraft{LatticePlaces{}} : PositionDraft{RandomPlaces{}};
+        });
+    return either(anywhere, either(mapping(part_table(dimension), phrase),
+                                   as<PositionDraft>(as<Places>(points(dimension)))));
 }
 
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1;
-    const auto mass = either(alternative<MassRule>(quantity(positive)),
-                             alternative<MassRule>(one_of<Infinite>({{"infinite", {}}})));
-    const auto density = mapped(quantity(positive), [](Quantity value) { return Density{value}; });
-    std::vector<Binding<SpeciesReading>> keys = within<SpeciesReading>(
-        &SpeciesDraft::species,
-        {bind_key("name", &Species::name, text(1, most_name_letters),
-                  "The name of the species, shown in legends.")
-             .default_text("required when there are several species"),
-         bind_key("count", &Species::count, whole(1, most_particles), "How many particles.")
-             .default_text("the number of positions listed, or of disks in a `text`")});
-    keys.push_back(
-        bind_key("radius", &SpeciesReading::radius, quantity(wire ? not_negative : positive),
+    const auto mass = either(as<MassRule>(quantity(positive)),
+                             as<MassRule>(one_of<Infinite>({{"infinite", {}}})));
+    return {
+        bind_key("name", &Species::name, text(1, most_name_letters),
+                 "The name of the species, shown in legends.")
+            .default_text("required when there are several species"),
+        bind_key("count", &Species::count, whole(1, most_particles), "How many particles.")
+            .default_text("the number of positions listed, or of disks in a `text`"),
+        bind_key("radius", &SpeciesReading::written_radius,
+                 quantity(wire ? not_negative : positive),
                  wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
-            .default_value(number_text(usual_radius(dimension))));
-    keys = joined(
-        keys,
-        within<SpeciesReading>(
-            &SpeciesDraft::species,
-            {bind_key("mass", &Species::mass, mass,
-                      "The mass of each particle; no collision moves one of mass `infinite`."),
-             bind_key("density", &Species::mass, alternative<MassRule>(density),
-                      wire ? "Instead of a mass: mass = density * 2 radius."
-                           : "Instead of a mass: mass = density * pi * radius^2."),
-             bind_with<Species>(
-                 "speed",
-                 [](Species& species, Quantity value) {
-                     species.velocity.emplace<Speed>(std::move(value));
-                 },
-                 quantity(not_negative),
+            .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
+        bind_key("mass", &Species::mass, mass,
+                 "The mass of each particle; no collision moves one of mass `infinite`."),
+        bind_key("density", &Species::mass, as<Density>(quantity(positive)),
+                 wire ? "Instead of a mass: mass = density * 2 radius."
+                      : "Instead of a mass: mass = density * pi * radius^2."),
+        bind_key("speed", &Species::velocity, as<Speed>(quantity(not_negative)),
                  fmt::format("The speed of each particle, {}.",
                              wire ? "to the left or to the right" : "in a random direction")),
-             bind_with<Species>(
-                 "velocity",
-                 [](Species& species, std::vector<Eigen::Array2d> values) {
-                     species.velocity.emplace<Velocity>(std::move(values));
-                 },
-                 points(dimension), "One velocity for all, or a list of one for each particle."),
-             bind_with<Species>(
-                 "temperature",
-                 [](Species& species, double value) {
-                     species.velocity.emplace<Temperature>(value);
-                 },
-                 number(not_negative), "Maxwell-Boltzmann velocities at this temperature.")
-                 .default_text("at rest")}));
-    keys.push_back(bind_key("position", &SpeciesReading::position, position_notation(dimension),
-                            "Where the particles start: anywhere, evenly spaced, in a part of the "
-                            "box, or in listed places.")
-                       .default_value("random"));
-    return keys;
+        bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
+                 "One velocity for all, or a list of one for each particle."),
+        bind_key("temperature", &Species::velocity, as<Temperature>(number(not_negative)),
+                 "Maxwell-Boltzmann velocities at this temperature.")
+            .default_text("at rest"),
+        bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
+                 "Where the particles start: anywhere, evenly spaced, in a part of the box, or in "
+                 "listed places.")
+            .default_value("random")};
 }
 
 std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
@@ -222,8 +184,7 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
         bind_key("label", &SpeciesLook::label, text(0, most_name_letters),
                  "A word drawn beside the particles.")
             .default_text("none"),
-        bind_key("trail", &SpeciesLook::trail,
-                 number({0.0, most_trail_seconds.value, most_trail_seconds.meaning}),
+        bind_key("trail", &SpeciesLook::trail, number({0.0, most_trail_seconds}),
                  "How long a trail the particles leave, in seconds of film.")
             .default_text("by the film")};
     if (dimension == 1)
@@ -264,11 +225,9 @@ bool is_known(const Node& item, std::string_view key) {
 }
 
 // Of a gas that does not say it: as many as there are places; 0 where an error leaves it open.
-std::int64_t counted_places(const SpeciesReading& draft, const Node& item,
-                            const std::optional<Places>& pattern, Errors& errors) {
-    if (pattern) return static_cast<std::int64_t>(pattern->values.size());
-    const auto* places = draft.position ? std::get_if<Places>(&draft.position->rule) : nullptr;
-    if (places != nullptr) return static_cast<std::int64_t>(places->values.size());
+std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Errors& errors) {
+    if (const auto* places = std::get_if<Places>(&draft.position))
+        return static_cast<std::int64_t>(places->values.size());
     const Node* position = given(item, "position");
     const bool word = position != nullptr && position->is_mapping() && find(*position, "text");
     if (find(item, "count") == nullptr && !word && is_known(item, "position"))
@@ -276,100 +235,29 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item,
     return 0;
 }
 
-// Nothing for a normal distribution, which has no largest value.
-std::optional<double> largest_of(const Quantity& quantity) {
-    if (const auto* number = std::get_if<double>(&quantity)) return *number;
-    if (const auto* uniform = std::get_if<UniformDistribution>(&quantity)) return uniform->high;
-    const auto* list = std::get_if<std::vector<double>>(&quantity);
-    return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
-}
-
-// Of disks that touch: the most of them across a cell of a word.
-int most_across(double cell, double radius) {
-    const double most = cell / (2.0 * radius) * (1.0 + 1e-12);
-    return static_cast<int>(std::min(most, std::sqrt(most_particles.value)));
-}
-
-bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
-    const std::vector<std::string> without = letters_without_shape(word.text);
-    if (!without.empty())
-        errors.add(word, fmt::format("no pattern for {}", listed(without, "and", "`")),
-                   fmt::format("there is one for {}", letters_with_shape));
-    else if (shape.cells.empty())
-        errors.add(word, "expected at least one letter for `text`");
-    return without.empty() && !shape.cells.empty();
-}
-
-// `cells` of a word are filled cells as wide as `cell`, with room for `most` disks across.
-void report_narrow(const Node& word, double count, double radius, double cell, double room,
-                   Errors& errors) {
-    if (room == 0.0)
-        errors.add(word,
-                   fmt::format("disks of radius {} are wider than the strokes of the letters, "
-                               "which are {:.4g} wide",
-                               radius, cell),
-                   "smaller disks or a larger `within` make room");
-    else
-        errors.add(word,
-                   fmt::format("{} disks of radius {} do not fit into the letters, which have "
-                               "room for {:.0f}",
-                               count, radius, room),
-                   "fewer or smaller disks or a larger `within` make room");
-}
-
-// The places of a word's disks: so many across a cell that there are `count`, or, where that is 0,
-// as many as leave a quarter of their diameter between them.
-std::optional<Places> pattern_of(const Node& word, const Region& region, const Quantity& radius,
-                                 std::int64_t count, Errors& errors) {
-    const WordShape shape = word_shape(word.text);
-    const auto largest = largest_of(radius);
-    if (!check_word(word, shape, errors)) return std::nullopt;
-    if (!largest) {
-        errors.add(word, "a `text` needs radii with an upper bound, not a normal distribution");
-        return std::nullopt;
-    }
-    const double cell = shape.cell_in(region);
-    const auto cells = static_cast<double>(shape.cells.size());
-    const int most = most_across(cell, *largest);
-    const int across =
-        count > 0 ? static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / cells)))
-                  : std::clamp(most_across(cell, 1.25 * *largest), 1,
-                               static_cast<int>(std::sqrt(most_particles.value / cells)));
-    if (across > most) {
-        report_narrow(word, static_cast<double>(count), *largest, cell, cells * most * most,
-                      errors);
-        return std::nullopt;
-    }
-    const std::int64_t all = static_cast<std::int64_t>(cells) * across * across;
-    return Places{places_of(shape, region, across, count > 0 ? count : all)};
-}
-
 // What the keys of a species mean together.
 void complete_species(SpeciesReading& draft, const Node& item, int dimension, Errors& errors) {
     draft.node = &item;
-    Species& species = draft.species;
-    species.radius = draft.radius.value_or(Quantity{usual_radius(dimension)});
-    const Node* letters = draft.position ? draft.position->letters : nullptr;
-    std::optional<Places> pattern;
-    if (letters != nullptr)
-        pattern = pattern_of(*letters, std::get<WithinRegion>(draft.position->rule).region,
-                             species.radius, species.count, errors);
-    if (species.count == 0) species.count = counted_places(draft, item, pattern, errors);
-    if (species.count > 0)
+    if (draft.written_radius) draft.radius = *draft.written_radius;
+    const auto& [rule, letters] = draft.written_position;
+    const auto* within = std::get_if<WithinRegion>(&rule);
+    if (letters == nullptr)
+        draft.position = rule;
+    else if (within != nullptr)
+        if (const auto pattern =
+                places_of_word(*letters, within->region, draft.radius, draft.count, errors))
+            draft.position = *pattern;
+    if (draft.count == 0) draft.count = counted_places(draft, item, errors);
+    if (draft.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
-            check_list_length(item, key, species.count, dimension, errors);
-    draft.radius_known = draft.radius.has_value() && is_known(item, "radius");
-    draft.position_known =
-        draft.position.has_value() && (letters == nullptr || pattern) && is_known(item, "position");
-    if (draft.position && letters == nullptr) species.position = draft.position->rule;
-    if (pattern) species.position = *pattern;
+            check_list_length(item, key, draft.count, dimension, errors);
+    draft.radius_known = draft.written_radius && is_known(item, "radius");
 }
 
 KeyTable<SpeciesReading> species_table(int dimension) {
     KeyTable<SpeciesReading> table{
         .name = "an item of `gas`",
-        .keys = joined(matter_keys(dimension),
-                       within<SpeciesReading>(&SpeciesDraft::look, look_keys(dimension))),
+        .keys = joined<SpeciesReading>(matter_keys(dimension), look_keys(dimension)),
         .choices = {{{"mass", "density"}}, {{"speed", "velocity", "temperature"}}},
         .refused = inelastic_keys(),
         .rule = [dimension](SpeciesReading& draft, const Node& item, Reading& reading) {
@@ -381,39 +269,33 @@ KeyTable<SpeciesReading> species_table(int dimension) {
     return table;
 }
 
-void check_name(const SpeciesDraft& draft, Errors& errors) {
-    const std::string& name = draft.species.name;
-    const bool number = name.find_first_not_of("0123456789") == std::string::npos;
-    if (name != "all" && !number) return;
-    errors.add(*find(*draft.node, "name"),
-               fmt::format("{} cannot be the name of a species", in_quotes(name)),
-               "`all` and numbers have a meaning of their own where particles are chosen");
-}
-
 void check_names(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
-    std::map<std::string, std::size_t> first;
-    for (std::size_t i = 0; i < drafts.size(); ++i) {
-        const SpeciesDraft& draft = drafts[i];
-        if (draft.species.name.empty()) {
-            if (drafts.size() > 1 && find(*draft.node, "name") == nullptr)
+    std::set<std::string> names;
+    for (const SpeciesDraft& draft : drafts) {
+        const Node* node = find(*draft.node, "name");
+        if (draft.name.empty()) {
+            if (drafts.size() > 1 && node == nullptr)
                 errors.add(*draft.node, "an item of `gas` needs `name` when there are several");
             continue;
         }
-        check_name(draft, errors);
-        if (!first.emplace(draft.species.name, i).second)
-            errors.add(*find(*draft.node, "name"),
-                       fmt::format("the name {} is taken by another species",
-                                   in_quotes(draft.species.name)));
+        const bool number = draft.name.find_first_not_of("0123456789") == std::string::npos;
+        if (draft.name == "all" || number)
+            errors.add(*node,
+                       fmt::format("{} cannot be the name of a species", in_quotes(draft.name)),
+                       "`all` and numbers have a meaning of their own where particles are chosen");
+        if (!names.insert(draft.name).second)
+            errors.add(*node, fmt::format("the name {} is taken by another species",
+                                          in_quotes(draft.name)));
     }
 }
 
 void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
     std::int64_t total = 0;
     for (const SpeciesDraft& draft : drafts) {
-        total += draft.species.count;
+        total += draft.count;
         if (static_cast<double>(total) <= most_particles.value) continue;
         errors.add(at_key(draft, "count"), fmt::format("{} particles up to here", total),
-                   fmt::format("the limit is {} {}", most_particles.value, most_particles.meaning));
+                   to_text(most_particles));
         return;
     }
 }
@@ -443,8 +325,7 @@ Notation<Box> box_notation(int dimension) {
 }
 
 Notation<std::vector<SpeciesDraft>> gas_notation(int dimension) {
-    const auto species = mapped(mapping(species_table(dimension)),
-                                [](SpeciesReading draft) { return SpeciesDraft(draft); });
+    const auto species = as<SpeciesDraft>(mapping(species_table(dimension)));
     return mapped(
         checked(list_of(species, 1, most_species, "a list of species"),
                 [](const std::vector<SpeciesDraft>& drafts, const Node&, Reading& reading) {
@@ -452,8 +333,7 @@ Notation<std::vector<SpeciesDraft>> gas_notation(int dimension) {
                     check_total(drafts, reading.errors);
                 }),
         [](std::vector<SpeciesDraft> drafts) {
-            if (drafts.size() == 1 && drafts[0].species.name.empty())
-                drafts[0].species.name = "gas";
+            if (drafts.size() == 1 && drafts[0].name.empty()) drafts[0].name = "gas";
             return drafts;
         });
 }
@@ -465,6 +345,14 @@ std::optional<std::int64_t> particles_in(const Gas& gas) {
         count += species.count;
     }
     return gas.species.empty() ? std::nullopt : std::optional(count);
+}
+
+void report_no_particle(const Node& place, const std::string& number, std::int64_t count,
+                        Errors& errors) {
+    errors.add(place, "there is no particle " + number,
+               fmt::format("particles are numbered from 0 to {}, in the order in which `gas` lists "
+                           "them",
+                           count - 1));
 }
 
 const Node& at_key(const SpeciesDraft& draft, std::string_view key) {

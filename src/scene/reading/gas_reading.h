@@ -17,13 +17,10 @@ namespace carom {
 /// The box of one or two dimensions; nothing when an error leaves its size open.
 Notation<Box> box_notation(int dimension);
 
-/// A species and what is known of it although something in it may be wrong.
-struct SpeciesDraft {
+/// A species and how it is drawn.
+struct SpeciesDraft : Species, SpeciesLook {
     const Node* node = nullptr;  ///< the item of `gas`
-    Species species;
-    SpeciesLook look;
     bool radius_known = true;    ///< false: an error left the radius open
-    bool position_known = true;  ///< false: an error left the positions open
 };
 
 /// The species in the order of the list, for a box of one or two dimensions.
@@ -35,6 +32,10 @@ std::vector<Refused> inelastic_keys();
 
 /// How many there are in all; nothing while an error leaves the count of a species open.
 std::optional<std::int64_t> particles_in(const Gas& gas);
+
+/// Reports a particle of this number, as it is written, where there are only `count`.
+void report_no_particle(const Node& place, const std::string& number, std::int64_t count,
+                        Errors& errors);
 
 /// Where a key of the species is written; the species if it is not.
 const Node& at_key(const SpeciesDraft& draft, std::string_view key);

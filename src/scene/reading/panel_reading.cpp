@@ -20,10 +20,7 @@ std::optional<Chosen> chosen_particle(const Node& node, double number, Reading& 
     if (!count) return std::nullopt;
     if (number >= 0.0 && number < static_cast<double>(*count) && number == std::floor(number))
         return Chosen{{}, static_cast<std::int64_t>(number)};
-    reading.errors.add(node, fmt::format("there is no particle {}", in_quotes(node.text)),
-                       fmt::format("particles are numbered from 0 to {}, in the order in which "
-                                   "`gas` lists them",
-                                   *count - 1));
+    report_no_particle(node, in_quotes(node.text), *count, reading.errors);
     return std::nullopt;
 }
 
@@ -235,7 +232,7 @@ Binding<PanelSpec> kind_key(const Notation<std::string>& words) {
 
 std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<PanelSpec>& kind,
                                            const std::vector<Binding<PanelSpec>>& over) {
-    std::vector<Binding<PanelSpec>> keys{
+    const std::vector what{
         kind,
         bind_key("title", &PanelSpec::title, text(1, most_title_letters),
                  "The words above the panel.")
@@ -244,18 +241,18 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                  "Which particles: all, a species, one by its number, or several of these drawn "
                  "together. For a pair, two numbers; without them, the first pair that collides.")
             .only_with(kinds_that_can(kinds, Ability::of))};
-    keys = joined(keys, over);
-    keys.push_back(bind_key("component", &PanelSpec::component, one_of<Component>(),
-                            "Along which axis; `both` counts either component of a particle.")
-                       .default_text("both for velocities, x for positions")
-                       .only_with(kinds_that_can(kinds, Ability::component)));
-    keys = joined(keys, bar_keys(kinds));
-    keys.push_back(bind_key("theory", &PanelSpec::theory, flag(),
-                            "Whether to draw the equilibrium curve of this finite mixture, if it "
-                            "has an equilibrium; `true` is an error where it has none. For return "
-                            "distances, the law by which they grow for equal disks.")
-                       .only_with(kinds_that_can(kinds, Ability::theory)));
-    return joined(keys, own_keys(kinds));
+    const std::vector component{
+        bind_key("component", &PanelSpec::component, one_of<Component>(),
+                 "Along which axis; `both` counts either component of a particle.")
+            .default_text("both for velocities, x for positions")
+            .only_with(kinds_that_can(kinds, Ability::component))};
+    const std::vector theory{
+        bind_key("theory", &PanelSpec::theory, flag(),
+                 "Whether to draw the equilibrium curve of this finite mixture, if it has an "
+                 "equilibrium; `true` is an error where it has none. For return distances, the law "
+                 "by which they grow for equal disks.")
+            .only_with(kinds_that_can(kinds, Ability::theory))};
+    return joined<PanelSpec>(what, over, component, bar_keys(kinds), theory, own_keys(kinds));
 }
 
 void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {
@@ -298,9 +295,8 @@ void check_reversal(const Node& place, Reading& reading) {
                            "add one to `run`: events: [{at: TIME, reverse: velocities}]");
     const std::int64_t count = particles_in(reading.gas).value_or(0);
     if (count > static_cast<std::int64_t>(most_returning.count()))
-        reading.errors.add(
-            place, fmt::format("`return-distance` of {} particles", count),
-            fmt::format("the limit is {:.0f} {}", most_returning.value, most_returning.meaning));
+        reading.errors.add(place, fmt::format("`return-distance` of {} particles", count),
+                           to_text(most_returning));
 }
 
 }  // namespace carom

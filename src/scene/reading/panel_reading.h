@@ -27,6 +27,14 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
 /// The key `kind` that takes these words.
 Binding<PanelSpec> kind_key(const Notation<std::string>& words);
 
+/// The key `theme` of films and figures.
+template <typename T>
+Binding<T> theme_key(ThemeName T::*theme) {
+    return bind_key("theme", theme, one_of<ThemeName>(),
+                    "The colours of background and text; `print` is black, white and greys, except "
+                    "for colours that the scene gives.");
+}
+
 /// The rules between the keys of a panel, which is a mapping or the name of a kind alone.
 void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading);
 

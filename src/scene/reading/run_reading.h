@@ -10,9 +10,8 @@
 namespace carom {
 
 /// All that `run` says. Refers to the scene's nodes.
-struct RunDraft {
-    Run run;
-    std::vector<const Node*> event_nodes;   ///< of each of run.events
+struct RunDraft : Run {
+    std::vector<const Node*> event_nodes;   ///< of each of its events
     const Node* precision = nullptr;        ///< where it is given
     std::vector<Mark> marks;                ///< in order of time; equal times in the order listed
     std::vector<Placed<Caption>> captions;  ///< in order of time; equal times in the order listed
@@ -22,7 +21,7 @@ struct RunDraft {
 Notation<RunDraft> run_notation(int dimension);
 
 /// Whether nudges have their particles, and numbers of so few bits room for them.
-void check_nudges(const RunDraft& draft, const Gas& gas, Errors& errors);
+void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors);
 
 /// Whether each of the captions stays long enough to be read, in a complete scene, of which `root`
 /// is the mapping, with a film that is as long as its file says: one that the command line makes

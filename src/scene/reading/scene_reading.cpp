@@ -8,38 +8,36 @@ namespace carom {
 
 KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
     const auto format = whole(1, {scene_format, "is the format that this carom reads"});
-    std::vector<Binding<SceneDraft>> keys{
-        bind_key("carom", &SceneDraft::format, format, "The version of the scene format.")};
-    keys = joined(
-        keys, within<SceneDraft>(&SceneDraft::scene,
-                                 {bind_key("title", &Scene::title, text(1, most_title_letters),
-                                           "Shown in the film and in the file's metadata.")
-                                      .required(),
-                                  bind_key("subtitle", &Scene::subtitle,
-                                           text(0, most_title_letters), "Shown under the title.")
-                                      .default_text("none")}));
-    keys.push_back(bind_key("description", &SceneDraft::description, lines(1, most_letters),
-                            "A description for those who cannot see the picture.")
-                       .default_text("made from the scene's content"));
-    keys = joined(keys, within<SceneDraft>(&SceneDraft::scene,
-                                           {bind_key("seed", &Scene::seed, whole(0, largest_seed),
-                                                     "Fixes every random choice.")}));
-    keys = joined(
-        keys,
-        {bind_key("box", &SceneDraft::box, box_notation(dimension), "The box that holds the gas.")
-             .required(),
-         bind_key("gas", &SceneDraft::species, gas_notation(dimension),
-                  "What is in the box: a list of species.")
-             .required(),
-         bind_key("run", &SceneDraft::run, run_notation(dimension), "What happens to the gas.")
-             .required(),
-         bind_key("film", &SceneDraft::film, kept(mapping(film_table(kinds))),
-                  "What the viewer sees.")
-             .default_text("the template's"),
-         bind_key("figures", &SceneDraft::figures, kept(figures_notation(kinds)),
-                  "Pictures of single moments for texts and slides.")
-             .default_text("none")});
-    return {.name = "a scene", .keys = std::move(keys), .refused = inelastic_keys()};
+    return {
+        .name = "a scene",
+        .keys = {bind_key("carom", &SceneDraft::format, format, "The version of the scene format."),
+                 bind_key("title", &Scene::title, text(1, most_title_letters),
+                          "Shown in the film and in the file's metadata.")
+                     .required(),
+                 bind_key("subtitle", &Scene::subtitle, text(0, most_title_letters),
+                          "Shown under the title.")
+                     .default_text("none"),
+                 bind_key("description", &Scene::description, lines(1, most_letters),
+                          "A description for those who cannot see the picture.")
+                     .default_text("made from the scene's content"),
+                 bind_key("seed", &Scene::seed, whole(0, largest_seed),
+                          "Fixes every random choice."),
+                 bind_key("box", &SceneDraft::box, box_notation(dimension),
+                          "The box that holds the gas.")
+                     .required(),
+                 bind_key("gas", &SceneDraft::species, gas_notation(dimension),
+                          "What is in the box: a list of species.")
+                     .required(),
+                 bind_key("run", &SceneDraft::written_run, run_notation(dimension),
+                          "What happens to the gas.")
+                     .required(),
+                 bind_key("film", &SceneDraft::film_node, kept(mapping(film_table(kinds))),
+                          "What the viewer sees.")
+                     .default_text("the template's"),
+                 bind_key("figures", &SceneDraft::figures_node, kept(figures_notation(kinds)),
+                          "Pictures of single moments for texts and slides.")
+                     .default_text("none")},
+        .refused = inelastic_keys()};
 }
 
 }  // namespace carom

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "scene/keys/binding.h"
@@ -17,15 +16,13 @@ namespace carom {
 inline constexpr int scene_format = 1;
 
 /// A scene as it is written. Refers to its nodes.
-struct SceneDraft {
-    Scene scene;  ///< title, subtitle and seed
+struct SceneDraft : Scene {
     int format = scene_format;
-    std::optional<std::string> description;
     std::optional<Box> box;
     std::vector<SpeciesDraft> species;
-    RunDraft run;
-    const Node* film = nullptr;     ///< to be read over its template
-    const Node* figures = nullptr;  ///< to be read when the gas and the run are known
+    RunDraft written_run;
+    const Node* film_node = nullptr;     ///< to be read over its template
+    const Node* figures_node = nullptr;  ///< to be read when the gas and the run are known
 };
 
 /// A scene with a box of one dimension or of two.

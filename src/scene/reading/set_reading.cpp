@@ -9,6 +9,7 @@
 #include "scene/reading/figure_reading.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
+#include "util/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {
@@ -17,18 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array page_names{"markdown", "html", "latex"};
-
-std::optional<Node> tree_of(const fs::path& path, Source& source, Errors& errors) {
-    source.name = path.string();
-    auto text = file_text(path, source, errors);
-    if (!text) return std::nullopt;
-    source.text = std::move(*text);
-    return read_yaml(source, errors);
-}
-
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
 
 bool is_inside(const fs::path& file, const fs::path& folder) {
     const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
@@ -71,9 +60,6 @@ fs::path scene_path(const Node& written, const fs::path& set, Errors& errors) {
     return path.lexically_normal();
 }
 
-const char* const meaning_of_scene =
-    "The scene's file, relative to the set; it may lie in the folder above the set's.";
-
 // The path of a scene, from the working folder.
 Notation<fs::path> path_notation(const fs::path& set) {
     return parsed(text(1, most_title_letters),
@@ -82,52 +68,54 @@ Notation<fs::path> path_notation(const fs::path& set) {
                   });
 }
 
-Notation<SetScene> scene_notation(const fs::path& set) {
+// The path of a scene alone, or a mapping of `table` with the path among its keys.
+template <typename Item>
+Notation<Item> item_notation(const fs::path& set, KeyTable<Item> table) {
     const Notation<fs::path> file = path_notation(set);
-    const auto alone = [](const fs::path& path, const Node& node, Reading&) {
-        return std::optional(SetScene{.path = path, .place = place_of(node)});
+    const auto alone = [](fs::path path, const Node& node, Reading&) {
+        Item item;
+        item.path = std::move(path);
+        item.place = place_of(node);
+        return std::optional(std::move(item));
     };
+    table.keys.insert(table.keys.begin(),
+                      bind_key("scene", &Item::path, file,
+                               "The scene's file, relative to the set; it may lie in the folder "
+                               "above the set's.")
+                          .required());
+    return either(parsed(file.called("the path of a scene"), alone), mapping(std::move(table)));
+}
+
+Notation<SetScene> scene_notation(const fs::path& set) {
     const auto name = parsed(text(1, most_name_letters),
                              [](const std::string& figure, const Node& node, Reading&) {
                                  return std::optional(std::pair(figure, place_of(node)));
                              });
-    const KeyTable<SetScene> table{
-        .name = "an item of `scenes`",
-        .keys = {bind_key("scene", &SetScene::path, file, meaning_of_scene).required(),
-                 bind_key("title", &SetScene::title, text(1, most_title_letters),
-                          "Its title in the set.")
-                     .default_text("the scene's"),
-                 bind_key("description", &SetScene::description, lines(1, most_letters),
-                          "The words under it.")
-                     .default_text("the scene's"),
-                 bind_key("figures", &SetScene::figures,
-                          list_of(name, 1, most_figures, "a list of names"),
-                          "The names of the figures that are shown, in this order.")
-                     .default_text("all of the scene")},
-        .rule = [](SetScene& scene, const Node& node, Reading&) {
-            const Node* path = given(node, "scene");
-            scene.place = place_of(path != nullptr ? *path : node);
-        }};
-    return either(parsed(file.called("the path of a scene"), alone), mapping(table));
+    return item_notation<SetScene>(
+        set, {.name = "an item of `scenes`",
+              .keys = {bind_key("title", &SetScene::title, text(1, most_title_letters),
+                                "Its title in the set.")
+                           .default_text("the scene's"),
+                       bind_key("description", &SetScene::description, lines(1, most_letters),
+                                "The words under it.")
+                           .default_text("the scene's"),
+                       bind_key("figures", &SetScene::figures,
+                                list_of(name, 1, most_figures, "a list of names"),
+                                "The names of the figures that are shown, in this order.")
+                           .default_text("all of the scene")},
+              .rule = [](SetScene& scene, const Node& node, Reading&) {
+                  const Node* path = given(node, "scene");
+                  scene.place = place_of(path != nullptr ? *path : node);
+              }});
 }
 
 // The scenes of a comparison.
 Notation<std::vector<SetRun>> runs_notation(const fs::path& set) {
-    const Notation<fs::path> file = path_notation(set);
-    const auto alone = [](const fs::path& path, const Node& node, Reading&) {
-        return std::optional(SetRun{.path = path, .place = place_of(node)});
-    };
-    const KeyTable<SetRun> table{
-        .name = "an item of a comparison's `scenes`",
-        .keys = {bind_key("scene", &SetRun::path, file, meaning_of_scene).required(),
-                 bind_key("label", &SetRun::label, text(1, most_name_letters),
-                          "Its name in the figure.")
-                     .default_text("the scene's title"),
-                 bind_key("set", &SetRun::values, changes_notation(), meaning_of_changes)
-                     .default_text("nothing")},
-        .rule = [](SetRun& run, const Node& node, Reading&) { run.place = place_of(node); }};
-    return list_of(either(parsed(file.called("the path of a scene"), alone), mapping(table)), 2,
-                   most_compared, "a list of scenes");
+    const auto run = item_notation<SetRun>(
+        set, {.name = "an item of a comparison's `scenes`",
+              .keys = {label_key().default_text("the scene's title"), changes_key()},
+              .rule = place_run});
+    return list_of(run, 2, most_compared, "a list of scenes");
 }
 
 // Only its scenes are read: what else it says is read as a figure of each of them.
@@ -147,7 +135,7 @@ std::string template_of(const std::string& name, const Node& written, const fs::
     if (std::ranges::find(page_names, name) != page_names.end()) return name;
     const std::string ending = fs::path(name).extension().string();
     const bool page = ending == ".md" || ending == ".html" || ending == ".tex";
-    if (name.find_first_of("/\\") != std::string::npos || name.starts_with('.') || !page)
+    if (!is_plain_name(name) || !page)
         errors.add(written, fmt::format("expected a template of pages, found {}", in_quotes(name)),
                    "`markdown`, `html`, `latex`, or a file beside the set that ends in .md, .html "
                    "or .tex");
@@ -162,9 +150,8 @@ KeyTable<SetFile> set_table(PanelKinds kinds, const fs::path& path) {
                [path](const std::string& name, const Node& node, Reading& reading) {
                    return std::optional(template_of(name, node, path, reading.errors));
                });
-    const auto pages = either(mapped(page, [](std::string one) { return std::vector{one}; }),
-                              list_of(page, 1, page_names.size(), "a list of templates"));
-    const auto formats = list_of(word({"svg", "pdf", "png", "csv"}), 1, 4, "a list of formats");
+    const auto pages = one_or_list(page, {page_names.size()}, "a list of templates");
+    const auto formats = list_of(word({"svg", "pdf", "png", "csv"}), 1, {4}, "a list of formats");
     return {
         .name = "a figure set",
         .keys = {
@@ -191,12 +178,16 @@ KeyTable<SetFile> set_table(PanelKinds kinds, const fs::path& path) {
                 .default_text("all")}};
 }
 
+const Node* key_of_set(const Node& root) {
+    const auto key = std::ranges::find(root.keys, "scenes", &Node::text);
+    return key != root.keys.end() && find(root, "box") == nullptr ? &*key : nullptr;
+}
+
 bool is_figure_set(const fs::path& path) {
     Errors errors;
     Source source;
-    const auto root = tree_of(path, source, errors);
-    return root && root->is_mapping() && find(*root, "scenes") != nullptr &&
-           find(*root, "box") == nullptr;
+    const auto root = read_yaml_file(path, source, errors);
+    return root && key_of_set(*root) != nullptr;
 }
 
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds) {
@@ -211,7 +202,7 @@ FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelK
 SetFile load_figure_set(const fs::path& path, PanelKinds kinds) {
     Errors errors;
     const auto source = std::make_shared<Source>();
-    auto root = tree_of(path, *source, errors);
+    auto root = read_yaml_file(path, *source, errors);
     if (root && !root->is_mapping())
         errors.add(*source, root->kind == Node::Kind::null ? "the set is empty"
                                                            : "expected a set (a mapping with "

@@ -24,12 +24,9 @@ struct SetScene {
     std::vector<std::pair<std::string, Diagnostic>> figures = {};  ///< names; none: all
 };
 
-/// A scene whose run a comparison shows.
-struct SetRun {
+/// A scene whose run a comparison shows. Without a label it has the scene's title.
+struct SetRun : ComparedRun {
     std::filesystem::path path;  ///< from the working folder
-    Diagnostic place;
-    std::optional<std::string> label = {};  ///< none: the scene's title
-    std::vector<std::string> values = {};   ///< laid over the scene, as KEY.PATH=VALUE
 };
 
 /// A figure of several scenes; what else it says is read with each of them.
@@ -49,7 +46,10 @@ struct SetFile {
     std::vector<std::string> formats;    ///< none: all
 };
 
-/// Whether a file lists `scenes`, as no scene does. False when it cannot be read.
+/// The key `scenes` of a figure set, which no scene has; null in a scene.
+const Node* key_of_set(const Node& root);
+
+/// Whether a file is a figure set. False when it cannot be read.
 bool is_figure_set(const std::filesystem::path& path);
 
 /// Loads and validates a set, with comparisons of these kinds of panel. Throws SceneError with

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/time/captions.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
+#include "util/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {
@@ -14,17 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_plain_name(const std::string& name) {
-    return name.find_first_of("/\\") == std::string::npos && !name.starts_with('.');
-}
-
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code ignored;
     for (fs::directory_iterator entry{folder, ignored}, end; !ignored && entry != end;
          entry.increment(ignored))
         if (entry->path().extension() == ".yaml") names.push_back(entry->path().stem().string());
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     return names;
 }
 
@@ -35,7 +33,7 @@ bool is_there(const fs::path& path) {
 
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code ignored;
-    return fs::equivalent(a, b, ignored) && !ignored;
+    return fs::equivalent(a, b, ignored);
 }
 
 // A link in the scene's folder may lead anywhere; what it leads to must lie in that folder.
@@ -46,15 +44,10 @@ bool stays_inside(const fs::path& file, const fs::path& folder) {
     return !failed && target.parent_path() == inside;
 }
 
-fs::path folder_of(const fs::path& scene) {
-    return scene.parent_path().empty() ? fs::path{"."} : scene.parent_path();
-}
-
 void report_unknown(const Node& asked, const fs::path& films, Errors& errors) {
     const std::vector<std::string> names = names_in(films);
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    std::string hint = names.empty() ? "no templates in " + films.string() : "templates: " + list;
+    std::string hint = names.empty() ? "no templates in " + films.string()
+                                     : fmt::format("templates: {}", fmt::join(names, ", "));
     if (const auto near = nearest_spelling(asked.text, names))
         hint = fmt::format("did you mean `{}`?", *near);
     errors.add(asked, fmt::format("there is no template {}", in_quotes(asked.text)), hint);
@@ -62,12 +55,9 @@ void report_unknown(const Node& asked, const fs::path& films, Errors& errors) {
 
 // None where it cannot be read: it is not the template that was asked for.
 std::size_t panel_places(const fs::path& file) {
-    Source source{file.string(), {}, Origin::template_file};
+    Source source{.origin = Origin::template_file};
     Errors errors;
-    auto text = file_text(file, source, errors);
-    if (!text) return 0;
-    source.text = std::move(*text);
-    const auto root = read_yaml(source, errors);
+    const auto root = read_yaml_file(file, source, errors);
     const Node* layout = root && root->is_mapping() ? find(*root, "layout") : nullptr;
     const Node* panels = layout && layout->is_mapping() ? find(*layout, "panels") : nullptr;
     return panels && panels->is_list() ? panels->items.size() : 0;
@@ -81,7 +71,106 @@ bool is_excluded(const std::string& key, const Node& film, const std::vector<Cho
     });
 }
 
+bool is_inside(const Slot& slot, const LayoutSpec& layout) {
+    constexpr double rounding = 1e-9;
+    return slot.x + slot.width <= layout.grid_width + rounding &&
+           slot.y + slot.height <= layout.grid_height + rounding;
+}
+
+void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& errors) {
+    const LayoutSpec with_line = with_caption_line(layout);
+    std::vector<Slot> slots{with_line.title, with_line.gas, with_line.color_bar};
+    if (with_line.monitors) slots.push_back(*with_line.monitors);
+    slots.insert(slots.end(), with_line.panels.begin(), with_line.panels.end());
+    if (std::ranges::any_of(slots, [](const Slot& slot) { return slot.height <= 0.0; }))
+        errors.add(line, "the place for captions leaves another place without room");
+}
+
+/// A layout with the nodes of its places.
+struct LayoutDraft : LayoutSpec {
+    std::optional<Eigen::Array2d> grid;
+    std::vector<Placed<Slot>> places;
+};
+
+// A place in the grid, which is looked at when the grid is known.
+template <typename Field>
+Binding<LayoutDraft> slot_key(std::string name, Field LayoutSpec::*field,
+                              const Notation<Placed<Slot>>& slot, std::string meaning) {
+    const auto fill = [field](LayoutDraft& layout, const Placed<Slot>& place) {
+        layout.*field = place.value;
+        layout.places.push_back(place);
+    };
+    return bind_with<LayoutDraft>(std::move(name), fill, slot, std::move(meaning));
+}
+
+Notation<Placed<Slot>> slot_notation() {
+    const Range units{0.0, largest_grid};
+    const auto slot = [](const std::vector<double>& sides) {
+        return Slot{sides.at(0), sides.at(1), sides.at(2), sides.at(3)};
+    };
+    const auto check = [](const Slot& place, const Node& node, Reading& reading) {
+        if (place.width <= 0.0 || place.height <= 0.0)
+            reading.errors.add(node,
+                               "expected [x, y, width, height] with a positive width and height");
+    };
+    return placed(
+        checked(mapped(list_of(number(units), 4, {4}, "[x, y, width, height]"), slot), check));
+}
+
+void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
+    if (!layout.grid) return;
+    layout.grid_width = (*layout.grid)[0];
+    layout.grid_height = (*layout.grid)[1];
+    for (const Placed<Slot>& place : layout.places)
+        if (!is_inside(place.value, layout))
+            reading.errors.add(*place.node,
+                               fmt::format("the place reaches outside the grid of {} by {}",
+                                           layout.grid_width, layout.grid_height));
+    if (layout.caption) check_caption_line(*given(node, "caption"), layout, reading.errors);
+}
+
+KeyTable<LayoutDraft> layout_table() {
+    const Range sides{1.0, largest_grid};
+    const auto slot = slot_notation();
+    const auto panels = [](LayoutDraft& layout, const std::vector<Placed<Slot>>& places) {
+        layout.panels = values_of(places);
+        layout.places.insert(layout.places.end(), places.begin(), places.end());
+    };
+    return {
+        .name = "`layout`",
+        .keys = {bind_key("grid", &LayoutDraft::grid, pair_of(sides, "[width, height]"),
+                          "Width and height of the picture in units of the layout; one unit is the "
+                          "smallest size of text.")
+                     .required(),
+                 slot_key("title", &LayoutSpec::title, slot, "The place of title and subtitle.")
+                     .required(),
+                 slot_key("gas", &LayoutSpec::gas, slot, "The place of the box.").required(),
+                 slot_key("color_bar", &LayoutSpec::color_bar, slot,
+                          "The place of the colour scale.")
+                     .required(),
+                 slot_key("caption", &LayoutSpec::caption, slot,
+                          "The place of captions in films that have any; whatever overlaps it is "
+                          "made smaller.")
+                     .default_text("the foot of the gas's place"),
+                 slot_key("monitors", &LayoutSpec::monitors, slot, "The place of the numbers.")
+                     .default_text("none"),
+                 bind_with<LayoutDraft>(
+                     "panels", panels,
+                     list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
+                     "The places of the panels, in their order.")
+                     .default_text("none")},
+        .rule = complete_layout};
+}
+
 }  // namespace
+
+Notation<LayoutSpec> layout_notation() {
+    return parsed(mapping(layout_table()), [](const LayoutDraft& layout, const Node& node,
+                                              Reading&) {
+        const bool has_panels = find(node, "panels") == nullptr || given(node, "panels") != nullptr;
+        return layout.grid && has_panels ? std::optional<LayoutSpec>(layout) : std::nullopt;
+    });
+}
 
 std::optional<TemplateFile> find_template(const Node& asked, const fs::path& scene,
                                           const fs::path& templates, Errors& errors) {

@@ -1,4 +1,4 @@
-// Templates of films: where they are found, and how they lie under a scene's `film`.
+// Templates of films: where they are found, their layout, and how they lie under a scene's `film`.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/keys/keys.h"
+#include "scene/keys/binding.h"
+#include "scene/scene.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
@@ -22,6 +23,9 @@ struct TemplateFile {
 /// name is written. Reports an unknown one with those there are; nothing then.
 std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
                                           const std::filesystem::path& templates, Errors& errors);
+
+/// Where things stand in a frame; nothing when an error leaves it open.
+Notation<LayoutSpec> layout_notation();
 
 /// The names of the templates in `templates`/films with places for at least `panels` panels, those
 /// with the fewest first.

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
+
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -64,12 +65,7 @@ constexpr std::array letters{
 };
 
 // The next letter of UTF-8.
-std::string_view next_of(std::string_view text) {
-    std::size_t length = 1;
-    while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
-        ++length;
-    return text.substr(0, length);
-}
+std::string_view next_of(std::string_view text) { return text.substr(0, next_code_point(text, 0)); }
 
 const Letter* letter_of(std::string_view name) {
     const bool small = name.size() == 1 && name[0] >= 'a' && name[0] <= 'z';

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
+using File = std::unique_ptr<std::FILE, CloseFile>;
 
 std::string cause(int error) { return std::generic_category().message(error); }
 
@@ -40,20 +41,21 @@ std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& 
 std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);
-    if (fs::is_directory(status)) {
-        errors.add(name, "cannot be read: it is a folder");
-        return std::nullopt;
-    }
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        errors.add(name, "cannot be read: it is no ordinary file");
-        return std::nullopt;
-    }
-    const std::unique_ptr<std::FILE, CloseFile> file{std::fopen(path.c_str(), "rb")};
-    if (!file) {
-        errors.add(name, "cannot be read: " + cause(errno));
-        return std::nullopt;
-    }
-    return text_of(*file, name, errors);
+    std::string reason;
+    if (fs::is_directory(status))
+        reason = "it is a folder";
+    else if (fs::exists(status) && !fs::is_regular_file(status))
+        reason = "it is no ordinary file";
+    else if (const File file{std::fopen(path.c_str(), "rb")})
+        return text_of(*file, name, errors);
+    else
+        reason = cause(errno);
+    errors.add(name, "cannot be read: " + reason);
+    return std::nullopt;
+}
+
+bool is_plain_name(const std::string& name) {
+    return name.find_first_of("/\\") == std::string::npos && !name.starts_with('.');
 }
 
 }  // namespace carom

@@ -18,4 +18,7 @@ std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& 
 std::optional<std::string> file_text(const std::filesystem::path& path, const Source& name,
                                      Errors& errors);
 
+/// Whether a name is that of a file in some folder, and no path; not of a hidden file.
+bool is_plain_name(const std::string& name);
+
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/limits.h"
+#include "scene/yaml/yaml_text.h"
 #include "util/text.h"
 
 namespace carom {
@@ -28,23 +29,14 @@ std::size_t start_of_line(std::string_view text, std::size_t offset) {
 // A bracketed or quoted piece of one line, brackets and quotes included.
 std::size_t enclosed_bytes(std::string_view line) {
     int depth = 0;
-    char quote = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (quote != 0) {
-            if (c == '\\' && quote == '"') ++i;
-            if (c == quote && c == '\'' && line.substr(i + 1).starts_with('\''))
-                ++i;
-            else if (c == quote)
-                quote = 0;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-        } else if (c == '[' || c == '{') {
+        if (line[i] == '"' || line[i] == '\'')
+            i = std::min(end_of_quotation(line, i), line.size());
+        else if (line[i] == '[' || line[i] == '{')
             ++depth;
-        } else if (c == ']' || c == '}') {
+        else if (line[i] == ']' || line[i] == '}')
             --depth;
-        }
-        if (depth == 0 && quote == 0) return i + 1;
+        if (depth == 0 && i < line.size()) return i + 1;
     }
     return 1;
 }
@@ -156,11 +148,9 @@ void Errors::add(const Source& source, std::string message, std::string hint) {
 void Errors::throw_if_any() const {
     if (found_.empty()) return;
     std::vector<Found> ordered = found_;
-    const auto place = [](const Found& found) {
+    std::ranges::stable_sort(ordered, {}, [](const Found& found) {
         return std::tuple{rank(found.source->origin), found.source->name, found.offset};
-    };
-    std::stable_sort(ordered.begin(), ordered.end(),
-                     [&](const Found& a, const Found& b) { return place(a) < place(b); });
+    });
     const std::size_t shown = std::min(ordered.size(), most_errors_shown.count());
     std::vector<Diagnostic> diagnostics;
     for (std::size_t i = 0; i < shown; ++i) {

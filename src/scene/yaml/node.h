@@ -17,8 +17,8 @@ enum class Origin { preset, template_file, scene, command_line };
 
 /// A text that values stand in. Nodes point to it: it outlives them.
 struct Source {
-    std::string name;  ///< as messages call it
-    std::string text;
+    std::string name = {};  ///< as messages call it
+    std::string text = {};
     Origin origin = Origin::scene;
 };
 
@@ -32,10 +32,10 @@ struct Node {
     bool quoted = false;  ///< a scalar in quotes, or a block of text: never a number or a flag
     bool valid = true;    ///< set false by the check; readers take an invalid value as absent
     const Source* source = nullptr;
-    std::size_t offset = 0;   ///< byte in the source's text; of an empty value: its key's
-    std::string text;         ///< of a scalar
-    std::vector<Node> items;  ///< of a list; the values of a mapping
-    std::vector<Node> keys;   ///< of a mapping: scalars, as many as items
+    std::size_t offset = 0;        ///< byte in the source's text; of an empty value: its key's
+    std::string text = {};         ///< of a scalar
+    std::vector<Node> items = {};  ///< of a list; the values of a mapping
+    std::vector<Node> keys = {};   ///< of a mapping: scalars, as many as items
 
     bool is_scalar() const { return kind == Kind::scalar; }
     bool is_list() const { return kind == Kind::list; }

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <sstream>
 
 #include "scene/limits.h"
+#include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml_text.h"
 #include "util/text.h"
 
@@ -106,19 +106,16 @@ class TreeBuilder : public YAML::EventHandler {
     }
 
     Node make(Node::Kind kind, const YAML::Mark& mark) {
-        Node node;
-        node.kind = kind;
-        node.source = &source_;
-        node.offset = at(mark);
-        count(1, node.offset);
-        return node;
+        const std::size_t offset = at(mark);
+        count(1, offset);
+        return {.kind = kind, .source = &source_, .offset = offset};
     }
 
     void count(std::size_t nodes, std::size_t offset) {
         values_ += nodes;
         if (values_ > most_values.count())
             throw Stop{offset, fmt::format("the file holds more than {} values", most_values.value),
-                       fmt::format("the limit is {} {}", most_values.value, most_values.meaning)};
+                       to_text(most_values)};
     }
 
     // An empty value has no place of its own: it takes its key's, or that of its dash.
@@ -150,7 +147,7 @@ class TreeBuilder : public YAML::EventHandler {
         refuse_tag(mark, tag);
         if (open_.size() >= most_nesting.count())
             throw Stop{at(mark), fmt::format("nested deeper than {}", most_nesting.value),
-                       fmt::format("the limit is {} {}", most_nesting.value, most_nesting.meaning)};
+                       to_text(most_nesting)};
         open_.push_back({make(kind, mark), anchor});
     }
 
@@ -178,21 +175,14 @@ class TreeBuilder : public YAML::EventHandler {
 
     // The first of its name stays.
     void refuse_duplicates(Node& mapping) {
-        std::vector<std::size_t> order(mapping.keys.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return mapping.keys[a].text < mapping.keys[b].text;
-        });
-        std::vector<bool> doubled(order.size(), false);
+        std::map<std::string_view, const Node*> first;
+        std::vector<bool> doubled;
         std::size_t reported = 0;
-        for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
-            if (mapping.keys[order[i]].text != mapping.keys[order[first]].text) {
-                first = i;
-                continue;
-            }
-            doubled[order[i]] = true;
-            if (++reported <= most_errors_shown.count())
-                report_duplicate(mapping.keys[order[first]], mapping.keys[order[i]]);
+        for (const Node& key : mapping.keys) {
+            const auto [seen, is_new] = first.emplace(key.text, &key);
+            doubled.push_back(!is_new);
+            if (!is_new && ++reported <= most_errors_shown.count())
+                report_duplicate(*seen->second, key);
         }
         if (reported > 0) drop(mapping, doubled);
     }
@@ -303,9 +293,9 @@ std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t 
     if (std::string_view{source.text}.substr(begin).starts_with("\xEF\xBB\xBF")) begin += 3;
     try {
         if (source.text.size() > most_file_bytes.count()) {
-            errors.add(
-                source, fmt::format("the file has more than {} bytes", most_file_bytes.count()),
-                fmt::format("the limit is {} {}", most_file_bytes.value, most_file_bytes.meaning));
+            errors.add(source,
+                       fmt::format("the file has more than {} bytes", most_file_bytes.count()),
+                       to_text(most_file_bytes));
             return std::nullopt;
         }
         if (const auto stop = unreadable_byte(source.text, begin)) throw *stop;
@@ -316,6 +306,15 @@ std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t 
         report_syntax(source, error, begin, errors);
     }
     return std::nullopt;
+}
+
+std::optional<Node> read_yaml_file(const std::filesystem::path& path, Source& source,
+                                   Errors& errors) {
+    source.name = path.string();
+    auto text = file_text(path, source, errors);
+    if (!text) return std::nullopt;
+    source.text = std::move(*text);
+    return read_yaml(source, errors);
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 
 #include "scene/yaml/node.h"
@@ -13,5 +14,10 @@ namespace carom {
 /// tags, several documents, a limit exceeded). Nothing when that leaves no tree; a null node for
 /// an empty document.
 std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t begin = 0);
+
+/// The same of the file at `path`, which becomes the name and the text of `source`; nothing, with
+/// an error, if it cannot be read.
+std::optional<Node> read_yaml_file(const std::filesystem::path& path, Source& source,
+                                   Errors& errors);
 
 }  // namespace carom

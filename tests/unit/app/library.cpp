@@ -51,7 +51,7 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
     for (const fs::path& file : files) {
         CAPTURE(file.string());
         const Scene loaded =
-            load_scene(file, test::resources(), {{{"film.size", "[320, 180]"}, {"film.fps", "5"}}});
+            load_scene(file, test::resources(), {"film.size=[320, 180]", "film.fps=5"});
         CHECK(loaded.description.size() > 80);
         CHECK(loaded.subtitle.size() > 20);
         CHECK_NOTHROW(require_letters(loaded));
@@ -96,11 +96,9 @@ TEST_CASE("every template makes a picture of a plane and of a wire, in every the
             for (const std::string theme : {"light", "dark", "print"}) {
                 CAPTURE(file.string() + ", " + name);
                 const std::string panels = "[]";
-                const Scene loaded = scene(name, {{{"film.template", file.stem().string()},
-                                                   {"film.panels", panels},
-                                                   {"film.theme", theme},
-                                                   {"film.fps", "2"},
-                                                   {"film.size", "[256, 256]"}}});
+                const Scene loaded =
+                    scene(name, {"film.template=" + file.stem().string(), "film.panels=" + panels,
+                                 "film.theme=" + theme, "film.fps=2", "film.size=[256, 256]"});
                 const fs::path picture = folder.path() / "picture.png";
                 draw_to(picture, loaded, 1.0);
                 CHECK(carom::test::contents(picture).starts_with("\x89PNG"));
@@ -112,8 +110,7 @@ TEST_CASE("a bead a hundred times as heavy gives 31 collisions, one of 10,000 ti
     const CollisionCounts hundred = collisions_in(scene("pi-from-collisions"));
     CHECK(hundred.particle + hundred.wall == 31);
     const CollisionCounts more = collisions_in(
-        scene("pi-from-collisions",
-              {{{"gas.1.mass", "10000"}, {"run.until", "50"}, {"box.length", "90"}}}));
+        scene("pi-from-collisions", {"gas.1.mass=10000", "run.until=50", "box.length=90"}));
     CHECK(more.particle + more.wall == 314);
 }
 

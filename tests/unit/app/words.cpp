@@ -4,7 +4,7 @@
 #include "app/film/film_text.h"
 #include "app/film/webvtt.h"
 #include "panels/recording.h"
-#include "scene/time/event_words.h"
+#include "scene/describe.h"
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"
 

@@ -85,10 +85,10 @@ TEST_CASE("runs of several seeds side by side are the runs of these seeds") {
 TEST_CASE("a run with other values is that of a scene with these values") {
     const FigureRun together = run_of(scene_of(bars + warmer));
     const std::vector<MeanHistogram>& shown = HistogramPanel::histograms(state_of(together));
-    const Scene warm = scene_of(bars + "}\n", "count: 60, temperature: 2", "until: 6",
-                                {{{"gas.0.temperature", "4"}}});
+    const Scene warm =
+        scene_of(bars + "}\n", "count: 60, temperature: 2", "until: 6", {"gas.0.temperature=4"});
     const Scene few = scene_of(bars + "}\n", "count: 60, temperature: 2", "until: 6",
-                               {{{"gas.0.count", "20"}, {"seed", "9"}}});
+                               {"gas.0.count=20", "seed=9"});
     // Of 60 particles and of 20: shares in per cent.
     for (const auto& [scene, k, count] :
          {std::tuple{&warm, std::size_t{1}, 60}, {&few, std::size_t{2}, 20}}) {
@@ -145,8 +145,8 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
     double first = 0.0;
     for (const auto& [label, bits] :
          {std::pair{"53 bits", "double"}, {"113 bits", "113"}, {"192 bits", "192"}}) {
-        const FigureRun alone = run_of(
-            scene_of(kind + "}\n", "count: 260, temperature: 2", run, {{{"run.precision", bits}}}));
+        const FigureRun alone = run_of(scene_of(kind + "}\n", "count: 260, temperature: 2", run,
+                                                {std::string("run.precision=") + bits}));
         std::vector<std::vector<Cell>> own;
         for (const std::vector<Cell>& row : table_of(alone.figures()[0]).rows)
             if (std::get<std::string>(row[1]) != "root mean square" &&

@@ -243,8 +243,7 @@ TEST_CASE("a print of a scene that names no colours has none") {
     int scenes = 0;
     for (const std::filesystem::path& file : yaml_files(root / "scenes")) {
         CAPTURE(file.stem().string());
-        Scene scene =
-            load_scene(file, test::resources(), {{{"film.theme", "print"}, {"film.fps", "1"}}});
+        Scene scene = load_scene(file, test::resources(), {"film.theme=print", "film.fps=1"});
         const bool has_own =
             scene.film.palette || std::ranges::any_of(scene.looks, [](const SpeciesLook& look) {
                 return look.color.has_value();

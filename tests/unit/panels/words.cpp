@@ -66,12 +66,11 @@ TEST_CASE(
             CAPTURE(theme);
             CAPTURE(file.stem().string());
             CAPTURE(layout.stem().string());
-            Overrides overrides{{{"film.template", layout.stem().string()},
-                                 {"film.theme", theme},
-                                 {"film.fps", "1"}}};
+            Overrides overrides{"film.template=" + layout.stem().string(), "film.theme=" + theme,
+                                "film.fps=1"};
             // Many bits take long, and change no words but their number.
             if (load_scene(file, test::resources()).run.bits != bits_of_double)
-                overrides.values.emplace_back("run.precision", "128");
+                overrides.emplace_back("run.precision=128");
             const test::Shot film(load_scene(file, test::resources(), overrides));
             const double unit = Grid(film.scene.film.layout, film.scene.film.size).unit();
             TextLog log;  // the ground, which the painter draws once, and what changes on it

@@ -109,12 +109,12 @@ TEST_CASE("a caption that is cut below 2.5 s is refused, one that just fits is n
 }
 
 TEST_CASE("a film that the command line makes shorter shows its captions as long as it can") {
-    const Scene scene = film("{at: 0, caption: one}, {at: 4, caption: two}", "seconds: 20",
-                             {{{"film.seconds", "1"}}});
+    const Scene scene =
+        film("{at: 0, caption: one}, {at: 4, caption: two}", "seconds: 20", {"film.seconds=1"});
     for (const CaptionSpan& span : caption_schedule(scene)) CHECK(span.end - span.start < 1.0);
     const Scene still =
         film("{at: 0, caption: one}, {at: 4, caption: two}, {at: 4.1, caption: three}",
-             "seconds: 20", {{{"film.seconds", "0.1"}}});
+             "seconds: 20", {"film.seconds=0.1"});
     CHECK(caption_schedule(still).size() == 3);
 }
 

@@ -12,7 +12,9 @@
 #include "panels/registry.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/check.h"
-#include "scene/language.h"
+#include "scene/reading/film_reading.h"
+#include "scene/reading/scene_reading.h"
+#include "scene/reading/set_reading.h"
 #include "scene/yaml/yaml.h"
 
 using namespace carom;
@@ -42,9 +44,9 @@ void visit_keys(const Visit& visit) {
         for (std::size_t i = 0; i < section.keys.size(); ++i) visit(section, i);
     };
     for (const int dimension : {1, 2})
-        visit_sections(scene_section(panel_kinds(), dimension), each);
-    visit_sections(template_section(panel_kinds()), each);
-    visit_sections(set_section(panel_kinds()), each);
+        visit_sections(scene_table(panel_kinds(), dimension).section(), each);
+    visit_sections(template_table(panel_kinds()).section(), each);
+    visit_sections(set_table(panel_kinds(), {}).section(), each);
 }
 
 bool passes(const Key& key, Node value) {
@@ -104,8 +106,8 @@ TEST_CASE("the names of a section are unique, and its choices name its keys") {
             for (const std::string& name : choice.names) CHECK(names.count(name) == 1);
     };
     for (const int dimension : {1, 2})
-        visit_sections(scene_section(panel_kinds(), dimension), check);
-    visit_sections(template_section(panel_kinds()), check);
+        visit_sections(scene_table(panel_kinds(), dimension).section(), check);
+    visit_sections(template_table(panel_kinds()).section(), check);
 }
 
 TEST_CASE("a key that goes with some kinds only names kinds that there are") {

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "scene/keys/keys.h"
 #include "scene/yaml/yaml.h"
 #include "support/files.h"
 #include "support/scene_text.h"
@@ -19,6 +19,22 @@
 using namespace carom;
 
 namespace {
+
+// All of them, in the order of the page.
+constexpr std::array limits{most_file_bytes,     most_nesting,       most_values,
+                            most_letters,        most_title_letters, most_caption_letters,
+                            most_words_letters,  most_name_letters,  most_seconds,
+                            most_trail_seconds,  most_overrides,     most_errors_shown,
+                            largest_quantity,    smallest_quantity,  largest_seed,
+                            most_seeds,          most_particles,     most_returning,
+                            most_species,        most_events,        most_samples,
+                            most_pairs_compared, most_frames,        most_frames_per_second,
+                            smallest_side,       largest_side,       most_panels,
+                            most_slow_spans,     most_monitors,      most_bins,
+                            most_chosen,         largest_grid,       most_figures,
+                            most_set_scenes,     most_strip,         most_compared,
+                            most_changes,        largest_figure,     smallest_figure,
+                            most_precise};
 
 std::string text_of(const std::string& path) {
     return test::contents(carom::test::checkout().string() + path);
@@ -50,10 +66,7 @@ std::string scene_with(const std::string& gas, const std::string& run = "until: 
 }
 
 bool names(const std::string& complaint, const Limit& limit) {
-    return complaint.find(fmt::format("the limit is {} {}", limit.value, limit.meaning)) !=
-               std::string::npos ||
-           complaint.find(fmt::format("the limit is {:.0f} {}", limit.value, limit.meaning)) !=
-               std::string::npos;
+    return complaint.find(to_text(limit)) != std::string::npos;
 }
 
 std::string repeated(const std::string& part, std::size_t times) {
@@ -99,10 +112,9 @@ TEST_CASE("species may have as many particles together as the limit") {
 
 TEST_CASE("a command line may set as many values as the limit") {
     const std::string scene = scene_with("{count: 2}");
-    Overrides overrides;
-    overrides.values.assign(most_overrides.count(), {"seed", "1"});
+    Overrides overrides(most_overrides.count(), "seed=1");
     CHECK(complaint(scene, overrides).empty());
-    overrides.values.push_back({"seed", "1"});
+    overrides.emplace_back("seed=1");
     CHECK(names(complaint(scene, overrides), most_overrides));
 }
 

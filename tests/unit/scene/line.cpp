@@ -59,7 +59,7 @@ TEST_CASE("places and velocities on a wire are numbers") {
 }
 
 TEST_CASE("the command line can make a wire of a box") {
-    const Overrides overrides{{{"box.length", "9"}}};
+    const Overrides overrides{"box.length=9"};
     const Scene scene = scene_of("size: [9, 8]", "{count: 4}", overrides);
     CHECK(scene.gas.box.dimension == 1);
     CHECK(std::get<double>(scene.gas.species[0].radius) == 0.0);

@@ -242,56 +242,49 @@ TEST_CASE("a film too short for its reversals is refused, the length it is told 
         events += "{at: " + std::to_string(i) + "e-1, reverse: velocities},";
     const std::string text =
         scene_with("{count: 20}", "run: {until: 24, events: [" + events + "]}\nfilm: {fps: 30}\n");
-    CHECK(message(text, {{{"film.seconds", "3"}}}).find("4.6 seconds are enough") !=
-          std::string::npos);
-    CHECK(load(text, {{{"film.seconds", "4.6"}}}).run.events.size() == 100);
+    CHECK(message(text, {"film.seconds=3"}).find("4.6 seconds are enough") != std::string::npos);
+    CHECK(load(text, {"film.seconds=4.6"}).run.events.size() == 100);
 }
 
 TEST_CASE("the command line lays its values over the scene") {
     const std::string text =
         scene_with("{count: 20, color: red}", "run: {until: 10}\nfilm: {seconds: 5}\n");
-    const Scene scene = load(text, {{{"gas.0.count", "50"},
-                                     {"gas.0.color", "#00ff00"},
-                                     {"film.size", "[640, 480]"},
-                                     {"film.pace", "2"},
-                                     {"seed", "6"},
-                                     {"seed", "7"},
-                                     {"box.walls.left", "periodic"},
-                                     {"box.walls.right", "periodic"}}});
+    const Scene scene =
+        load(text, {"gas.0.count=50", "gas.0.color=#00ff00", "film.size=[640, 480]", "film.pace=2",
+                    "seed=6", "seed=7", "box.walls.left=periodic", "box.walls.right=periodic"});
     CHECK(scene.gas.species[0].count == 50);
     CHECK(scene.looks[0].color == "#00ff00");
     CHECK(scene.film.size == PictureSize{640, 480});
     CHECK(scene.film.seconds == 5.0);  // of pace 2: the later origin wins over the file's seconds
     CHECK(scene.seed == 7);
     CHECK(scene.gas.box.is_periodic(0));
-    CHECK(load(text, {{{"film.pace", "1"}}}).film.seconds == 10.0);
+    CHECK(load(text, {"film.pace=1"}).film.seconds == 10.0);
 }
 
 TEST_CASE("an error of the command line points into what was typed") {
     const std::string text = scene_with("{count: 20}");
     CHECK(
-        message(text, {{{"film.fps", "abc"}}}) ==
+        message(text, {"film.fps=abc"}) ==
         "--set film.fps=abc: error: expected a whole number from 1 to 120 for `fps`, found `abc`\n"
         "      | --set film.fps=abc\n"
         "      |                ^^^");
-    CHECK(message(text, {{{"gas.0.cuont", "3"}}}) ==
+    CHECK(message(text, {"gas.0.cuont=3"}) ==
           "--set gas.0.cuont=3: error: `cuont` is not a key of an item of `gas`\n"
           "      | --set gas.0.cuont=3\n"
           "      |             ^^^^^\n"
           "  hint: did you mean `count`?");
-    CHECK(message(text, {{{"gas.1.count", "3"}}}) ==
+    CHECK(message(text, {"gas.1.count=3"}) ==
           "--set gas.1.count=3: error: expected an item of a list of 1, found `1`\n"
           "      | --set gas.1.count=3\n"
           "      |           ^\n"
           "  hint: items are counted from 0");
-    CHECK(message(text, {{{"title.words", "3"}}}) ==
+    CHECK(message(text, {"title.words=3"}) ==
           "--set title.words=3: error: `words` is set inside `A gas`, which is no mapping\n"
           "      | --set title.words=3\n"
           "      |             ^^^^^");
-    CHECK(message(text, {{{"film.size", "[1, 2"}}}).starts_with("--set film.size=[1, 2: error: "));
-    CHECK(message(text, {{{"", ""}}}).starts_with("--set =: error: `` is not a key of a scene"));
-    CHECK(
-        message(text, {{{"seed", ""}}}).starts_with("--set seed=: error: expected a whole number"));
+    CHECK(message(text, {"film.size=[1, 2"}).starts_with("--set film.size=[1, 2: error: "));
+    CHECK(message(text, {"="}).starts_with("--set =: error: `` is not a key of a scene"));
+    CHECK(message(text, {"seed="}).starts_with("--set seed=: error: expected a whole number"));
 }
 
 TEST_CASE("a template is looked for beside the scene, then in carom's own folder") {
@@ -317,7 +310,7 @@ TEST_CASE("a template is looked for beside the scene, then in carom's own folder
     CHECK(own.film.panels.empty());
 
     const fs::path typed = folder.path() / "small.yaml";
-    const Scene by_path = load(scene_with("{count: 20}"), {{{"film.template", typed.string()}}});
+    const Scene by_path = load(scene_with("{count: 20}"), {"film.template=" + typed.string()});
     CHECK(by_path.film.fps == 12);
 }
 
@@ -370,13 +363,13 @@ TEST_CASE("a template laid over a scene shows as many of its panels as it has pl
     const std::string three = scene_with(
         "{count: 20}",
         "run: {until: 10}\nfilm: {panels: [energy-by-species, speed-histogram, monitors]}\n");
-    const Scene square = loaded(three, {{{"film.template", "square"}}});
+    const Scene square = loaded(three, {"film.template=square"});
     REQUIRE(square.film.panels.size() == 2);
     CHECK(square.film.panels[0].kind == "energy-by-species");
-    CHECK(loaded(three, {{{"film.template", "minimal"}}}).film.panels.empty());
-    CHECK_THROWS_AS(loaded(three, {{{"film.template", "square"},
-                                    {"film.panels", "[monitors, monitors, monitors]"}}}),
-                    SceneError);
+    CHECK(loaded(three, {"film.template=minimal"}).film.panels.empty());
+    CHECK_THROWS_AS(
+        loaded(three, {"film.template=square", "film.panels=[monitors, monitors, monitors]"}),
+        SceneError);
     const std::string own = scene_with(
         "{count: 20}", "run: {until: 10}\nfilm: {template: minimal, panels: [monitors]}\n");
     CHECK_THROWS_AS(loaded(own, {}), SceneError);

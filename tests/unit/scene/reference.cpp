@@ -13,8 +13,8 @@
 
 #include "panels/registry.h"
 #include "scene/keys/key_text.h"
-#include "scene/language.h"
 #include "scene/load.h"
+#include "scene/reading/scene_reading.h"
 #include "scene/starter.h"
 #include "support/files.h"
 #include "support/test_root.h"
@@ -52,7 +52,7 @@ std::string joined(const std::vector<std::string>& lines) {
 const std::regex hidden_key(R"(( *)# ([a-z_]+): ([^ ].*))");
 
 bool is_key(const std::string& name) {
-    static const Section scene = scene_section(panel_kinds(), 2);
+    static const Section scene = scene_table(panel_kinds(), 2).section();
     for (const Section* section : {&scene, &section_of(scene, "box"), &section_of(scene, "gas"),
                                    &section_of(scene, "run"), &section_of(scene, "film")})
         if (section->index(name) < section->keys.size()) return true;
@@ -74,7 +74,7 @@ TEST_CASE("the reference page is current") {
 TEST_CASE("the reference page tells every key, and its example is valid") {
     const std::string page = scene_reference(panel_kinds());
     for (const int dimension : {1, 2}) {
-        const Section scene = scene_section(panel_kinds(), dimension);
+        const Section scene = scene_table(panel_kinds(), dimension).section();
         for (const char* name : {"box", "gas", "run", "film"})
             for (const Key& key : section_of(scene, name).keys) {
                 CAPTURE(key.name);

@@ -1,11 +1,14 @@
-// What happens to the gas on the way, in words for those who cannot see it.
+// What a scene shows, in words for those who cannot see it.
 #pragma once
 
 #include <string>
 
-#include "physics/run.h"
+#include "scene/scene.h"
 
 namespace carom {
+
+/// What the film shows, in a plain sentence or two.
+std::string describe(const Scene& scene);
 
 /// "Particle 3 is moved by 1.00×10⁻²⁰": a whole sentence without its full stop.
 std::string words_of(const Perturbation& nudge);

@@ -1,0 +1,83 @@
+#include "scene/reading/word_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/limits.h"
+#include "scene/reading/word_pattern.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// Nothing for a normal distribution, which has no largest value.
+std::optional<double> largest_of(const Quantity& quantity) {
+    if (const auto* number = std::get_if<double>(&quantity)) return *number;
+    if (const auto* uniform = std::get_if<UniformDistribution>(&quantity)) return uniform->high;
+    const auto* list = std::get_if<std::vector<double>>(&quantity);
+    return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
+}
+
+// Of disks that touch: the most of them across a cell of a word.
+int most_across(double cell, double radius) {
+    const double most = cell / (2.0 * radius) * (1.0 + 1e-12);
+    return static_cast<int>(std::min(most, std::sqrt(most_particles.value)));
+}
+
+bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
+    const std::vector<std::string> without = letters_without_shape(word.text);
+    if (!without.empty())
+        errors.add(word, fmt::format("no pattern for {}", listed(without, "and", "`")),
+                   fmt::format("there is one for {}", letters_with_shape));
+    else if (shape.cells.empty())
+        errors.add(word, "expected at least one letter for `text`");
+    return without.empty() && !shape.cells.empty();
+}
+
+// `cells` of a word are filled cells as wide as `cell`, with room for `most` disks across.
+void report_narrow(const Node& word, double count, double radius, double cell, double room,
+                   Errors& errors) {
+    if (room == 0.0)
+        errors.add(word,
+                   fmt::format("disks of radius {} are wider than the strokes of the letters, "
+                               "which are {:.4g} wide",
+                               radius, cell),
+                   "smaller disks or a larger `within` make room");
+    else
+        errors.add(word,
+                   fmt::format("{} disks of radius {} do not fit into the letters, which have "
+                               "room for {:.0f}",
+                               count, radius, room),
+                   "fewer or smaller disks or a larger `within` make room");
+}
+
+}  // namespace
+
+std::optional<Places> places_of_word(const Node& word, const Region& region, const Quantity& radius,
+                                     std::int64_t count, Errors& errors) {
+    const WordShape shape = word_shape(word.text);
+    const auto largest = largest_of(radius);
+    if (!check_word(word, shape, errors)) return std::nullopt;
+    if (!largest) {
+        errors.add(word, "a `text` needs radii with an upper bound, not a normal distribution");
+        return std::nullopt;
+    }
+    const double cell = shape.cell_in(region);
+    const auto cells = static_cast<double>(shape.cells.size());
+    const int most = most_across(cell, *largest);
+    const int across =
+        count > 0 ? static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / cells)))
+                  : std::clamp(most_across(cell, 1.25 * *largest), 1,
+                               static_cast<int>(std::sqrt(most_particles.value / cells)));
+    if (across > most) {
+        report_narrow(word, static_cast<double>(count), *largest, cell, cells * most * most,
+                      errors);
+        return std::nullopt;
+    }
+    const std::int64_t all = static_cast<std::int64_t>(cells) * across * across;
+    return Places{places_of(shape, region, across, count > 0 ? count : all)};
+}
+
+}  // namespace carom

@@ -44,7 +44,7 @@ void refuse_figure_set(const Node& root) {
     const Node* scenes = key_of_set(root);
     if (scenes == nullptr) return;
     Errors errors;
-    errors.add(*scenes, "this is a figure set, and a scene is wanted",
+    errors.add(*scenes, "expected a scene, found a figure set",
                "`carom figures` makes the figures of a set, `carom check` checks it");
     errors.throw_if_any();
 }
@@ -52,7 +52,7 @@ void refuse_figure_set(const Node& root) {
 // Of the box that a scene asks for, before it is checked: keys and forms depend on it.
 int dimension_of(const Node& root) {
     const Node* box = find(root, "box");
-    if (box == nullptr || !box->is_mapping()) return 2;
+    if (box == nullptr) return 2;
     const Node* length = find(*box, "length");
     const Node* size = find(*box, "size");
     if (length != nullptr)
@@ -167,11 +167,11 @@ Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides
         for (FigureSpec& one : scene.figures) one.compare.clear();
         if (!scene.figures.empty() && scene.figures.front().panel.kind == figure.panel.kind)
             return scene;
-        error.message = fmt::format("with this the scene has no figure `{}` of kind `{}`",
+        error.message = fmt::format("with this change the scene has no figure `{}` of kind `{}`",
                                     figure.name, figure.panel.kind);
     } catch (const SceneError& refused) {
         error.message =
-            "with this the scene is not valid: " + refused.diagnostics().front().message;
+            "with this change the scene is not valid: " + refused.diagnostics().front().message;
         error.hint = refused.diagnostics().front().hint;
     }
     throw SceneError({std::move(error)});
@@ -195,15 +195,16 @@ void keep_figure(Node& root, const std::string& name) {
     Node* list = find(root, "figures");
     if (list == nullptr || !list->is_list()) return;
     std::erase_if(list->items, [&](const Node& figure) {
-        const Node* its = figure.is_mapping() ? find(figure, "name") : nullptr;
+        const Node* its = find(figure, "name");
         return its == nullptr || its->text != name;
     });
 }
 
 // With `figure`, as a run that this figure compares: the only one that is looked at, if it is here.
-Scene load(Sources& sources, const fs::path& path, const SceneResources& resources,
+Scene load(Source file, const fs::path& path, const SceneResources& resources,
            const Overrides& overrides, Wanted wanted,
            const std::optional<std::string>& figure = {}) {
+    Sources sources{std::move(file)};
     const Source& source = sources.front();
     Errors errors;
     Tree tree;
@@ -234,9 +235,7 @@ Scene load(Sources& sources, const fs::path& path, const SceneResources& resourc
     scene.source = {source.name, source.text, used != nullptr ? used->text : "", overrides};
     if (!figure)
         load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
-            Sources again(1);
-            again.front() = {source.name, source.text, Origin::scene};
-            return load(again, path, resources, others, wanted, name);
+            return load(source, path, resources, others, wanted, name);
         });
     return scene;
 }
@@ -245,15 +244,12 @@ Scene load_file(const fs::path& path, const SceneResources& resources, const Ove
                 Wanted wanted, const std::optional<std::string>& figure) {
     const bool streamed = path == standard_input;
     const fs::path name = streamed ? "<stdin>" : path;
-    Sources sources(1);
-    sources.front().name = name.string();
+    Source source{.name = name.empty() ? "\"\"" : name.string()};
     Errors errors;
-    if (name.empty()) sources.front().name = "\"\"";
-    auto text = streamed ? text_of(*stdin, sources.front(), errors)
-                         : file_text(path, sources.front(), errors);
+    auto text = streamed ? text_of(*stdin, source, errors) : file_text(path, source, errors);
     errors.throw_if_any();
-    sources.front().text = std::move(text.value());
-    return load(sources, name, resources, overrides, wanted, figure);
+    source.text = std::move(text.value());
+    return load(std::move(source), name, resources, overrides, wanted, figure);
 }
 
 }  // namespace
@@ -269,9 +265,7 @@ Scene load_scene(const fs::path& path, const SceneResources& resources, const Ov
 
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const SceneResources& resources, const Overrides& overrides, Wanted wanted) {
-    Sources sources(1);
-    sources.front() = {name, text, Origin::scene};
-    return load(sources, name, resources, overrides, wanted);
+    return load({name, text}, name, resources, overrides, wanted);
 }
 
 }  // namespace carom

@@ -60,7 +60,7 @@ ComparedRun run_of(const SetRun& run, Overrides overrides) {
     } catch (const SceneError& error) {
         if (run.values.empty()) throw;
         const Diagnostic& first = error.diagnostics().front();
-        fail(run.place, "with this the scene is not valid: " + first.message, first.hint);
+        fail(run.place, "with this change the scene is not valid: " + first.message, first.hint);
     }
     ComparedRun compared = run;
     if (compared.label.empty()) compared.label = scene.title;
@@ -81,7 +81,7 @@ SetPart part_of(const std::string& path, const SetFile& set, const SetComparison
         for (std::size_t i = 0; i < k; ++i)
             if (runs[i].label == runs[k].label)
                 fail(runs[k].place, fmt::format("another run has the label `{}`", runs[k].label),
-                     "give it a `label` of its own: they could not be told apart");
+                     "each run needs a `label` of its own");
     SetPart part;
     part.compares = true;
     part.scene = *runs.front().scene;

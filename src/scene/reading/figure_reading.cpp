@@ -69,7 +69,7 @@ void check_labels(const std::vector<Placed<ComparedRun>>& runs, const Node&, Rea
         if (!labels.insert(run.label).second)
             reading.errors.add(*node,
                                fmt::format("there is another run with the label `{}`", run.label),
-                               "they could not be told apart");
+                               "each run needs a label of its own");
 }
 
 Notation<std::vector<ComparedRun>> compared_runs() {

@@ -193,7 +193,7 @@ void check_spans(const Spans& spans, const Run& run, Errors& errors) {
         if (span.from >= span.to)
             errors.add(*node, fmt::format("expected `from` below `to`, found {} and {}", span.from,
                                           span.to));
-        else if (run.until > 0.0 && span.to > run.until)
+        else if (span.to > run.until)
             errors.add(*node, fmt::format("slow motion from {} to {} goes beyond `until` ({})",
                                           span.from, span.to, run.until));
         else if (i > 0 && spans[i - 1].value.to > span.from)
@@ -246,7 +246,7 @@ void check_easing(const Film& film, const Run& run, const Spans& drafts, Errors&
 const Node& place_of_length(const Node& film, const Node& root) {
     for (const char* key : {"seconds", "pace"})
         if (const Node* node = given(film, key)) return *node;
-    if (const Node* run = given(root, "run"); run != nullptr && run->is_mapping())
+    if (const Node* run = given(root, "run"))
         if (const Node* until = given(*run, "until")) return *until;
     return film;
 }
@@ -269,7 +269,7 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
     const int legs = branch_count(run);
     const int steps = moving_steps(film, run);
     const Node* node = given(root, "run");
-    const Node* events = node != nullptr && node->is_mapping() ? given(*node, "events") : nullptr;
+    const Node* events = node != nullptr ? given(*node, "events") : nullptr;
     if (legs <= steps || events == nullptr) return;
     const int enough = (4 * (legs + 1) + 2) / 3;  // pauses leave at least 3/4 of the frames, less 1
     const double with_cards = card_seconds(film) > 0.0 ? 1.5 : 1.0;

@@ -229,7 +229,7 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Error
     if (const auto* places = std::get_if<Places>(&draft.position))
         return static_cast<std::int64_t>(places->values.size());
     const Node* position = given(item, "position");
-    const bool word = position != nullptr && position->is_mapping() && find(*position, "text");
+    const bool word = position != nullptr && find(*position, "text") != nullptr;
     if (find(item, "count") == nullptr && !word && is_known(item, "position"))
         errors.add(item, "an item of `gas` needs `count`, or a list of positions");
     return 0;

@@ -140,7 +140,7 @@ void check_samples(const Run& run, const Node* node, Errors& errors) {
 
 bool is_overridden(const Node& root, const char* section, const char* key) {
     const Node* mapping = given(root, section);
-    const Node* node = mapping != nullptr && mapping->is_mapping() ? given(*mapping, key) : nullptr;
+    const Node* node = mapping != nullptr ? given(*mapping, key) : nullptr;
     return node != nullptr && node->source->origin == Origin::command_line;
 }
 

@@ -58,8 +58,8 @@ std::size_t panel_places(const fs::path& file) {
     Source source{.origin = Origin::template_file};
     Errors errors;
     const auto root = read_yaml_file(file, source, errors);
-    const Node* layout = root && root->is_mapping() ? find(*root, "layout") : nullptr;
-    const Node* panels = layout && layout->is_mapping() ? find(*layout, "panels") : nullptr;
+    const Node* layout = root ? find(*root, "layout") : nullptr;
+    const Node* panels = layout != nullptr ? find(*layout, "panels") : nullptr;
     return panels && panels->is_list() ? panels->items.size() : 0;
 }
 

@@ -300,8 +300,9 @@ TEST_CASE("what cannot be compared is refused with the reason") {
               .find("expected KEY.PATH=VALUE, found `seed`") != std::string::npos);
     const std::string invalid =
         message_of(bars + ", compare: [{label: x}, {label: y, set: gas.0.radius=-1}]}\n");
-    CHECK(invalid.find("test:8:91: error: with this the scene is not valid: expected a positive "
-                       "number") != std::string::npos);
+    CHECK(invalid.find(
+              "test:8:91: error: with this change the scene is not valid: expected a positive "
+              "number") != std::string::npos);
     CHECK(message_of(bars + ", compare: [{label: x}, {label: y, set: figures.0.kind=gas}]}\n")
-              .find("with this the scene") != std::string::npos);
+              .find("with this change the scene") != std::string::npos);
 }

@@ -25,7 +25,7 @@ struct Shot {
         : Shot(start_scene(loaded), most) {}
 
     Shot(StartedScene started, std::size_t most) : scene(std::move(started.scene)) {
-        const Simulation& start = started.simulation;
+        Simulation& start = started.simulation;
         const Particles particles = start.particles();
         const Sample sample_at_start = start.sample();
         PanelSet first(scene, particles, sample_at_start);

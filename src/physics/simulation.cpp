@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <utility>
 #include <variant>
@@ -16,6 +14,7 @@
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/placement/feasibility.h"
 #include "physics/placement/members.h"
+#include "physics/placement/overlap.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
 
@@ -36,15 +35,8 @@ bool beads_are_apart(const Box& box, const Particles& particles, const Sample& s
 }
 
 bool nothing_overlaps(const Box& box, const Particles& particles, const Sample& state) {
-    if (particles.count() == 0) return true;
     if (box.dimension == 1) return beads_are_apart(box, particles, state);
-    PlacedDisks placed(box, particles.radius);
-    for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        const Eigen::Array2d centre = state.position.row(i).transpose();
-        if (!placed.is_free(centre, particles.radius[i])) return false;
-        placed.add(static_cast<std::int32_t>(i), centre, particles.radius[i]);
-    }
-    return true;
+    return largest_relative_overlap(box, particles, state) <= touching_tolerance;
 }
 
 void require(bool condition, const char* otherwise) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "physics/placement/overlap.h"
 #include "physics/theory/mechanics.h"
-#include "stats/overlap.h"
 #include "stats/pressure.h"
 
 namespace carom {

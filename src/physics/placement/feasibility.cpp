@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "physics/placement/draws.h"
@@ -80,22 +81,18 @@ class PlacementCheck {
 
     // All species on the lattice share one, on which each disk has as much room as the largest.
     void check_lattice() {
-        Problem problem{.kind = Kind::no_lattice};
-        for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
-            if (!has_position<LatticePlaces>(gas_.species[s]) || count == 0) return;
-            const auto radii = particles_.radius.segment(first, count);
-            if (problem.count == 0) {
-                problem.species = s;
-                problem.value = problem.bound = radii[0];
-            }
-            problem.count += count;
-            problem.value = std::max(problem.value, radii.maxCoeff());
-            problem.bound = std::min(problem.bound, radii.minCoeff());
-        });
+        const DisksOnLattice disks = disks_on_lattice(gas_, particles_);
+        if (disks.numbers.empty()) return;
+        Problem problem{
+            .kind = Kind::no_lattice,
+            .species = static_cast<std::size_t>(particles_.species[disks.numbers.front()]),
+            .count = std::ssize(disks.numbers),
+            .value = disks.largest,
+            .bound = disks.smallest};
         const auto fits = [&](std::int64_t count) {
             return !fitting_lattices(box_, static_cast<int>(count), problem.value).empty();
         };
-        if (problem.count == 0 || fits(problem.count)) return;
+        if (fits(problem.count)) return;
         for (std::int64_t too_many = problem.count; too_many - problem.fitting > 1;) {
             const std::int64_t middle = problem.fitting + (too_many - problem.fitting) / 2;
             (fits(middle) ? problem.fitting : too_many) = middle;
@@ -255,31 +252,23 @@ class MotionCheck {
     // Disks of one species on a lattice where disks touch along a side of the box, if nothing but
     // they takes its sites.
     Known on_lattice() const {
-        Known known;
         const auto others = std::ranges::count_if(gas_.species, [](const Species& species) {
             return !has_position<RandomPlaces>(species) && !has_position<WithinRegion>(species);
         });
-        double radius = 0.0;
-        for_each_species(gas_, [&](std::size_t s, Index first, Index count) {
-            if (!has_position<LatticePlaces>(gas_.species[s])) return;
-            for (Index i = first; i < first + count; ++i) {
-                known.add(i, {0.0, 0.0});
-                radius = std::max(radius, particles_.radius[i]);
-            }
-        });
-        const auto count = static_cast<double>(known.numbers.size());
+        const auto [numbers, radius, smallest] = disks_on_lattice(gas_, particles_);
+        const auto count = static_cast<double>(numbers.size());
         constexpr double roomy = 0.3;  // part of the box in squares around the disks
         if (others != 1 || 4.0 * radius * radius * count < roomy * box_.size.prod()) return {};
-        const auto lattices =
-            fitting_lattices(box_, static_cast<int>(known.numbers.size()), radius);
+        const auto lattices = fitting_lattices(box_, static_cast<int>(numbers.size()), radius);
         const double touching = 2.0 * radius * (1.0 + touching_tolerance);
         if (lattices.empty()) return {};
         // Of rows, every other one shifted.
         const Eigen::Array2d& spacing = lattices.front().spacing;
         if (std::min(spacing[0], 2.0 * spacing[1]) > touching) return {};
         const std::vector<Eigen::Array2d> sites = lattice_sites(box_, lattices.front(), radius);
-        for (std::size_t k = 0; k < known.places.size(); ++k)
-            known.places[k] = sites[k * sites.size() / known.places.size()];
+        Known known;
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            known.add(numbers[k], sites[k * sites.size() / numbers.size()]);
         return known;
     }
 

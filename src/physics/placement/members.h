@@ -52,6 +52,24 @@ void for_each_listed(const Gas& gas, Function&& f) {
     });
 }
 
+/// The disks on a lattice, of all species that have their places there, and their radii.
+struct DisksOnLattice {
+    std::vector<Eigen::Index> numbers;
+    double largest = 0.0, smallest = 0.0;
+};
+
+inline DisksOnLattice disks_on_lattice(const Gas& gas, const Particles& particles) {
+    DisksOnLattice disks;
+    for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
+        if (!has_position<LatticePlaces>(gas.species[s])) return;
+        for (Eigen::Index i = first; i < first + count; ++i) disks.numbers.push_back(i);
+    });
+    if (disks.numbers.empty()) return disks;
+    disks.largest = particles.radius(disks.numbers).maxCoeff();
+    disks.smallest = particles.radius(disks.numbers).minCoeff();
+    return disks;
+}
+
 /// Beads, or other particles along an axis: coordinate and number.
 using Beads = std::vector<std::pair<double, Eigen::Index>>;
 

@@ -46,13 +46,7 @@ class Placement {
 
     // All species on the lattice share one; which disk has which site is random where they differ.
     void place_on_lattice() {
-        std::vector<Eigen::Index> disks;
-        double radius = 0.0;
-        for_each_species(gas_, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
-            if (!has_position<LatticePlaces>(gas_.species[s]) || count == 0) return;
-            for (Eigen::Index i = first; i < first + count; ++i) disks.push_back(i);
-            radius = std::max(radius, particles_.radius.segment(first, count).maxCoeff());
-        });
+        auto [disks, radius, smallest] = disks_on_lattice(gas_, particles_);
         if (disks.empty()) return;
         const std::vector<Eigen::Array2d> sites = free_sites(disks, radius);
         if (species_of(disks.front()) != species_of(disks.back()))

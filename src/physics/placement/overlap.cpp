@@ -1,4 +1,4 @@
-#include "stats/overlap.h"
+#include "physics/placement/overlap.h"
 
 #include <algorithm>
 #include <cstdint>

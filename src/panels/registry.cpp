@@ -4,6 +4,7 @@
 
 #include "panels/collision/collision_map_keys.h"
 #include "panels/echo/return_distance_keys.h"
+#include "panels/gas/gas_colors.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
 #include "scene/reading/panel_reading.h"
@@ -97,7 +98,8 @@ std::vector<PanelKind> all_kinds() {
         {.name = "gas",
          .make = make_gas,
          .abilities = {strip},
-         .in_films_instead = "the box is in every film; the template says where"},
+         .in_films_instead = "the box is in every film; the template says where",
+         .palettes = palette_names()},
     };
 }
 

@@ -54,6 +54,9 @@ struct PanelKind {
     /// Of a kind for figures only: what to do in films instead; empty: it is for both.
     std::string in_films_instead = {};
 
+    /// Of the kind that shows the gas: names of the colours that it can have from slow to fast.
+    std::vector<std::string> palettes = {};
+
     bool can(Ability ability) const { return abilities.contains(ability); }
 };
 

@@ -42,6 +42,13 @@ std::string scale_title(ColorBy color_by) {
 
 }  // namespace
 
+std::vector<std::string> palette_names() {
+    const std::span<const std::string> maps = color_map_names();
+    std::vector<std::string> names(maps.begin(), maps.end());
+    names.emplace_back("netlogo");
+    return names;
+}
+
 std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme) {
     const ColorMap map = scale_colors(scene, theme);
     return {map.at(0.0), map.at(0.5), map.at(1.0)};

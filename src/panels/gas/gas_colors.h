@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "draw/palette.h"
 #include "panels/panel.h"
 
 namespace carom {
+
+/// Names of the colours from slow to fast: the colour maps, and `netlogo`.
+std::vector<std::string> palette_names();
 
 /// The colours of slow, medium and fast.
 std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme);

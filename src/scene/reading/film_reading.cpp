@@ -100,8 +100,9 @@ std::vector<Binding<FilmDraft>> picture_keys() {
 }
 
 // What is drawn of the gas.
-std::vector<Binding<Film>> gas_keys() {
-    const auto palettes = word({"viridis", "cividis", "plasma", "inferno", "magma", "netlogo"});
+std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
+    const PanelKind* gas = kind_of(kinds, "gas");
+    const auto palettes = word(gas != nullptr ? gas->palettes : std::vector<std::string>{});
     return {
         bind_key("color_by", &Film::color_by, one_of<ColorBy>(),
                  "What the colour of a disk means."),
@@ -150,7 +151,7 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
 }
 
 std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
-    return joined<FilmDraft>(picture_keys(), gas_keys(), frame_keys(kinds));
+    return joined<FilmDraft>(picture_keys(), gas_keys(kinds), frame_keys(kinds));
 }
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};

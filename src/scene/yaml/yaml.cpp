@@ -198,15 +198,14 @@ class TreeBuilder : public YAML::EventHandler {
     }
 
     static void drop(Node& mapping, const std::vector<bool>& doubled) {
-        Node kept = mapping;
-        kept.keys.clear();
-        kept.items.clear();
+        std::size_t kept = 0;
         for (std::size_t i = 0; i < doubled.size(); ++i) {
             if (doubled[i]) continue;
-            kept.keys.push_back(std::move(mapping.keys[i]));
-            kept.items.push_back(std::move(mapping.items[i]));
+            std::swap(mapping.keys[kept], mapping.keys[i]);
+            std::swap(mapping.items[kept++], mapping.items[i]);
         }
-        mapping = std::move(kept);
+        mapping.keys.resize(kept);
+        mapping.items.resize(kept);
     }
 
     const Source& source_;

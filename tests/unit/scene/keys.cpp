@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "draw/palette.h"
 #include "panels/registry.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/check.h"
@@ -117,13 +116,6 @@ TEST_CASE("a key that goes with some kinds only names kinds that there are") {
     visit_keys([&](const Section& section, std::size_t i) {
         for (const std::string& kind : section.keys[i].kinds) CHECK(kinds.contains(kind));
     });
-}
-
-TEST_CASE("a film may have every palette that can be drawn") {
-    std::vector<std::string> palettes(color_map_names().begin(), color_map_names().end());
-    palettes.emplace_back("netlogo");
-    const Section film = film_table(panel_kinds()).section();
-    CHECK(film.keys.at(film.index("palette")).forms.at(0).words == palettes);
 }
 
 TEST_CASE("colours by name are those of CSS") {

@@ -5,10 +5,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "physics/collision/pair_collision.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "util/large_pages.h"
 
 namespace carom {
 
@@ -57,16 +60,34 @@ struct Properties {
     double inverse_mass;  ///< 0 for an infinite mass
 };
 
-/// Bodies that know what they are.
-template <typename Bodies>
-Bodies with_properties(const Particles& particles) {
-    Bodies bodies(static_cast<std::size_t>(particles.count()));
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        bodies[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
-        bodies[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
+/// What geometries have in common whose bodies know what they are, and stay in one order.
+template <typename BodyType>
+struct PlainBodies {
+    using Body = BodyType;
+    using Bodies = LargeVector<Body>;
+
+    /// The bodies of these particles, and what the one or the other is.
+    static Bodies bodies_of(const Particles& particles) {
+        Bodies bodies(static_cast<std::size_t>(particles.count()));
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            bodies[i].radius = particles.radius[static_cast<Eigen::Index>(i)];
+            bodies[i].inverse_mass = particles.inverse_mass[static_cast<Eigen::Index>(i)];
+        }
+        return bodies;
     }
-    return bodies;
-}
+    static Properties properties(const Bodies& bodies, std::size_t i) {
+        return {bodies[i].radius, bodies[i].inverse_mass};
+    }
+
+    /// The order in which bodies shall lie in memory, and whether it is looked for again now and
+    /// then.
+    static std::vector<std::int32_t> order(const Bodies& bodies) {
+        std::vector<std::int32_t> numbers(bodies.size());
+        std::iota(numbers.begin(), numbers.end(), 0);
+        return numbers;
+    }
+    static bool is_resorted(std::size_t) { return false; }
+};
 
 /// Where a body is at a time: between events bodies are in free flight.
 template <typename Body, typename Scalar>

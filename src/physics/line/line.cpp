@@ -1,7 +1,6 @@
 #include "physics/line/line.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -16,14 +15,8 @@ Line<Scalar>::Line(const Box& box, const Particles& particles, const Arithmetic&
       count_(static_cast<std::int32_t>(particles.count())) {}
 
 template <typename Scalar>
-auto Line<Scalar>::bodies_of(const Particles& particles) -> Bodies {
-    return with_properties<Bodies>(particles);
-}
-
-template <typename Scalar>
 std::vector<std::int32_t> Line<Scalar>::order(const Bodies& bodies) {
-    std::vector<std::int32_t> numbers(bodies.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
+    std::vector<std::int32_t> numbers = PlainBodies<Body>::order(bodies);
     std::stable_sort(numbers.begin(), numbers.end(), [&](std::int32_t a, std::int32_t b) {
         return bodies[static_cast<std::size_t>(a)].x[0] < bodies[static_cast<std::size_t>(b)].x[0];
     });

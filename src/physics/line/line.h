@@ -4,6 +4,7 @@
 // computed with all bits. Knows no queue and no clock.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,33 +18,27 @@
 namespace carom {
 
 template <typename Scalar>
-class Line {
+struct Bead {
+    std::array<Scalar, 1> x;  ///< at the bead's own time
+    std::array<Scalar, 1> v;
+    Scalar time;    ///< local
+    double radius;  ///< half its length
+    double inverse_mass;
+    std::uint32_t collisions;
+    std::int32_t turns;  ///< how often it has gone round a periodic line
+    Prediction prediction;
+};
+
+template <typename Scalar>
+class Line : public PlainBodies<Bead<Scalar>> {
   public:
-    struct Body {
-        std::array<Scalar, 1> x;  ///< at the body's own time
-        std::array<Scalar, 1> v;
-        Scalar time;    ///< local
-        double radius;  ///< half its length
-        double inverse_mass;
-        std::uint32_t collisions;
-        std::int32_t turns;  ///< how often it has gone round a periodic line
-        Prediction prediction;
-    };
+    using Body = Bead<Scalar>;
     using Bodies = LargeVector<Body>;
 
     Line(const Box& box, const Particles& particles, const Arithmetic& = {});
 
-    /// The bodies of these particles, and what the one or the other is.
-    static Bodies bodies_of(const Particles& particles);
-    static Properties properties(const Bodies& bodies, std::size_t i) {
-        return {bodies[i].radius, bodies[i].inverse_mass};
-    }
-
-    /// The order in which bodies shall lie in memory: along the line.
+    /// From left to right.
     static std::vector<std::int32_t> order(const Bodies& bodies);
-
-    /// Whether bodies are put in order again now and then.
-    static bool is_resorted(std::size_t) { return false; }
 
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies);

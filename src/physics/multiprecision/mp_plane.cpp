@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace carom {
@@ -31,16 +30,6 @@ MpPlane::MpPlane(const Box& box, const Particles& particles, const Arithmetic& a
     for (Real* number : {&here_[0], &here_[1], &r_[0], &r_[1], &v_[0], &v_[1], &approach_, &time_,
                          &a_, &b_, &c_, &sigma_square_})
         *number = Real(0.0, bits_);
-}
-
-MpPlane::Bodies MpPlane::bodies_of(const Particles& particles) {
-    return with_properties<Bodies>(particles);
-}
-
-std::vector<std::int32_t> MpPlane::order(const Bodies& bodies) {
-    std::vector<std::int32_t> numbers(bodies.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return numbers;
 }
 
 void MpPlane::enter(Bodies& bodies) {

@@ -17,20 +17,11 @@
 
 namespace carom {
 
-class MpPlane {
+class MpPlane : public PlainBodies<MpDisk> {
   public:
-    using Body = MpDisk;
-    using Bodies = std::vector<MpDisk>;
-
     MpPlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic);
 
     // As those of Plane.
-    static Bodies bodies_of(const Particles& particles);
-    static Properties properties(const Bodies& bodies, std::size_t i) {
-        return {bodies[i].radius, bodies[i].inverse_mass};
-    }
-    static std::vector<std::int32_t> order(const Bodies& bodies);
-    static bool is_resorted(std::size_t) { return false; }
     void enter(Bodies& bodies);
     Real predict(Bodies& bodies, std::int32_t i, const Real& now);
     Real predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Real& now) {

@@ -1,5 +1,5 @@
-// The particles of a gas species by species, as Gas numbers them, and those whose places are
-// listed; beads from left to right. Draws and places nothing.
+// The particles of a gas, species by species as Gas numbers them: what they cover, those whose
+// places are listed, and those on a lattice. And beads from left to right. Draws and places nothing.
 #pragma once
 
 #include <Eigen/Core>

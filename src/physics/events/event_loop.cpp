@@ -279,13 +279,14 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
 template <int Dimension, typename Scalar>
 bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
     const Prediction event = body(i).prediction;
-    const auto& time = queue_.time(i);
-    if (static_cast<double>(time) > static_cast<double>(now_))
+    const auto& exact_time = queue_.time(i);
+    const auto time = static_cast<double>(exact_time);
+    if (time > static_cast<double>(now_))
         at_one_instant_ = 0;
     else
         refuse_to_stall();
-    now_ = time;
-    if (event.contact_time <= now_) {
+    now_ = exact_time;
+    if (event.contact_time <= time) {
         const std::int32_t j = event.partner;
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);

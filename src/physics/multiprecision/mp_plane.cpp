@@ -18,6 +18,7 @@ const MpDisk& at(const MpPlane::Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
+// A contact that is predicted is the next event: any time that is not after it will do.
 bool is_contact(const Prediction& prediction) { return prediction.contact_time < never<double>; }
 
 }  // namespace
@@ -178,7 +179,7 @@ void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& c
     if (order > 0 || (order == 0 && is_contact(first) && candidate.other >= first.partner)) return;
     if (is_contact(b.prediction) && time_ > b.event_time) return;
     first.time.set(time_);
-    first.contact_time = time_.rounded_down();
+    first.contact_time = -never<double>;
     first.late = time_.rounded_up();
     first.partner = candidate.other;
     first.partner_collisions = b.collisions & most_collisions;

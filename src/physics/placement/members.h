@@ -1,5 +1,6 @@
 // The particles of a gas, species by species as Gas numbers them: what they cover, those whose
-// places are listed, and those on a lattice. And beads from left to right. Draws and places nothing.
+// places are listed, and those on a lattice. And beads from left to right. Draws and places
+// nothing.
 #pragma once
 
 #include <Eigen/Core>

@@ -110,7 +110,8 @@ ProblemText on_lattice(const Problem& p, const Gas& gas) {
                 "fewer or smaller disks, or a larger box"};
     return {fmt::format("no hexagonal lattice holds {} disks of radius {}{:.6g} in a box of {}",
                         p.count, p.bound < p.value ? "up to " : "", p.value, size_of(gas.box.size)),
-            fmt::format("{} of them would fit; or smaller disks, or a larger box", p.fitting)};
+            fmt::format("{} of them would fit; otherwise use smaller disks or a larger box",
+                        p.fitting)};
 }
 
 ProblemText outside(const Problem& p, const Gas& gas) {
@@ -123,15 +124,15 @@ ProblemText outside(const Problem& p, const Gas& gas) {
     return {
         fmt::format("{}{} is not inside {}", called(gas, p.particle),
                     p.value > 0.0 ? fmt::format(" of radius {:.6g}", p.value) : "", whole_box(gas)),
-        on_line(gas) ? fmt::format("its middle has room from {} to {}", low[0], high[0])
-                     : fmt::format("its centre has room from {} to {} across and from {} to {} up",
+        on_line(gas) ? fmt::format("its centre must lie between {} and {}", low[0], high[0])
+                     : fmt::format("its centre must have x from {} to {} and y from {} to {}",
                                    low[0], high[0], low[1], high[1])};
 }
 
 ProblemText no_place(const Problem& p, const Gas& gas) {
     const Species& species = gas.species[p.species];
     const bool within = std::holds_alternative<WithinRegion>(species.position);
-    return {fmt::format("only {} of {} {} found room at packing fraction {:.3g}{}", p.fitting,
+    return {fmt::format("only {} of {} {} could be placed at packing fraction {:.3g}{}", p.fitting,
                         species.count, members(gas, p.species), p.value,
                         within ? " of their region" : ""),
             within ? "fewer or smaller disks, or a larger region"
@@ -140,7 +141,7 @@ ProblemText no_place(const Problem& p, const Gas& gas) {
 
 ProblemText no_stretch(const Problem& p, const Gas& gas) {
     const bool within = std::holds_alternative<WithinRegion>(gas.species[p.species].position);
-    return {fmt::format("{} {} have no room {}: together they are {:.6g} long, and the free "
+    return {fmt::format("{} {} do not fit {}: together they are {:.6g} long, and the free "
                         "stretches {:.6g}, the widest {:.6g}",
                         p.count, p.particle >= 0 ? members(gas, p.species) : "beads",
                         within ? "in their part of the wire" : "on the wire", p.value, p.bound,
@@ -152,11 +153,11 @@ ProblemText jam(const Problem& p, const Gas& gas) {
     const auto& [particle, room, smaller, larger] = nouns(gas);
     const std::string where =
         p.kind == Kind::jam_alone
-            ? "where it stands between two walls"
-            : fmt::format("along a row of {}s that touch one another from end to end,", particle);
-    return {fmt::format("{} moves {} without any room: it would collide without end",
+            ? "between two walls that it touches,"
+            : fmt::format("along a row of {}s that touch from end to end,", particle);
+    return {fmt::format("{} moves {} without any gap: it would collide without end",
                         called(gas, p.particle), where),
-            fmt::format("smaller {}s or a {} {} leave them room", particle, larger, room)};
+            fmt::format("smaller {}s or a {} {} give them room", particle, larger, room)};
 }
 
 std::string boundary(Eigen::Index particle) {
@@ -168,7 +169,7 @@ std::string boundary(Eigen::Index particle) {
 ProblemText squeeze(const Problem& p) {
     const auto [first, second] = std::minmax(p.particle, p.other);
     const std::string hint =
-        "on a wire nothing can pass or yield: give a finite mass, another velocity, or an earlier "
+        "beads cannot pass one another: give a finite mass, another velocity, or an earlier "
         "end of the run";
     if (first < 0)
         return {fmt::format("{} of infinite mass presses beads against {} at time {:.4g}",

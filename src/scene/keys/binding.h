@@ -149,7 +149,7 @@ struct KeyTable {
         for (const Binding<T>& binding : keys) {
             if (const Node* node = given(mapping, binding.key.name))
                 binding.read(value, *node, reading);
-            else if (binding.reads_default)
+            else if (binding.reads_default && find(mapping, binding.key.name) == nullptr)
                 binding.read(value, default_node(binding.key.default_value), reading);
         }
         if (rule) rule(value, mapping, reading);

@@ -57,17 +57,14 @@ Notation<double> title_card_notation() {
 Notation<Trails> trails_notation() {
     const KeyTable<Trails> table{
         .name = "`trails`",
-        .keys =
-            {bind_key(
-                 "of", &Trails::of, chosen_notation(),
-                 "Which particles: all, a species, a particle by its number, or several of these.")
-                 .default_value("all"),
-             bind_key("seconds", &Trails::seconds, number({0.0, most_trail_seconds}),
-                      "How long they are, in seconds of film.")
-                 .default_value("1")},
-        .rule = [](Trails& trails, const Node& node, Reading&) {
-            if (find(node, "of") != nullptr && given(node, "of") == nullptr) trails.of.clear();
-        }};
+        .keys = {
+            bind_key(
+                "of", &Trails::of, chosen_notation(),
+                "Which particles: all, a species, a particle by its number, or several of these.")
+                .default_value("all"),
+            bind_key("seconds", &Trails::seconds, number({0.0, most_trail_seconds}),
+                     "How long they are, in seconds of film.")
+                .default_value("1")}};
     return mapping(table, "{of: particles, seconds: length}");
 }
 

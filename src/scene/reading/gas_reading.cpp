@@ -220,17 +220,13 @@ void check_list_length(const Node& item, std::string_view key, std::int64_t coun
                    "give one for each particle");
 }
 
-bool is_known(const Node& item, std::string_view key) {
-    return given(item, key) != nullptr || find(item, key) == nullptr;
-}
-
 // Of a gas that does not say it: as many as there are places; 0 where an error leaves it open.
 std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Errors& errors) {
     if (const auto* places = std::get_if<Places>(&draft.position))
         return static_cast<std::int64_t>(places->values.size());
-    const Node* position = given(item, "position");
-    const bool word = position != nullptr && find(*position, "text") != nullptr;
-    if (find(item, "count") == nullptr && !word && is_known(item, "position"))
+    const Node* position = find(item, "position");
+    const bool is_open = position != nullptr && (!position->valid || find(*position, "text"));
+    if (find(item, "count") == nullptr && !is_open)
         errors.add(item, "an item of `gas` needs `count`, or a list of positions");
     return 0;
 }
@@ -251,7 +247,7 @@ void complete_species(SpeciesReading& draft, const Node& item, int dimension, Er
     if (draft.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
             check_list_length(item, key, draft.count, dimension, errors);
-    draft.radius_known = draft.written_radius && is_known(item, "radius");
+    draft.radius_known = draft.written_radius.has_value();
 }
 
 KeyTable<SpeciesReading> species_table(int dimension) {

@@ -202,7 +202,7 @@ TEST_CASE("points where numbers are scarce have different places all the same") 
         REQUIRE(start.position.maxCoeff() < 1.0 + 0x1p-49);
     }
     gas.species[0].count = 8;
-    CHECK(placement_error(gas).starts_with("8 beads have no room in their part of the wire"));
+    CHECK(placement_error(gas).starts_with("8 beads do not fit in their part of the wire"));
 }
 
 TEST_CASE("rods that just fit into their stretches are found room, whatever the luck") {
@@ -236,7 +236,7 @@ TEST_CASE("no room on the line: one sentence with the numbers and a way out") {
                              {.name = "rods", .count = 3, .radius = 1.4}});
     gas.species[0].position = at({4.0});
     CHECK(placement_error(gas) ==
-          "3 beads of species \"rods\" have no room on the wire: together they are 8.4 long, and "
+          "3 beads of species \"rods\" do not fit on the wire: together they are 8.4 long, and "
           "the free stretches 9, the widest 5.5; fewer or shorter beads, or a longer wire");
     gas.species[1].position = WithinRegion{{{5.0, 0.0}, {9.0, 0.0}}};
     CHECK(placement_error(gas) ==
@@ -246,7 +246,7 @@ TEST_CASE("no room on the line: one sentence with the numbers and a way out") {
     gas.species[1].count = 2;
     gas.species[1].radius = 1.6;
     CHECK(placement_error(gas) ==
-          "2 beads of species \"rods\" have no room in their part of the wire: together they are "
+          "2 beads of species \"rods\" do not fit in their part of the wire: together they are "
           "6.4 long, and the free stretches 6, the widest 5.5; fewer or shorter beads, or a "
           "longer part");
     gas = line_of(10.0, {{.name = "", .count = 1, .mass = Density{2.0}}});
@@ -259,8 +259,8 @@ TEST_CASE("listed places are checked, across the ends of a ring too") {
     Gas gas = line_of(10.0, {{.name = "p", .count = 2, .radius = 0.5}});
     gas.species[0].position = at({0.5, 9.8});
     CHECK(placement_error(gas) ==
-          "particle 1 (p) of radius 0.5 is not inside the wire from 0 to 10; its middle has room "
-          "from 0.5 to 9.5");
+          "particle 1 (p) of radius 0.5 is not inside the wire from 0 to 10; its centre must lie "
+          "between 0.5 and 9.5");
     gas.box.walls[0] = Wall::periodic;
     CHECK(placement_error(gas) ==
           "particle 1 (p) overlaps particle 0 (p): 0.7 apart, at least 1 needed; move one of them, "

@@ -106,7 +106,8 @@ TEST_CASE("species share a lattice, and random disks go around listed ones and t
 
 TEST_CASE("no room: one sentence with the numbers and a way out") {
     CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "cold", .count = 100, .radius = 0.48}})) ==
-          "only 66 of 100 disks of species \"cold\" found room at packing fraction 0.724; fewer or "
+          "only 66 of 100 disks of species \"cold\" could be placed at packing fraction 0.724; "
+          "fewer or "
           "smaller disks, a larger box, or places on a lattice");
     CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "", .count = 1'000'000, .radius = 0.5}})) ==
           "the disks cover 7.854e+05 of the box's area 100 (packing fraction 7854), more than the "
@@ -125,7 +126,7 @@ TEST_CASE("no room: one sentence with the numbers and a way out") {
           "densest packing; fewer or smaller disks or more room");
     gas.species[0].count = 4;
     CHECK(placement_error(gas) ==
-          "only 1 of 4 disks of species \"w\" found room at packing fraction 0.785 of their "
+          "only 1 of 4 disks of species \"w\" could be placed at packing fraction 0.785 of their "
           "region; fewer or smaller disks, or a larger region");
     gas = gas_of(10.0, 10.0, {{.name = "l", .count = 100, .radius = 0.5}});
     gas.species[0].position = LatticePlaces{};
@@ -133,7 +134,7 @@ TEST_CASE("no room: one sentence with the numbers and a way out") {
     gas.species[0].count = 110;
     CHECK(placement_error(gas) ==
           "no hexagonal lattice holds 110 disks of radius 0.5 in a box of 10 by 10; 105 of them "
-          "would fit; or smaller disks, or a larger box");
+          "would fit; otherwise use smaller disks or a larger box");
     gas.species = {{.name = "l", .count = 50, .radius = 0.5, .position = LatticePlaces{}},
                    {.name = "large", .count = 1, .radius = 4.0, .position = Places{{{5.0, 5.0}}}}};
     CHECK(placement_error(gas).starts_with("other disks leave "));
@@ -143,8 +144,8 @@ TEST_CASE("listed places are checked, across periodic borders too") {
     Gas gas = gas_of(10.0, 10.0, {{.name = "p", .count = 2}});
     gas.species[0].position = Places{{{0.6, 5.0}, {9.8, 5.0}}};
     CHECK(placement_error(gas) ==
-          "particle 1 (p) of radius 0.5 is not inside the box of 10 by 10; its centre has room "
-          "from 0.5 to 9.5 across and from 0.5 to 9.5 up");
+          "particle 1 (p) of radius 0.5 is not inside the box of 10 by 10; its centre must have x "
+          "from 0.5 to 9.5 and y from 0.5 to 9.5");
     gas.box.walls[0] = Wall::periodic;
     CHECK(placement_error(gas) ==
           "particle 1 (p) overlaps particle 0 (p): 0.8 apart, at least 1 needed; move one of them, "

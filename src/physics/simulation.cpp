@@ -136,26 +136,27 @@ struct Simulation::Implementation {
         return Loop(std::in_place_type<EventLoop<2>>, box, particles);
     }
 
-    void advance(double time) {
-        with_loop([&](auto& its) { its.advance(time, recording ? &collisions : nullptr); });
+    void advance(double time, const TimeCallback& on_progress) {
+        with_loop(
+            [&](auto& its) { its.advance(time, recording ? &collisions : nullptr, on_progress); });
         present.time = time;
         sampled = false;
     }
 
     // Through all events of the run, and past the mirror times of measure_return().
-    void advance_with_events(double time) {
+    void advance_with_events(double time, const TimeCallback& on_progress) {
         for (; next_event < events.size() && events[next_event].at <= time; ++next_event) {
             const double at = events[next_event].at;
-            while (echo.next_time() < at) keep_mirror_positions();
-            advance(at);
+            while (echo.next_time() < at) keep_mirror_positions(on_progress);
+            advance(at, on_progress);
             apply(next_event);
         }
-        while (echo.next_time() <= time) keep_mirror_positions();
-        advance(time);
+        while (echo.next_time() <= time) keep_mirror_positions(on_progress);
+        advance(time, on_progress);
     }
 
-    void keep_mirror_positions() {
-        advance(echo.next_time());
+    void keep_mirror_positions(const TimeCallback& on_progress) {
+        advance(echo.next_time(), on_progress);
         echo.keep([this] { return exact_positions(); });
     }
 
@@ -239,13 +240,13 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-AdvanceResult Simulation::advance_to(double time) {
+AdvanceResult Simulation::advance_to(double time, const TimeCallback& on_progress) {
     Implementation& its = *implementation_;
     if (!(time >= its.present.time) || std::isinf(time))
         throw std::invalid_argument(
             fmt::format("cannot advance to {:g}: the present is {:g}", time, its.present.time));
     its.collisions.clear();
-    its.advance_with_events(time);
+    its.advance_with_events(time, on_progress);
     auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
     const auto reversals = static_cast<int>(its.reversed_at.size());
     return its.with_loop([&](const auto& loop) {

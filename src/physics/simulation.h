@@ -51,10 +51,11 @@ class Simulation {
     ~Simulation();
 
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and advances to it;
-    /// not limited by `run.until`. Throws std::invalid_argument if `time` lies in the past or is
-    /// not finite; PerturbationError; Interrupted (util/interrupt.h); std::runtime_error when
-    /// particles collide without end at one instant, or two beads of infinite mass meet.
-    AdvanceResult advance_to(double time);
+    /// not limited by `run.until`. Tells `on_progress` now and then how far it is. Throws
+    /// std::invalid_argument if `time` lies in the past or is not finite; PerturbationError;
+    /// Interrupted (util/interrupt.h); std::runtime_error when particles collide without end at one
+    /// instant, or two beads of infinite mass meet.
+    AdvanceResult advance_to(double time, const TimeCallback& on_progress = {});
 
     /// Replaces the events of the run that are still to come, for instance in a copy; an error's
     /// index counts in the new list. Throws std::invalid_argument if one lies in the past or before

@@ -3,27 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
+#include "app/stopwatch.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 
 namespace carom {
 namespace {
-
-double seconds_of(clockid_t clock) {
-    timespec time = {};
-    clock_gettime(clock, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-// Since it was made, on this thread.
-struct Stopwatch {
-    double begun = seconds_of(CLOCK_MONOTONIC), cpu_begun = seconds_of(CLOCK_THREAD_CPUTIME_ID);
-    double wall() const { return seconds_of(CLOCK_MONOTONIC) - begun; }
-    double cpu() const { return seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_begun; }
-};
 
 // All that makes the film again: the seed, what the command line changed, and the scene itself.
 std::string recipe(const Scene& scene, const FilmOptions& options) {
@@ -119,7 +106,7 @@ std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, Fil
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
     const auto end = static_cast<std::size_t>(frame_nearest_to(plan.run.ticks(), at)) + 1;
     const std::unique_ptr<PanelSet> panels = plan.panels();
-    progress.begin("going to the frame", static_cast<double>(end));
+    progress.begin("preparing the frame", static_cast<double>(end));
     FrameData frame;
     plan.run.play(end, [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
         frame = panels->frame_data(tick, sample, advanced);

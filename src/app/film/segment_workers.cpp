@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <system_error>
 
+#include "app/stopwatch.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 
@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t most_waiting_bytes = 64 << 20;
 constexpr std::size_t frame_overhead_bytes = 4096;  // of one frame's value beside its arrays
-
-double thread_seconds() {
-    timespec time = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 std::size_t weight(const FrameData& data) { return data.bytes + frame_overhead_bytes; }
 
@@ -35,7 +29,7 @@ SegmentWorkers::SegmentWorkers(const PanelSet& panels, std::vector<int> starts, 
         for (std::size_t i = 0; i < most_ahead_ / 2; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error& error) {
         stop();
-        throw SystemError(fmt::format("cannot start {} threads: {}; fewer (--threads) need less",
+        throw SystemError(fmt::format("cannot start {} threads: {}; use fewer (--threads)",
                                       most_ahead_ / 2, error.what()));
     } catch (...) {
         stop();
@@ -109,17 +103,17 @@ void SegmentWorkers::draw_segment(std::size_t index, FramePainter& painter,
     for (int i = 0; i < segments_[index].frames; ++i) {
         throw_if_interrupted();
         if (!take(index, data)) return;
-        const double begun = thread_seconds();
+        const Stopwatch drawing;
         const Canvas& canvas = painter.paint(data);
-        const double drawn = thread_seconds();
+        seconds.draw += drawing.cpu();
+        const Stopwatch encoding;
         segment->add(canvas);
-        seconds.draw += drawn - begun;
-        seconds.encode += thread_seconds() - drawn;
+        seconds.encode += encoding.cpu();
         progress_.advance();
     }
-    const double begun = thread_seconds();
+    const Stopwatch encoding;
     segment->finish();
-    seconds.encode += thread_seconds() - begun;
+    seconds.encode += encoding.cpu();
     join(index, std::move(segment));
 }
 

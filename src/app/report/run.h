@@ -17,10 +17,10 @@ namespace carom {
 /// One reversal of all velocities, and how well the gas found its way back.
 struct ReversalReport {
     double at = 0.0;
-    std::optional<ReturnDistance> distance;   ///< from the start, at 2 at: if the run goes on so
-                                              ///< long and no other reversal lies before
-    std::int64_t events_out = 0;              ///< collisions in [0, at], with walls too
-    std::optional<std::int64_t> events_back;  ///< in (at, 2 at], if the run goes on so long
+    std::optional<ReturnDistance> distance = {};  ///< from the start, at 2 at: if the run goes on
+                                                  ///< so long and no other reversal lies before
+    std::int64_t events_out = 0;                   ///< collisions in [0, at], with walls too
+    std::optional<std::int64_t> events_back = {};  ///< in (at, 2 at], if the run goes on so long
 };
 
 /// Wall-clock seconds.
@@ -41,17 +41,14 @@ struct RunReport {
     RunSeconds seconds;
 };
 
+/// All events: collisions between particles and with walls.
+std::int64_t events_of(const CollisionCounts& counts);
+
 /// Takes each sample in order of time; both are valid during the call only.
 using SampleTaker = std::function<void(const Particles&, const Sample&)>;
 
 /// Runs `scene` from time 0 to its end with a sample at every multiple of `run.sample_every` and at
 /// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` throws.
 RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress);
-
-/// The number of samples of a run, at least 2; the last is at `until`.
-std::int64_t sample_count(const Run& run);
-
-/// The time of a sample.
-double sample_time(const Run& run, std::int64_t index);
 
 }  // namespace carom

@@ -24,15 +24,6 @@ struct Codec {
 extern const Codec h264;  ///< in MP4
 extern const Codec vp9;   ///< in WebM
 
-/// Settings in x264's own words.
-struct H264Settings {
-    const char* preset;
-    const char* parameters;  ///< in place of the preset's: `key=value:key=value`
-};
-
-/// The settings of a quality, without those that every film shares (threads, colour tags, groups).
-H264Settings h264_settings(Quality quality);
-
 /// What every film shares, beside the length of its groups of pictures: nothing that depends on the
 /// number of cores or on the instruction set may change a byte.
 inline constexpr const char* shared_h264_parameters =

@@ -35,7 +35,7 @@ class FilmSegment {
     FilmSegment& operator=(const FilmSegment&) = delete;
 
     virtual void add(const Canvas& frame) = 0;  ///< the next one in order
-    virtual void finish() = 0;                  ///< after its last frame, on the same thread
+    virtual void finish() {}                    ///< after its last frame, on the same thread
     virtual void join() = 0;  ///< to the film: all segments in order, one at a time
 };
 

@@ -24,8 +24,8 @@ constexpr FormatCost gif_cost{
 constexpr FormatCost png_cost{
     {5.1 * mp4_seconds.at_200, 6.2 * mp4_seconds.at_1000}, {269e3, 401e3}, 0.8};
 
-template <bool OutputFormat::*use>
-std::vector<std::string> names() {
+template <class Use>
+std::vector<std::string> names(Use use) {
     std::vector<std::string> found;
     for (const OutputFormat& format : output_formats())
         if (format.*use) found.push_back(format.name);
@@ -44,13 +44,12 @@ const std::vector<OutputFormat>& output_formats() {
     static const std::vector<OutputFormat> formats{
         {.name = "mp4",
          .film = mp4_cost,
-         .no_transparency = "H.264 in MP4 has no transparency",
+         .no_transparency = "MP4 cannot be transparent",
          .make_film = mp4_film},
         {.name = "webm", .film = webm_cost, .make_film = webm_film},
         {.name = "gif",
          .film = gif_cost,
-         .no_transparency = "the pixels of a GIF are either there or not, which would leave ragged "
-                            "letters",
+         .no_transparency = "a GIF has no partial transparency and would show ragged letters",
          .most_frames_per_second = most_gif_frames_per_second,
          .large_bytes = 10e6,
          .previews = 32,
@@ -84,15 +83,10 @@ std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
     return format_of_film(path).make_film(path, settings, frames);
 }
 
-std::vector<std::string> film_formats() {
-    std::vector<std::string> found;
-    for (const OutputFormat& format : output_formats())
-        if (format.film) found.push_back(format.name);
-    return found;
-}
+std::vector<std::string> film_formats() { return names(&OutputFormat::film); }
 
-std::vector<std::string> still_formats() { return names<&OutputFormat::stills>(); }
+std::vector<std::string> still_formats() { return names(&OutputFormat::stills); }
 
-std::vector<std::string> figure_formats() { return names<&OutputFormat::figures>(); }
+std::vector<std::string> figure_formats() { return names(&OutputFormat::figures); }
 
 }  // namespace carom

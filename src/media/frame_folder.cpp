@@ -31,7 +31,6 @@ class FrameFolder : public FilmWriter {
             film_.folder_.write(fmt::format("frame-{:0{}}.png", ++next_, film_.digits_), png);
             film_.bytes_ += static_cast<std::int64_t>(png.size());
         }
-        void finish() override {}
         void join() override {}
 
       private:

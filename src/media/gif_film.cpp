@@ -155,7 +155,6 @@ class GifFilm : public FilmWriter {
                                  avcodec_receive_packet(context_.get(), packet.get()));
             images_.push_back(image_of({packet->data, static_cast<std::size_t>(packet->size)}));
         }
-        void finish() override {}
         void join() override {
             for (Bytes& image : images_) film_.write(image);
         }

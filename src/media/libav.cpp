@@ -30,11 +30,15 @@ void listen() {
     last_complaint.clear();
 }
 
-std::string cause_of(int error) {
+std::string words_of(int error) {
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text = {};
     av_strerror(error, text.data(), text.size());
-    return last_complaint.empty() ? text.data()
-                                  : fmt::format("{} ({})", text.data(), last_complaint);
+    return text.data();
+}
+
+std::string cause_of(int error) {
+    return last_complaint.empty() ? words_of(error)
+                                  : fmt::format("{} ({})", words_of(error), last_complaint);
 }
 
 void check_encoder(const char* name, int result) {

@@ -7,19 +7,11 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
-#include <cstdint>
 #include <memory>
 #include <new>
 #include <string>
 
 namespace carom::libav {
-
-/// What a callback for writing is handed: constant from libavformat 61 on (FFmpeg 7).
-#if LIBAVFORMAT_VERSION_MAJOR >= 61
-using WrittenByte = const std::uint8_t;
-#else
-using WrittenByte = std::uint8_t;
-#endif
 
 struct Free {
     void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
@@ -28,10 +20,7 @@ struct Free {
     void operator()(AVFormatContext* context) const { avformat_free_context(context); }
     void operator()(AVFrame* frame) const { av_frame_free(&frame); }
     void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-    void operator()(AVIOContext* context) const {
-        av_freep(&context->buffer);
-        avio_context_free(&context);
-    }
+    void operator()(AVIOContext* context) const { avio_close(context); }
 };
 template <class T>
 using Owned = std::unique_ptr<T, Free>;
@@ -46,7 +35,10 @@ Owned<T> owned(T* pointer) {
 /// Keeps what libav complains of from here on, on this thread, and lets it print nothing.
 void listen();
 
-/// The words of an error code, with the last complaint.
+/// The words of an error code.
+std::string words_of(int error);
+
+/// The same with the last complaint.
 std::string cause_of(int error);
 
 /// Throws SystemError, `cannot encode with NAME: CAUSE`, when `result` is an error.

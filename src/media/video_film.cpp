@@ -8,7 +8,6 @@ extern "C" {
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <exception>
 #include <limits>
 #include <new>
 #include <string_view>
@@ -24,11 +23,9 @@ extern "C" {
 
 namespace carom {
 
-using libav::cause_of, libav::Owned, libav::owned;
+using libav::Owned, libav::owned;
 
 namespace {
-
-constexpr int io_buffer_bytes = 1 << 18;
 
 void tag_as_bt709(AVCodecContext& context) {
     context.color_range = AVCOL_RANGE_MPEG;
@@ -92,66 +89,6 @@ void set_metadata(AVFormatContext& context, const VideoSettings& settings, const
     av_dict_set(&context.metadata, "keywords", others.c_str(), AV_DICT_APPEND);
 }
 
-// libav's view of an atomic file. Exceptions may not cross its C code: the first is kept here.
-struct FileAccess {
-    AtomicFile* file = nullptr;
-    std::exception_ptr* error = nullptr;
-    std::int64_t offset = 0;
-};
-
-template <class Work>
-bool succeeds(FileAccess& access, Work work) {
-    if (*access.error) return false;
-    try {
-        work();
-        return true;
-    } catch (...) {
-        *access.error = std::current_exception();
-        return false;
-    }
-}
-
-int write_bytes(void* opaque, libav::WrittenByte* data, int size) {
-    auto& access = *static_cast<FileAccess*>(opaque);
-    const bool written = succeeds(access, [&] {
-        access.file->seek(access.offset);
-        access.file->write(std::span(data, static_cast<std::size_t>(size)));
-    });
-    if (!written) return AVERROR(EIO);
-    access.offset += size;
-    return size;
-}
-
-int read_bytes(void* opaque, std::uint8_t* data, int size) {
-    auto& access = *static_cast<FileAccess*>(opaque);
-    std::int64_t count = 0;
-    const bool done = succeeds(access, [&] {
-        access.file->seek(access.offset);
-        count = access.file->read(std::span(data, static_cast<std::size_t>(size)));
-    });
-    if (!done) return AVERROR(EIO);
-    access.offset += count;
-    return count == 0 ? AVERROR_EOF : static_cast<int>(count);
-}
-
-std::int64_t seek_to(void* opaque, std::int64_t offset, int whence) {
-    auto& access = *static_cast<FileAccess*>(opaque);
-    std::int64_t size = 0;
-    if (!succeeds(access, [&] { size = access.file->size(); })) return AVERROR(EIO);
-    if ((whence & AVSEEK_SIZE) != 0) return size;
-    const int from = whence & ~AVSEEK_FORCE;
-    const std::int64_t start = from == SEEK_CUR ? access.offset : from == SEEK_END ? size : 0;
-    return access.offset = start + offset;
-}
-
-Owned<AVIOContext> open_io(FileAccess& access, bool writing) {
-    auto* const buffer = static_cast<std::uint8_t*>(av_malloc(io_buffer_bytes));
-    AVIOContext* const context = avio_alloc_context(buffer, io_buffer_bytes, writing ? 1 : 0,
-                                                    &access, read_bytes, write_bytes, seek_to);
-    if (context == nullptr) av_free(buffer);
-    return owned(context);
-}
-
 class VideoFilm : public FilmWriter {
   public:
     VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
@@ -188,16 +125,10 @@ class VideoFilm : public FilmWriter {
     void start(const Segment& segment);
     void append(Segment& segment);
     void check(int result) const;
-    static int open_to_read(AVFormatContext* context, AVIOContext** io, const char* url, int flags,
-                            AVDictionary** options);
-    static int close_after_reading(AVFormatContext* context, AVIOContext* io);
 
     VideoSettings settings_;
     const Codec& codec_;
     AtomicFile file_;
-    std::exception_ptr error_;
-    FileAccess writing_{&file_, &error_, 0};
-    FileAccess reading_{&file_, &error_, 0};
     Owned<AVIOContext> io_;
     Owned<AVFormatContext> format_;
     Owned<AVCodecParameters> parameters_;  ///< of the first segment
@@ -251,46 +182,27 @@ void VideoFilm::Segment::finish() {
     frame_.reset();
 }
 
-// A failed write is reported by libav late, in other words, or only by the context's error field:
-// what the file itself said comes first.
+// A failed write is reported by libav late, in other words, or only by the context's error field.
 void VideoFilm::check(int result) const {
-    if (error_) std::rethrow_exception(error_);
-    const int late = io_ ? io_->error : 0;
-    if (result >= 0 && late >= 0) return;
-    throw SystemError(fmt::format("cannot write {}: {}", file_.path().string(),
-                                  cause_of(result < 0 ? result : late)));
-}
-
-// What was written is read back, to move it behind the index.
-int VideoFilm::open_to_read(AVFormatContext* context, AVIOContext** opened, const char*, int flags,
-                            AVDictionary**) {
-    auto& own = *static_cast<VideoFilm*>(context->opaque);
-    if (flags != AVIO_FLAG_READ) return AVERROR(EINVAL);
-    own.reading_.offset = 0;
-    try {
-        *opened = open_io(own.reading_, false).release();
-    } catch (const std::bad_alloc&) {
-        return AVERROR(ENOMEM);
-    }
-    return 0;
-}
-
-int VideoFilm::close_after_reading(AVFormatContext*, AVIOContext* opened) {
-    Owned<AVIOContext>{opened}.reset();
-    return 0;
+    const int write_error = io_ ? io_->error : 0;
+    if (result >= 0 && write_error >= 0) return;
+    throw SystemError(
+        fmt::format("cannot write {}: {}", file_.path().string(),
+                    write_error < 0 ? libav::words_of(write_error) : libav::cause_of(result)));
 }
 
 void VideoFilm::start(const Segment& segment) {
     AVFormatContext* allocated = nullptr;
     check(avformat_alloc_output_context2(&allocated, nullptr, codec_.container, nullptr));
     format_ = owned(allocated);
-    io_ = open_io(writing_, true);
+    // What was written is read back by this name, to move it behind the index.
+    format_->url = av_strdup(("file:" + file_.temporary().string()).c_str());
+    AVIOContext* opened = nullptr;
+    check(avio_open(&opened, format_->url, AVIO_FLAG_WRITE));
+    io_ = owned(opened);
     format_->pb = io_.get();
-    format_->url = av_strdup(file_.path().c_str());
-    format_->opaque = this;
-    format_->io_open = open_to_read;
-    format_->io_close2 = close_after_reading;
-    format_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO;
+    // Each packet is written at once, so that a full disk stops the work early.
+    format_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
     set_metadata(*format_, settings_, codec_);
 
     AVStream* const stream = avformat_new_stream(format_.get(), nullptr);

@@ -115,19 +115,6 @@ void AtomicFile::write(std::string_view text) {
     write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-void AtomicFile::seek(std::int64_t offset) {
-    if (lseek(descriptor_, offset, SEEK_SET) < 0) fail("write", path_);
-}
-
-std::int64_t AtomicFile::read(std::span<std::uint8_t> bytes) {
-    while (true) {
-        const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail("read back", path_);
-        return count;
-    }
-}
-
 std::int64_t AtomicFile::size() const {
     struct stat status = {};
     if (fstat(descriptor_, &status) != 0) fail("write", path_);

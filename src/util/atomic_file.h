@@ -25,16 +25,16 @@ class AtomicFile {
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    void write(std::span<const std::uint8_t>
-                   bytes);  ///< all of them at the present offset, or SystemError
+    void write(std::span<const std::uint8_t> bytes);  ///< all of them, or SystemError
     void write(std::string_view text);
-    void seek(std::int64_t offset);                    ///< absolute, in bytes
-    std::int64_t read(std::span<std::uint8_t> bytes);  ///< bytes read, 0 at the end; or SystemError
     std::int64_t size() const;  ///< bytes written so far (the end of the file)
     void
     commit();  ///< fsync, rename, fsync of the folder; SystemError leaves an earlier file as it was
 
     const std::filesystem::path& path() const { return path_; }
+
+    /// Where it is until commit(), for a library that writes by path.
+    const std::filesystem::path& temporary() const { return temporary_; }
 
   private:
     std::filesystem::path path_;

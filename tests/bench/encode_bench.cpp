@@ -21,6 +21,7 @@ extern "C" {
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -247,8 +248,10 @@ void print_tables(int count) {
     for (const auto& [name, quality] : {std::pair{"draft", Quality::draft},
                                         {"standard", Quality::standard},
                                         {"final", Quality::final_}}) {
-        const H264Settings settings = h264_settings(quality);
-        print_row(source, name, settings.preset, as_in_films(settings.parameters));
+        std::map<std::string, std::string> options;
+        for (const auto& [option, value] : h264.encoder_options(quality)) options[option] = value;
+        print_row(source, name, options["preset"],
+                  fmt::format("{}:keyint={}", options["x264-params"], segment_frames));
     }
 }
 

@@ -8,7 +8,6 @@
 
 #include "panels/frame.h"
 #include "panels/plot/plot_panel.h"
-#include "panels/recording.h"
 
 namespace carom {
 namespace {
@@ -40,7 +39,7 @@ Scene alone(Scene scene, int later) {
 }
 
 // Only plots show several runs.
-PlotPanel& plot_of(const Figure& figure) { return dynamic_cast<PlotPanel&>(*figure.panel); }
+PlotPanel& plot_of(Panel& panel) { return dynamic_cast<PlotPanel&>(panel); }
 
 bool shows(const Figure& figure, double time) {
     const std::size_t next = figure.moments.size();
@@ -87,8 +86,7 @@ class FigureRun::OneRun {
     void start(const RunsCallbacks& on_progress);
     void survey(const RunsCallbacks& on_progress, std::size_t most_bytes);
     void look(const RunsCallbacks& on_progress);
-    const Figure& figure_of(const std::string& name) const;
-    const Scene& scene() const { return scene_; }
+    Figure* figure_of(const std::string& name);
     const Particles& particles() const { return particles_; }
 
     std::vector<Figure> figures;
@@ -102,9 +100,9 @@ class FigureRun::OneRun {
     Recording recording_;
 };
 
-const Figure& FigureRun::OneRun::figure_of(const std::string& name) const {
-    return *std::ranges::find(figures, name,
-                              [](const Figure& figure) { return figure.spec->name; });
+Figure* FigureRun::OneRun::figure_of(const std::string& name) {
+    return &*std::ranges::find(figures, name,
+                               [](const Figure& figure) { return figure.spec->name; });
 }
 
 // With the second pass, which simulates nothing where the run is kept in memory. A run that shows
@@ -136,16 +134,12 @@ void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, std::size_t mos
     for (std::size_t k = 0; k < figures.size(); ++k)
         figures[k].panel = panels_->panels()[k].panel.get();
     double now = 0.0;
-    const Recording::Wanted wanted{panels_->wants_collisions(), panels_->return_times(ticks_)};
-    with_places_of_errors(scene_, [&] {
-        recording_ = Recording(
-            std::move(*start_), ticks_, wanted,
-            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                panels_->survey(tick, sample, advanced);
-                on_progress.go_on(tick.time - std::exchange(now, tick.time));
-            },
-            most_bytes);
-    });
+    recording_ = panels_->record(
+        std::move(*start_), ticks_,
+        [&](const Tick& tick, const Sample&, const AdvanceResult&) {
+            on_progress.go_on(tick.time - std::exchange(now, tick.time));
+        },
+        most_bytes);
     start_.reset();
 }
 
@@ -171,31 +165,36 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     : scene_(alone(scene, 0)) {
     int seeds = 1;
     for (const FigureSpec& spec : scene_.figures) seeds = std::max(seeds, spec.panel.seeds);
-    std::vector<OneRun*> all;
-    const auto add = [&](std::vector<std::unique_ptr<OneRun>>& to, const Scene& of, int later) {
-        all.push_back(to.emplace_back(std::make_unique<OneRun>(of, later)).get());
-    };
-    for (int k = 0; k < seeds; ++k) add(runs_, scene_, k);
-    for (const FigureSpec& spec : scene_.figures)
-        for (const ComparedRun& run : spec.compare) add(compared_[spec.name], *run.scene, 0);
+    for (int k = 0; k < seeds; ++k) runs_.push_back(std::make_unique<OneRun>(scene_, k));
+    std::vector<Parts> parts;  // of each figure
+    for (const FigureSpec& spec : scene_.figures) {
+        Parts& its = parts.emplace_back();
+        for (const ComparedRun& run : spec.compare) {
+            runs_.push_back(std::make_unique<OneRun>(*run.scene, 0));
+            its.push_back({runs_.back().get(), &runs_.back()->figures.front()});
+        }
+        const auto seeds_shown = static_cast<std::size_t>(spec.panel.seeds);
+        for (std::size_t k = 0; spec.compare.empty() && k < seeds_shown; ++k)
+            its.push_back({runs_[k].get(), runs_[k]->figure_of(spec.name)});
+    }
 
     double time = 0.0;
-    for (const OneRun* run : all) time += run->time_to_simulate();
+    for (const auto& run : runs_) time += run->time_to_simulate();
     RunsCallbacks shown = on_progress;
-    const bool shows_trials = all.size() == 1 && all.front()->tries_bits();
+    const bool shows_trials = runs_.size() == 1 && runs_.front()->tries_bits();
     if (!shows_trials) shown.trial = nullptr;
     const auto each = [&](auto work) {
-        on_threads(threads, all.size(), [&](std::size_t i) { work(*all[i]); });
+        on_threads(threads, runs_.size(), [&](std::size_t i) { work(*runs_[i]); });
     };
     if (on_progress.begin && !shows_trials) on_progress.begin(time);
     each([&](OneRun& run) { run.start(shown); });
     if (on_progress.begin && shows_trials) on_progress.begin(time);
-    const std::size_t most_bytes = Recording::most_bytes / all.size();
+    const std::size_t most_bytes = Recording::most_bytes / runs_.size();
     each([&](OneRun& run) { run.survey(shown, most_bytes); });
-    fix_axes();
+    for (std::size_t i = 0; i < parts.size(); ++i) fix_axes(scene_.figures[i], parts[i]);
     each([&](OneRun& run) { run.look(shown); });
-    take_means();
-    collect();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        figures_.push_back(joined_figure(scene_.figures[i], parts[i]));
 }
 
 FigureRun::~FigureRun() = default;
@@ -206,70 +205,36 @@ const Particles& FigureRun::particles() const { return runs_.front()->particles(
 
 const std::vector<Figure>& FigureRun::figures() const { return figures_; }
 
-// The runs of all seeds of a figure have the same axes, and so have those that it compares.
-void FigureRun::fix_axes() {
-    for (const Figure& figure : runs_.front()->figures) {
-        std::vector<Panel*> others;
-        for (std::size_t k = 1; k < static_cast<std::size_t>(figure.spec->panel.seeds); ++k)
-            others.push_back(runs_[k]->figure_of(figure.spec->name).panel);
-        if (others.empty())
-            figure.panel->fix_axes();
-        else
-            plot_of(figure).fix_axes_of_runs(others, {});
-    }
-    for (const FigureSpec& spec : scene_.figures) {
-        if (spec.compare.empty()) continue;
-        const auto& runs = compared_.at(spec.name);
-        std::vector<Panel*> others;
-        std::vector<std::string> names{spec.compare.front().label};
-        for (std::size_t k = 1; k < runs.size(); ++k) {
-            others.push_back(runs[k]->figures.front().panel);
-            names.push_back(spec.compare[k].label);
-        }
-        plot_of(runs.front()->figures.front()).fix_axes_of_runs(others, names);
-    }
-}
-
-void FigureRun::take_means() {
-    for (Figure& figure : runs_.front()->figures) {
-        const auto seeds = static_cast<std::size_t>(figure.spec->panel.seeds);
-        if (seeds == 1) continue;
-        for (std::size_t i = 0; i < figure.moments.size(); ++i) {
-            std::vector<std::shared_ptr<const PanelState>> states;
-            for (std::size_t k = 0; k < seeds; ++k)
-                states.push_back(runs_[k]->figure_of(figure.spec->name).moments[i].state);
-            figure.moments[i].state = plot_of(figure).state_of_runs(states);
-        }
-    }
+// All runs that a figure shows have the same axes.
+void FigureRun::fix_axes(const FigureSpec& spec, const Parts& parts) {
+    Panel& first = *parts.front().figure->panel;
+    if (parts.size() == 1) return first.fix_axes();
+    std::vector<Panel*> others;
+    for (std::size_t k = 1; k < parts.size(); ++k) others.push_back(parts[k].figure->panel);
+    std::vector<std::string> names;
+    for (const ComparedRun& run : spec.compare) names.push_back(run.label);
+    plot_of(first).fix_axes_of_runs(others, names);
 }
 
 // The first run's figure, which shows all of them.
-Figure FigureRun::side_by_side(const FigureSpec& spec) {
-    const auto& runs = compared_.at(spec.name);
-    std::vector<std::shared_ptr<const PanelState>> states;
-    std::vector<FigureSide> sides;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const FigureMoment& moment = runs[k]->figures.front().moments.front();
-        states.push_back(moment.state);
-        sides.push_back({spec.compare[k].label, runs[k]->particles().count(), moment.time,
-                         moment.collisions, ""});
+Figure FigureRun::joined_figure(const FigureSpec& spec, const Parts& parts) {
+    Figure figure = *parts.front().figure;
+    figure.spec = &spec;
+    if (parts.size() == 1) return figure;
+    const PlotPanel& panel = plot_of(*figure.panel);
+    for (std::size_t i = 0; i < figure.moments.size(); ++i) {
+        std::vector<std::shared_ptr<const PanelState>> states;
+        for (const Part& part : parts) states.push_back(part.figure->moments[i].state);
+        figure.moments[i].state = panel.state_of_runs(states);
     }
-    Figure figure = std::move(runs.front()->figures.front());
-    const PlotPanel& panel = plot_of(figure);
-    figure.moments.front().state = panel.state_of_runs(states);
+    if (spec.compare.empty()) return figure;
     const plot::Plot plot = panel.plot(figure.moments.front().state.get());
-    for (std::size_t k = 0; k < sides.size(); ++k) sides[k].account = plot.accounts_of_runs.at(k);
-    figure.sides = std::move(sides);
-    return figure;
-}
-
-void FigureRun::collect() {
-    std::size_t alone = 0;
-    for (const FigureSpec& spec : scene_.figures) {
-        figures_.push_back(spec.compare.empty() ? std::move(runs_.front()->figures.at(alone++))
-                                                : side_by_side(spec));
-        figures_.back().spec = &spec;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const FigureMoment& moment = parts[k].figure->moments.front();
+        figure.sides.push_back({spec.compare[k].label, parts[k].run->particles().count(),
+                                moment.time, moment.collisions, plot.accounts_of_runs.at(k)});
     }
+    return figure;
 }
 
 }  // namespace carom

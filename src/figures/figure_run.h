@@ -5,7 +5,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -68,16 +67,18 @@ class FigureRun {
 
   private:
     class OneRun;
-    void fix_axes();
-    void take_means();
-    Figure side_by_side(const FigureSpec& spec);
-    void collect();
+    /// One of the runs that a figure shows, and the figure of that run alone.
+    struct Part {
+        OneRun* run;
+        Figure* figure;
+    };
+    using Parts = std::vector<Part>;
+    static void fix_axes(const FigureSpec& spec, const Parts& parts);
+    static Figure joined_figure(const FigureSpec& spec, const Parts& parts);
 
     Scene scene_;
     std::vector<std::unique_ptr<OneRun>>
-        runs_;  ///< of the scene's own seed, then of those after it
-    std::map<std::string, std::vector<std::unique_ptr<OneRun>>>
-        compared_;  ///< by the name of a figure, the runs that it compares
+        runs_;  ///< of the scene's own seed, of those after it, and those that figures compare
     std::vector<Figure> figures_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "panels/echo/echo_record.h"
 #include "panels/layout.h"
+#include "panels/precision.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
 #include "panels/words/text_panel.h"
@@ -72,6 +73,22 @@ void PanelSet::survey(const Tick& tick, const Sample& sample, const AdvanceResul
 
 void PanelSet::fix_axes() {
     for (const Placed& placed : panels_) placed.panel->fix_axes();
+}
+
+Recording PanelSet::record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
+                           std::size_t most) {
+    const Recording::Wanted wanted{wants_collisions(), return_times(ticks)};
+    Recording run;
+    with_places_of_errors(scene_, [&] {
+        run = Recording(
+            std::move(start), std::move(ticks), wanted,
+            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                survey(tick, sample, advanced);
+                see(tick, sample, advanced);
+            },
+            most);
+    });
+    return run;
 }
 
 void PanelSet::archive(Archive& archive) {

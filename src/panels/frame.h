@@ -7,6 +7,7 @@
 
 #include "panels/layout.h"
 #include "panels/panel.h"
+#include "panels/recording.h"
 #include "scene/time/captions.h"
 
 namespace carom {
@@ -36,6 +37,12 @@ class PanelSet {
     /// First pass, every frame in order. Cards show nothing of the gas: panels do not see them.
     void survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
     void fix_axes();
+
+    /// The first pass over a whole run, from a simulation at time 0; `see` sees each frame after
+    /// the panels. Errors have their places in the scene file. At most `most` bytes are kept.
+    /// Throws SceneError, Interrupted.
+    Recording record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
+                     std::size_t most = Recording::most_bytes);
 
     /// Writes or reads what the first pass has fixed.
     void archive(Archive& archive);

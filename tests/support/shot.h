@@ -29,12 +29,8 @@ struct Shot {
         const Particles particles = start.particles();
         const Sample sample_at_start = start.sample();
         PanelSet first(scene, particles, sample_at_start);
-        const std::vector<Tick> ticks = timeline(scene);
-        const Recording run(
-            start, ticks, {first.wants_collisions(), first.return_times(ticks)},
-            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                first.survey(tick, sample, advanced);
-            });
+        const Recording run = first.record(start, timeline(scene),
+                                           [](const Tick&, const Sample&, const AdvanceResult&) {});
         first.fix_axes();
         Archive written;
         first.archive(written);

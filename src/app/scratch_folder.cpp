@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "util/diagnostics.h"
 
@@ -30,7 +31,11 @@ ScratchFolder::ScratchFolder() {
     path_ = name;
 }
 
-ScratchFolder::~ScratchFolder() {
+ScratchFolder::ScratchFolder(fs::path path) : path_(std::move(path)) { clear(); }
+
+ScratchFolder::~ScratchFolder() { clear(); }
+
+void ScratchFolder::clear() const {
     std::error_code error;
     fs::remove_all(path_, error);
 }

@@ -1,4 +1,4 @@
-// A folder for what is on its way to a stream; gone with the program, however that ends but by a
+// A folder for what is not where it belongs yet; gone with the program, however that ends but by a
 // kill.
 #pragma once
 
@@ -10,6 +10,8 @@ class ScratchFolder {
   public:
     /// In $TMPDIR or /tmp. Throws SystemError.
     ScratchFolder();
+    /// At `path`, in place of what an earlier one left there; to be made by what writes into it.
+    explicit ScratchFolder(std::filesystem::path path);
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
@@ -17,6 +19,8 @@ class ScratchFolder {
     const std::filesystem::path& path() const { return path_; }
 
   private:
+    void clear() const;
+
     std::filesystem::path path_;
 };
 

@@ -6,13 +6,11 @@
 #include <set>
 
 #include "app/command.h"
-#include "app/figures/figure_pages.h"
 #include "app/figures/figure_set.h"
 #include "app/figures/set_loading.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "media/formats.h"
-#include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -36,24 +34,9 @@ fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
     return arguments.scenes.size() > 1 ? output / scene_stem(name) : output;
 }
 
-FigureSet set_of_scene(const FiguresArguments& arguments, const std::string& name) {
-    SetPart part = part_of_scene(name, overrides_of(arguments));
-    FigureSet set{.of = name == standard_input ? "stdin" : fs::path(name).filename().string(),
-                  .stem = scene_stem(name),
-                  .folder = folder_of(arguments, name),
-                  .title = part.scene.title,
-                  .description = part.scene.description,
-                  .parts = {},
-                  .formats = in_order(arguments.formats),
-                  .pages = pages_of(arguments.pages)};
-    set.parts.push_back(std::move(part));
-    return set;
-}
-
 // What is said on the command line wins over the file.
 FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
-    if (name == standard_input || !is_figure_set(name)) return set_of_scene(arguments, name);
-    FigureSet set = set_of_file(name, overrides_of(arguments), arguments.formats, arguments.pages);
+    FigureSet set = load_set(name, overrides_of(arguments), arguments.formats, arguments.pages);
     set.folder = folder_of(arguments, name);
     return set;
 }
@@ -82,7 +65,7 @@ void refuse_same_folders(const FiguresArguments& arguments) {
                             folder.string()));
 }
 
-void tell(const FigureSet& set, const SetReport& report) {
+void print_report(const FigureSet& set, const SetReport& report) {
     if (report.films > 0)
         fmt::print("{}: {} rendered\n", set.folder.string(), counted(report.films, "film"));
     if (report.made == 0)
@@ -94,7 +77,7 @@ void tell(const FigureSet& set, const SetReport& report) {
 
 void warn(const FigureSet& set, const SetReport& report) {
     if (!report.replaced.empty())
-        say(fmt::format("carom: {}: replaced {}, which carom had not written so\n",
+        say(fmt::format("carom: {}: replaced {}, not written by carom or changed since\n",
                         set.folder.string(), listed(report.replaced)));
     for (const auto& [page, letters] : report.unset)
         say(
@@ -103,7 +86,7 @@ void warn(const FigureSet& set, const SetReport& report) {
                         (set.folder / page).string(), fmt::join(letters, " "),
                         letters.size() == 1 ? "it" : "them"));
     if (!report.gone.empty())
-        say(fmt::format("carom: {}: {} of figures that are no longer there; left as {}\n",
+        say(fmt::format("carom: {}: {} of figures that no longer exist; left as {}\n",
                         set.folder.string(), listed(report.gone),
                         report.gone.size() == 1 ? "it is" : "they are"));
 }
@@ -119,7 +102,7 @@ void make_all(const FiguresArguments& arguments) {
         for (const FigureSet& set : sets) {
             const SetReport report = make_figures(set, options);
             warn(set, report);
-            if (!arguments.quiet) tell(set, report);
+            if (!arguments.quiet) print_report(set, report);
         }
     } catch (const Interrupted&) {
         throw Interrupted("figures that were finished stay, and are not made again");
@@ -132,31 +115,28 @@ Command figures_command() {
     const auto arguments = std::make_shared<FiguresArguments>();
     FiguresArguments& its = *arguments;
     return {
-        "figures", "draw the figures of scenes and sets",
+        "figures", "draw the figures of scenes and figure sets",
         joined<Option>(
             {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
                &its.scenes},
               {"-o,--output",
-               "a folder, of several scenes one with a folder for each; out/SCENE if not given",
+               "output folder, for several scenes with a subfolder for each; default: out/SCENE",
                &its.output},
               {"--formats",
-               fmt::format("{}, with commas between them", fmt::join(figure_formats(), ", ")),
+               fmt::format("{}; several separated by commas", fmt::join(figure_formats(), ", ")),
                CommaSeparated{&its.formats}, figure_formats()},
-              {"--only", "names of figures, with commas between them",
+              {"--only", "only the figures with these names, separated by commas",
                CommaSeparated{&its.options.only}},
-              {"--force", "make all again, and replace files that carom did not write",
+              {"--force", "draw all again, and replace files that carom did not write",
                &its.options.force},
               {"--page",
-               "a page that shows them: markdown, html, latex, or a template of your own "
-               "(.md, .html, .tex); several with commas between them",
+               "write a page that shows them: markdown, html, latex, or a template of your own "
+               "(.md, .html, .tex); several separated by commas",
                CommaSeparated{&its.pages}},
-              {"--films", "render the films of the scenes, too, which pages then show",
+              {"--films", "also render the films of the scenes, which pages then show",
                &its.options.films}},
              scene_options(its),
-             {{"--threads",
-               "cores to use, for films and for runs side by side; the result is the same for "
-               "any number",
-               &its.threads}}}),
+             {{"--threads", "cores to use; the result is the same for any number", &its.threads}}}),
         [arguments] { make_all(*arguments); }};
 }
 

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
-#include "app/figures/figures_json.h"
+#include "app/json.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
@@ -21,8 +22,43 @@ bool is_there(const fs::path& path) {
     return fs::exists(fs::symlink_status(path, error));
 }
 
-std::string_view text_of(std::span<const std::uint8_t> bytes) {
+std::string_view as_text(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string manifest_json(const Manifest& manifest) {
+    Json files = Json::object(), figures = Json::object();
+    for (const auto& [name, file] : manifest.files) {
+        files[name] = {{"figure", file.figure}, {"inputs", file.inputs}, {"content", file.content}};
+        if (!file.coming.empty()) files[name]["coming"] = file.coming;
+    }
+    for (const auto& [name, words] : manifest.figures)
+        figures[name] = {{"inputs", words.inputs}, {"caption", words.caption}, {"alt", words.alt}};
+    return text_of({{"about", "what carom wrote into this folder, and from what; keep it here"},
+                    {"of", manifest.of},
+                    {"figures", std::move(figures)},
+                    {"files", std::move(files)}},
+                   2) +
+           "\n";
+}
+
+// Nothing if it is no such text.
+std::optional<Manifest> read_manifest(std::string_view text) {
+    try {
+        const Json json = Json::parse(text);
+        Manifest manifest{json.at("of").get<std::string>(), {}, {}};
+        for (const auto& [name, file] : json.at("files").items())
+            manifest.files[name] = {
+                file.at("figure").get<std::string>(), file.at("inputs").get<std::string>(),
+                file.at("content").get<std::string>(), file.value("coming", "")};
+        for (const auto& [name, words] : json.at("figures").items())
+            manifest.figures[name] = {words.at("inputs").get<std::string>(),
+                                      words.at("caption").get<std::string>(),
+                                      words.at("alt").get<std::string>()};
+        return manifest;
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -35,8 +71,8 @@ FigureFolder::FigureFolder(fs::path path, std::string of) : path_(std::move(path
     auto known = read_manifest(saved_);
     if (!known)
         throw UsageError(
-            fmt::format("{}: this is not the list that carom keeps of a folder's figures; choose "
-                        "another folder, or move it away",
+            fmt::format("{}: this file is not the list that carom keeps of the figures in a "
+                        "folder; choose another folder, or move the file away",
                         file.string()));
     if (known->of != of)
         throw UsageError(
@@ -75,7 +111,7 @@ void FigureFolder::write(std::span<const NewFile> files) {
     std::vector<std::string> contents;
     bool any = false;
     for (const NewFile& one : files) {
-        contents.push_back(fingerprint(text_of(one.bytes)));
+        contents.push_back(fingerprint(as_text(one.bytes)));
         if (fingerprint_of_file(path_ / one.file) == contents.back()) continue;
         announce(one.file, one.figure, contents.back());
         any = true;

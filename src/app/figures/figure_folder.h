@@ -49,7 +49,6 @@ class FigureFolder {
     /// the figures of another scene or set, or a figures.json that is not carom's.
     FigureFolder(std::filesystem::path path, std::string of);
 
-    const std::filesystem::path& path() const { return path_; }
     const Manifest& manifest() const { return manifest_; }
 
     /// Whether a file was made from these inputs and is what it was then.
@@ -59,7 +58,7 @@ class FigureFolder {
     std::vector<std::string> foreign(std::span<const std::string> files) const;
 
     /// Writes files, each whole or not at all, unless these very bytes are there. figures.json
-    /// tells first what they will be: wherever the work is cut off, the folder knows its files.
+    /// says first what they will be: wherever the work is cut off, the folder knows its files.
     void write(std::span<const NewFile> files);
 
     /// Moves a file of `from` that others have written into the folder, in the same way.

@@ -7,7 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/json.h"
 #include "app/resources.h"
+#include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/base64.h"
 #include "media/formats.h"
@@ -27,15 +29,19 @@ constexpr std::int64_t most_picture_bytes = 256 << 20;
 const std::array<std::pair<std::string, PageKind>, 3> kinds{
     {{".md", PageKind::markdown}, {".html", PageKind::html}, {".tex", PageKind::latex}}};
 
-std::string file_of(const SetFigure& figure, const std::string& format) {
-    const std::string name = figure.name + "." + format;
-    return std::ranges::find(figure.files, name) != figure.files.end() ? name : "";
+using Files = std::span<const std::string>;
+
+// Of the files of one figure; empty if there is none.
+std::string file_of(Files files, const std::string& format) {
+    const auto found = std::ranges::find_if(
+        files, [&](const std::string& file) { return file.ends_with("." + format); });
+    return found == files.end() ? "" : *found;
 }
 
 // What a page of this kind shows: vectors where it can.
-std::string picture_of(const SetFigure& figure, PageKind kind) {
-    const std::string vectors = file_of(figure, kind == PageKind::latex ? "pdf" : "svg");
-    return vectors.empty() ? file_of(figure, "png") : vectors;
+std::string picture_of(Files files, PageKind kind) {
+    const std::string vectors = file_of(files, kind == PageKind::latex ? "pdf" : "svg");
+    return vectors.empty() ? file_of(files, "png") : vectors;
 }
 
 std::string inlined(const fs::path& picture) {
@@ -44,10 +50,11 @@ std::string inlined(const fs::path& picture) {
 }
 
 PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, PageKind kind) {
-    require_picture(set, figure, kind);
-    const std::string picture = picture_of(figure, kind);
+    require_picture(set, *figure.spec, figure.files, kind);
+    const std::string picture = picture_of(figure.files, kind);
+    const auto [width, height] = figure_size(figure.part->scene, *figure.spec);
     PageFields fields;
-    fields.words = {{"name", figure.name},
+    fields.words = {{"name", figure.spec->name},
                     {"number", std::to_string(number)},
                     {"caption", figure.caption},
                     {"alt", figure.alt},
@@ -56,11 +63,11 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"title", figure.part->title},
                     {"scene", as_utf8(figure.part->stem)},
                     {"seed", std::to_string(figure.part->scene.seed)},
-                    {"width", fmt::format("{:g}", figure.size[0])},
-                    {"height", fmt::format("{:g}", figure.size[1])}};
-    fields.files = {{"picture", picture}, {"csv", file_of(figure, "csv")}};
+                    {"width", fmt::format("{:g}", width)},
+                    {"height", fmt::format("{:g}", height)}};
+    fields.files = {{"picture", picture}, {"csv", file_of(figure.files, "csv")}};
     for (const std::string& format : figure_formats())
-        fields.files[format] = file_of(figure, format);
+        fields.files[format] = file_of(figure.files, format);
     if (kind == PageKind::html) fields.files["inline"] = inlined(set.folder / picture);
     return fields;
 }
@@ -86,14 +93,36 @@ Source template_file(const fs::path& path) {
     return source;
 }
 
+Json figure_json(const SetFigure& figure) {
+    const Scene& scene = figure.part->scene;
+    const FigureSpec& spec = *figure.spec;
+    Json json{{"name", spec.name},          {"kind", spec.panel.kind},
+              {"caption", figure.caption},  {"alt", figure.alt},
+              {"scene", figure.part->stem}, {"scene_title", scene.title},
+              {"seed", scene.seed},         {"overrides", scene.source.overrides},
+              {"times", spec.times}};
+    if (spec.panel.over && spec.panel.over->since == Over::Since::window)
+        json["over"] = {spec.times.back() - spec.panel.over->window, spec.times.back()};
+    for (const ComparedRun& run : spec.compare)
+        json["runs"].push_back(
+            {{"label", run.label},
+             {"scene", std::filesystem::path(run.scene->source.path).stem().string()},
+             {"scene_title", run.scene->title},
+             {"seed", run.scene->seed},
+             {"overrides", run.scene->source.overrides},
+             {"times", run.scene->figures.front().times}});
+    json["size_cm"] = figure_size(scene, spec);
+    json["files"] = figure.files;
+    return json;
+}
+
 }  // namespace
 
-void require_picture(const FigureSet& set, const SetFigure& figure, PageKind kind) {
-    if (picture_of(figure, kind).empty())
+void require_picture(const FigureSet& set, const FigureSpec& figure, Files files, PageKind kind) {
+    if (picture_of(files, kind).empty())
         throw UsageError(fmt::format(
-            "{}: this page shows figures as {}, and there is no such file of `{}`; ask for more "
-            "--formats",
-            set.of, kind == PageKind::latex ? "pdf or png" : "svg or png", figure.name));
+            "{}: this page needs figures as {}, and `{}` has neither; add one to --formats", set.of,
+            kind == PageKind::latex ? "pdf or png" : "svg or png", figure.name));
 }
 
 PageTemplate page_template(const std::string& asked) {
@@ -140,6 +169,13 @@ std::string page_text(const FigureSet& set, const PageTemplate& page,
     }
     all.lists["sections"] = std::move(sections);
     return filled_page(page.source, page.kind, all);
+}
+
+std::string captions_json(const std::string& title, std::span<const SetFigure> figures) {
+    Json list = Json::array();
+    for (const SetFigure& figure : figures) list.push_back(figure_json(figure));
+    return text_of({{"carom", CAROM_VERSION}, {"title", title}, {"figures", std::move(list)}}, 2) +
+           "\n";
 }
 
 }  // namespace carom

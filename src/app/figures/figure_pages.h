@@ -1,4 +1,5 @@
-// The pages of a folder of figures: where their templates are, and what stands in them.
+// The pages of a folder of figures: where their templates are, and what stands in them; and the
+// same for programs.
 #pragma once
 
 #include <filesystem>
@@ -18,11 +19,15 @@ inline const std::vector<std::string> page_templates = {"markdown", "html", "lat
 /// .html or .tex. Throws UsageError, SystemError.
 PageTemplate page_template(const std::string& asked);
 
-/// Throws UsageError if there is no picture of `figure` that a page of this kind can show.
-void require_picture(const FigureSet& set, const SetFigure& figure, PageKind kind);
+/// Throws UsageError if none of the files of a figure is a picture that a page of this kind shows.
+void require_picture(const FigureSet& set, const FigureSpec& figure,
+                     std::span<const std::string> files, PageKind kind);
 
 /// The page of a folder that holds `figures` and films.
 std::string page_text(const FigureSet& set, const PageTemplate& page,
                       std::span<const SetFigure> figures, std::span<const SetFilm> films);
+
+/// captions.json: UTF-8, ends in a newline.
+std::string captions_json(const std::string& title, std::span<const SetFigure> figures);
 
 }  // namespace carom

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "app/figures/figure_pages.h"
-#include "app/figures/figures_json.h"
 #include "app/film/render.h"
+#include "app/scratch_folder.h"
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
@@ -23,18 +23,12 @@ namespace {
 
 const std::string captions_name = "captions.json";
 
-/// One file of a figure, and what it is made from.
-struct PlannedFile {
-    std::string file, format, inputs;
-    bool current = false;  ///< there is nothing to do
-};
-
 struct PlannedFigure {
     const SetPart* part;
     const FigureSpec* spec;
-    std::string inputs;  ///< of all its files
-    std::vector<PlannedFile> files;
-    bool chosen = true;
+    std::string inputs;                 ///< what its files are made from
+    bool chosen;                        ///< to be drawn, where it is not there yet
+    std::vector<std::string> due = {};  ///< its files that are to be made
 };
 
 // Texts that are put together keep their borders.
@@ -63,8 +57,8 @@ std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
 
 std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
                                    const FigureWords& words, const std::string& origin,
-                                   const std::string& format) {
-    const OutputFormat& its = output_format(format);
+                                   const std::filesystem::path& file) {
+    const OutputFormat& its = output_format(file.extension().string().substr(1));
     if (its.stills)
         return draw_figure(run, figure, its.vector, {run.scene().title, words.alt, origin}).file();
     const std::string text = csv(table_of(figure));
@@ -87,31 +81,14 @@ std::map<std::string, std::string> film_files(const SetPart& part) {
     return files;
 }
 
-// Where a film is made that is not part of the figures' folder yet.
-struct HiddenFolder {
-    std::filesystem::path path;
-
-    explicit HiddenFolder(std::filesystem::path where) : path(std::move(where)) { clear(); }
-    ~HiddenFolder() { clear(); }
-    HiddenFolder(const HiddenFolder&) = delete;
-    HiddenFolder& operator=(const HiddenFolder&) = delete;
-
-    void clear() const {
-        std::error_code error;
-        std::filesystem::remove_all(path, error);
-    }
-};
-
 void refuse_unknown(const FigureSet& set, const std::vector<std::string>& only) {
     std::vector<std::string> names;
     for (const SetPart& part : set.parts)
         names.insert(names.end(), part.figures.begin(), part.figures.end());
     for (const std::string& name : only) {
         if (std::ranges::find(names, name) != names.end()) continue;
-        const auto near = nearest_spelling(name, names);
-        throw UsageError(fmt::format(
-            "--only {}: {} has no figure of this name; {}", name, set.of,
-            near ? fmt::format("did you mean `{}`?", *near) : "it has " + listed(names)));
+        throw UsageError(fmt::format("--only {}: {} has no figure of this name; {}", name, set.of,
+                                     spelling_hint(name, names, "it has " + listed(names))));
     }
 }
 
@@ -142,32 +119,35 @@ class Maker {
 
   private:
     void plan(const SetPart& part, const FigureSpec& spec) {
-        PlannedFigure figure{&part, &spec, inputs_of(part.scene, spec), {}};
         const auto& only = options_.only;
-        figure.chosen = only.empty() || std::ranges::find(only, spec.name) != only.end();
+        PlannedFigure figure{&part, &spec, inputs_of(part.scene, spec),
+                             only.empty() || std::ranges::find(only, spec.name) != only.end()};
         for (const std::string& format : set_.formats) {
             if (format == "csv" && spec.panel.kind == "text") continue;  // words are no numbers
-            const std::string file = spec.name + "." + format;
-            const bool current = !options_.force && folder_.is_current(file, figure.inputs);
-            figure.files.push_back({file, format, figure.inputs, current});
+            std::string file = spec.name + "." + format;
+            if (options_.force || !folder_.is_current(file, figure.inputs))
+                figure.due.push_back(std::move(file));
         }
         figures_.push_back(std::move(figure));
     }
 
-    // Whether anything of it is to be made.
-    bool is_due(const PlannedFigure& figure) const {
+    // What its caption was when it was made from what it is now; null: it was not.
+    const WrittenWords* words_there(const PlannedFigure& figure) const {
         const auto words = folder_.manifest().figures.find(figure.spec->name);
         const bool known =
             words != folder_.manifest().figures.end() && words->second.inputs == figure.inputs;
-        return figure.chosen &&
-               (!known || !std::ranges::all_of(figure.files, &PlannedFile::current));
+        return known ? &words->second : nullptr;
+    }
+
+    // Whether anything of it is to be made.
+    bool is_due(const PlannedFigure& figure) const {
+        return figure.chosen && !(figure.due.empty() && words_there(figure));
     }
 
     void refuse_foreign() {
         std::vector<std::string> files;
         for (const PlannedFigure& figure : figures_)
-            for (const PlannedFile& planned : figure.files)
-                if (figure.chosen && !planned.current) files.push_back(planned.file);
+            if (figure.chosen) files.insert(files.end(), figure.due.begin(), figure.due.end());
         files.push_back(captions_name);
         for (const PageTemplate& page : set_.pages) files.push_back(set_.stem + page.ending);
         for (const SetPart& part : set_.parts)
@@ -188,12 +168,10 @@ class Maker {
     void refuse_page(const PageTemplate& page) const {
         page_text(set_, page, {}, {});
         for (const PlannedFigure& planned : figures_) {
-            SetFigure figure;
-            figure.name = planned.spec->name;
-            figure.files = files_there(planned);
-            if (planned.chosen)
-                for (const PlannedFile& made : planned.files) figure.files.push_back(made.file);
-            if (planned.chosen || !figure.files.empty()) require_picture(set_, figure, page.kind);
+            std::vector<std::string> files = files_there(planned);
+            if (planned.chosen) files.insert(files.end(), planned.due.begin(), planned.due.end());
+            if (planned.chosen || !files.empty())
+                require_picture(set_, *planned.spec, files, page.kind);
         }
     }
 
@@ -247,31 +225,19 @@ class Maker {
         const Figure& figure = *std::ranges::find_if(
             run.figures(), [&](const Figure& one) { return one.spec->name == name; });
         const FigureWords words = words_of(run, figure);
-        for (const PlannedFile& file : planned.files)
-            if (!file.current)
-                files.push_back({file.file,
-                                 bytes_of(run, figure, words, origin_of(planned), file.format),
-                                 name, file.inputs});
+        for (const std::string& file : planned.due)
+            files.push_back({file, bytes_of(run, figure, words, origin_of(planned), file), name,
+                             planned.inputs});
         folder_.remember(name, {planned.inputs, words.caption, words.alt});
     }
 
     // The figures that are there as the scenes have them now.
     std::vector<SetFigure> present() const {
         std::vector<SetFigure> all;
-        for (const PlannedFigure& planned : figures_) {
-            const std::string& name = planned.spec->name;
-            const auto words = folder_.manifest().figures.find(name);
-            if (words == folder_.manifest().figures.end() || words->second.inputs != planned.inputs)
-                continue;
-            SetFigure figure{name,
-                             words->second.caption,
-                             words->second.alt,
-                             planned.part,
-                             planned.spec,
-                             figure_size(planned.part->scene, *planned.spec),
-                             files_there(planned)};
-            all.push_back(std::move(figure));
-        }
+        for (const PlannedFigure& planned : figures_)
+            if (const WrittenWords* words = words_there(planned))
+                all.push_back(
+                    {planned.part, planned.spec, words->caption, words->alt, files_there(planned)});
         return all;
     }
 
@@ -286,16 +252,16 @@ class Maker {
         if (!options_.films || part.compares || (is_current_film(part) && !options_.force)) return;
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const HiddenFolder hidden(set_.folder / ".film");
+        const ScratchFolder hidden(set_.folder / ".film");
         const FilmOptions options{
-            .output = hidden.path / files.at("film"), .threads = options_.threads, .text = true};
+            .output = hidden.path() / files.at("film"), .threads = options_.threads, .text = true};
         const FilmPlan plan = prepare(part.scene, options, progress);
         render(plan, options, progress);
         Canvas poster =
             draw_still(plan, poster_at * part.scene.run.until, output_format("png"), progress);
-        write_file(hidden.path / files.at("poster"), poster.file());
+        write_file(hidden.path() / files.at("poster"), poster.file());
         for (const auto& [what, file] : files)
-            folder_.take_in(hidden.path, file, "", inputs_of(part.scene, film_));
+            folder_.take_in(hidden.path(), file, "", inputs_of(part.scene, film_));
         ++report_.films;
     }
 
@@ -361,8 +327,8 @@ void refuse_same_names(const FigureSet& set) {
     for (const SetPart& part : set.parts)
         if (!part.compares && !stems.insert(part.stem).second)
             throw UsageError(
-                fmt::format("{}: two of its scenes are called {}, and so would be "
-                            "their films; list it once, or copy it to another name",
+                fmt::format("{}: two of its scenes are called {}, and their films would be too; "
+                            "list the scene once, or copy it to another name",
                             set.of, part.stem));
     std::set<std::string> endings;
     for (const PageTemplate& page : set.pages)

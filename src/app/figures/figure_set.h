@@ -1,7 +1,6 @@
 // The figures that share a folder: those of one scene, or of several.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -33,12 +32,12 @@ struct PageTemplate {
 struct FigureSet {
     std::string of;    ///< how the folder calls it: the name of its file
     std::string stem;  ///< of the files of its pages
-    std::filesystem::path folder;
-    std::string title;
-    std::string description;  ///< may be empty
-    std::vector<SetPart> parts;
-    std::vector<std::string> formats;  ///< endings of files, as in figure_formats
-    std::vector<PageTemplate> pages;
+    std::filesystem::path folder = {};
+    std::string title = {};
+    std::string description = {};  ///< may be empty
+    std::vector<SetPart> parts = {};
+    std::vector<std::string> formats = {};  ///< endings of files, as in figure_formats
+    std::vector<PageTemplate> pages = {};
 };
 
 struct SetOptions {
@@ -51,16 +50,15 @@ struct SetOptions {
 
 /// A figure that is in the folder, with what is said of it.
 struct SetFigure {
-    std::string name, caption, alt;
-    const SetPart* part = nullptr;
-    const FigureSpec* spec = nullptr;
-    std::array<double, 2> size = {};  ///< centimetres
-    std::vector<std::string> files;   ///< that show it, in the order of figure_formats
+    const SetPart* part;
+    const FigureSpec* spec;
+    std::string caption, alt;
+    std::vector<std::string> files;  ///< that show it, in the order of figure_formats
 };
 
 /// A film that is in the folder, as its scene has it now.
 struct SetFilm {
-    const SetPart* part = nullptr;
+    const SetPart* part;
     std::map<std::string, std::string> files;  ///< by what they are: film, poster, captions, …
 };
 

@@ -11,6 +11,7 @@
 #include "app/resources.h"
 #include "media/formats.h"
 #include "panels/registry.h"
+#include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -29,6 +30,7 @@ std::vector<std::string> figure_names(const Scene& scene) {
     throw SceneError({std::move(place)});
 }
 
+// Of a scene that no file lists, errors are those of the command line.
 SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
     SetPart part;
     const std::filesystem::path& path = listed_scene.path;
@@ -38,14 +40,14 @@ SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
     part.title = listed_scene.title.value_or(part.scene.title);
     part.description = listed_scene.description.value_or(part.scene.description);
     const std::vector<std::string> names = figure_names(part.scene);
+    if (names.empty() && listed_scene.place.span.file.empty())
+        throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
     if (names.empty())
         fail(listed_scene.place, fmt::format("the scene {} lists no figures", path.string()), "");
     for (const auto& [name, place] : listed_scene.figures) {
-        const auto near = nearest_spelling(name, names);
         if (std::ranges::find(names, name) == names.end())
             fail(place, fmt::format("{} has no figure `{}`", path.string(), name),
-                 near ? fmt::format("did you mean `{}`?", *near)
-                      : "its figures: " + listed(names, "and", "`"));
+                 spelling_hint(name, names, "its figures: " + listed(names, "and", "`")));
         part.figures.push_back(name);
     }
     if (part.figures.empty()) part.figures = names;
@@ -72,7 +74,7 @@ SetPart part_of(const std::string& path, const SetFile& set, const SetComparison
                 const Overrides& overrides) {
     std::vector<ComparedRun> runs =
         all_made(comparison.runs, [&](const SetRun& run) { return run_of(run, overrides); });
-    for (ComparedRun& run : runs) {  // its mistakes are mostly those of all: told once
+    for (ComparedRun& run : runs) {  // its mistakes are mostly those of all: reported once
         Scene scene = *run.scene;
         scene.figures = {figure_of(comparison, scene, panel_kinds())};
         run.scene = std::make_shared<Scene>(std::move(scene));
@@ -116,20 +118,7 @@ std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
     return parts;
 }
 
-}  // namespace
-
-SetPart part_of_scene(const std::string& path, const Overrides& overrides) {
-    SetPart part;
-    part.scene = load_scene(path, scene_resources(), overrides);
-    part.stem = scene_stem(path);
-    require_letters(part.scene);
-    if (part.scene.figures.empty())
-        throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
-    part.title = part.scene.title;
-    part.figures = figure_names(part.scene);
-    return part;
-}
-
+// Those of figure_formats that are asked for, in their order; none: all.
 std::vector<std::string> in_order(const std::vector<std::string>& formats) {
     std::vector<std::string> all;
     for (const std::string& format : figure_formats())
@@ -144,19 +133,26 @@ std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
     return pages;
 }
 
-FigureSet set_of_file(const std::string& path, const Overrides& overrides,
-                      const std::vector<std::string>& formats,
-                      const std::vector<std::string>& pages) {
-    const SetFile file = load_figure_set(path, panel_kinds());
-    FigureSet set{.of = std::filesystem::path(path).filename().string(),
-                  .stem = scene_stem(path),
-                  .folder = {},
-                  .title = file.title,
-                  .description = file.description,
-                  .parts = {},
-                  .formats = in_order(formats.empty() ? file.formats : formats),
-                  .pages = pages_of(pages.empty() ? file.templates : pages)};
-    set.parts = parts_of_set(path, file, overrides);
+}  // namespace
+
+FigureSet load_set(const std::string& path, const Overrides& overrides,
+                   const std::vector<std::string>& formats, const std::vector<std::string>& pages) {
+    const bool is_stream = path == standard_input;
+    FigureSet set{.of = is_stream ? "stdin" : std::filesystem::path(path).filename().string(),
+                  .stem = scene_stem(path)};
+    SetFile file;
+    if (is_stream || !is_figure_set(path)) {
+        SetPart& part = set.parts.emplace_back(part_of({.path = path, .place = {}}, overrides));
+        set.title = part.scene.title;
+        set.description = part.scene.description;
+    } else {
+        file = load_figure_set(path, panel_kinds());
+        set.title = file.title;
+        set.description = file.description;
+    }
+    set.formats = in_order(formats.empty() ? file.formats : formats);
+    set.pages = pages_of(pages.empty() ? file.templates : pages);
+    if (set.parts.empty()) set.parts = parts_of_set(path, file, overrides);
     return set;
 }
 

@@ -26,9 +26,4 @@ Json json_of(const Facts& facts) {
     return object;
 }
 
-std::string text_of(const Json& json, std::optional<int> indent) {
-    constexpr bool ascii_only = false;
-    return json.dump(indent.value_or(-1), ' ', ascii_only, Json::error_handler_t::replace);
-}
-
 }  // namespace carom

@@ -2,14 +2,13 @@
 // people a label and words. A table and JSON are two ways to write one list of facts.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace carom {
+#include "app/json.h"
 
-using Json = nlohmann::ordered_json;
+namespace carom {
 
 struct Fact {
     std::string name;  ///< for programs; empty: for people only
@@ -27,8 +26,5 @@ std::string table_of(const Facts& facts, int label_width);
 
 /// Those for programs, as an object.
 Json json_of(const Facts& facts);
-
-/// JSON in UTF-8, also where a path has bytes that are none; without `indent` in one line.
-std::string text_of(const Json& json, std::optional<int> indent = {});
 
 }  // namespace carom

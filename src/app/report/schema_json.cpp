@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "app/json.h"
 #include "panels/registry.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"
@@ -13,8 +13,6 @@
 
 namespace carom {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json number(double value) {
     constexpr double exact = 9007199254740992.0;  // 2^53
@@ -203,13 +201,13 @@ std::string scene_schema_json() {
     Json schema =
         header("A scene of carom", "What is in the box, what happens to it, what the viewer sees.");
     schema.update(plane);
-    return schema.dump(1) + "\n";
+    return text_of(schema, 1) + "\n";
 }
 
 std::string set_schema_json() {
     Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
     schema.update(section_schema(set_table(panel_kinds(), {}).section()));
-    return schema.dump(1) + "\n";
+    return text_of(schema, 1) + "\n";
 }
 
 }  // namespace carom

@@ -51,7 +51,8 @@ const std::map<std::string, Parts> parts_of_module{
       {"archived.h", "chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
     {"app",
      {{"film", "figures", "report", "commands", "app"},
-      {"command.h", "output.h", "progress.h", "resources.h", "scratch_folder.h", "simulate.h"}}},
+      {"command.h", "json.h", "output.h", "progress.h", "resources.h", "scratch_folder.h",
+       "simulate.h", "stopwatch.h"}}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
@@ -80,8 +81,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("lib(av|sw).*"),
      {"media/libav.h", "media/video_film.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
     {std::regex("CLI/.*"), {"app/commands/command_line.cpp"}},
-    {std::regex("nlohmann/.*"),
-     {"app/report/facts.h", "app/report/schema_json.cpp", "app/figures/figures_json.cpp"}},
+    {std::regex("nlohmann/.*"), {"app/json.h"}},
     {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "figures/"}},
     {std::regex("unsupported/Eigen/.*"), {"stats/goodness.cpp"}},
     {std::regex("fmt/.*"),

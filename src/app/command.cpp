@@ -22,11 +22,6 @@ std::string as_yaml_size(const std::string& text) {
     return text;
 }
 
-bool names_folder(const std::string& output, bool several) {
-    std::error_code error;  // a name that cannot be looked at will be told when it is written
-    return several || output.ends_with('/') || fs::is_directory(output, error);
-}
-
 }  // namespace
 
 Option shortcut(SceneOptions& options, const std::string& flag, const std::string& key,
@@ -39,20 +34,21 @@ Option shortcut(SceneOptions& options, const std::string& flag, const std::strin
 
 std::vector<Option> scene_options(SceneOptions& options) {
     return {shortcut(options, "--seed", "seed", "another seed for every random choice"),
-            {"--set", "lay KEY.PATH=VALUE over the scene", &options.sets},
-            {"--quiet", "no progress and no report", &options.quiet}};
+            {"--set", "set a value of the scene: KEY.PATH=VALUE", &options.sets},
+            {"--quiet", "print no progress and no report", &options.quiet}};
 }
 
 std::vector<Option> work_options(SceneOptions& options) {
     return {{"--threads", "cores to use; the result is the same for any number", &options.threads},
-            {"--timings", "seconds for each stage", &options.timings}};
+            {"--timings", "print the time of each stage", &options.timings}};
 }
 
 std::vector<Option> picture_options(SceneOptions& options) {
     return {
-        shortcut(options, "--template", "film.template", "another layout"),
-        shortcut(options, "--theme", "film.theme", "light, dark or print"),
-        shortcut(options, "--ground", "film.ground", "theme, or none: transparent"),
+        shortcut(options, "--template", "film.template",
+                 "another layout: the name of a template, or a file"),
+        shortcut(options, "--theme", "film.theme", "colours: light, dark or print"),
+        shortcut(options, "--ground", "film.ground", "background: theme, or none for transparent"),
         shortcut(options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT"),
     };
 }
@@ -79,7 +75,7 @@ std::string scene_stem(const std::string& scene) {
 
 void refuse_second_standard_input(const std::vector<std::string>& scenes) {
     if (std::ranges::count(scenes, standard_input) > 1)
-        throw UsageError("- stands for one scene only: standard input can be read but once");
+        throw UsageError("only one scene can be - (standard input)");
 }
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
@@ -87,14 +83,26 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, error);
 }
 
+bool names_folder(const std::string& output) {
+    std::error_code error;  // one that cannot be looked at is refused when it is written
+    return output.ends_with('/') || fs::is_directory(output, error);
+}
+
+void refuse_other_format(const std::string& output, const std::string& format) {
+    const std::string extension = fs::path(output).extension().string();
+    if (!format.empty() && extension != "." + format)
+        throw UsageError(fmt::format("-o {}: the name ends in {}, but --format is {}", output,
+                                     extension, format));
+}
+
 fs::path output_path(const std::string& output, bool several, const std::string& scene,
                      const std::vector<std::string>& extensions) {
     const fs::path name = scene_stem(scene) + extensions.front();
     if (output.empty()) return "out" / name;
-    if (names_folder(output, several)) return output / name;
+    if (several || names_folder(output)) return output / name;
     fs::path path = output;
     if (is_same_file(path, scene))
-        throw UsageError(fmt::format("-o {}: this is the scene itself", output));
+        throw UsageError(fmt::format("-o {}: this would overwrite the scene", output));
     if (std::ranges::find(extensions, path.extension().string()) == extensions.end())
         throw UsageError(
             fmt::format("-o {}: the name must end in {}", output, listed(extensions, "or")));

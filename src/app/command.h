@@ -79,6 +79,12 @@ int threads_of(const SceneOptions& options);
 std::filesystem::path output_path(const std::string& output, bool several, const std::string& scene,
                                   const std::vector<std::string>& extensions);
 
+/// Whether an output is a folder: one that is there, or a name that ends in a slash.
+bool names_folder(const std::string& output);
+
+/// Throws UsageError when -o ends in another format than --format says; none is said if empty.
+void refuse_other_format(const std::string& output, const std::string& format);
+
 /// What the output of a scene is called without its extension: its file's name, or `stdin`.
 std::string scene_stem(const std::string& scene);
 

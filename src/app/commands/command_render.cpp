@@ -1,18 +1,20 @@
 // carom render: the films of scenes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "app/command.h"
 #include "app/film/film_path.h"
 #include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/output.h"
+#include "app/report/run.h"
 #include "app/resources.h"
 #include "app/scratch_folder.h"
+#include "media/formats.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -24,11 +26,8 @@ namespace fs = std::filesystem;
 
 struct RenderArguments : SceneOptions {
     std::vector<std::string> scenes;
-    std::string output;
-    std::string format;
-    std::string quality = "standard";
-    std::optional<double> from, to;
-    bool words = false;
+    FilmDestination destination;
+    FilmOptions film;  ///< without the path
 };
 
 Quality quality_of(const std::string& name) {
@@ -36,26 +35,25 @@ Quality quality_of(const std::string& name) {
     return name == "final" ? Quality::final_ : Quality::standard;
 }
 
-FilmDestination destination_of(const RenderArguments& arguments) {
-    return {arguments.output, arguments.format, arguments.scenes.size() > 1};
-}
-
-void refuse_same_outputs(const RenderArguments& arguments) {
-    std::set<fs::path> outputs;
-    for (const std::string& scene : arguments.scenes)
-        if (const fs::path path = film_path(destination_of(arguments), scene);
-            !outputs.insert(path).second)
+std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
+    std::vector<fs::path> outputs;
+    for (const std::string& scene : arguments.scenes) {
+        const fs::path path = film_path(arguments.destination, scene);
+        if (std::ranges::find(outputs, path) != outputs.end())
             throw UsageError(
                 fmt::format("two scenes would be written to {}; render them one by one with -o",
                             path.string()));
+        outputs.push_back(path);
+    }
+    return outputs;
 }
 
-void refuse_span(const RenderArguments& arguments, const Scene& scene) {
-    for (const auto& [flag, time] : {std::pair{"--from", arguments.from}, {"--to", arguments.to}})
+void refuse_span(const FilmOptions& film, const Scene& scene) {
+    for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}})
         if (time && !(*time >= 0.0 && *time <= scene.run.until))
             throw UsageError(
                 fmt::format("{} {}: the scene runs from 0 to {}", flag, *time, scene.run.until));
-    const double from = arguments.from.value_or(0.0), to = arguments.to.value_or(scene.run.until);
+    const double from = film.from.value_or(0.0), to = film.to.value_or(scene.run.until);
     if (!(from < to))
         throw UsageError(
             fmt::format("--from {} --to {}: expected an end after the start", from, to));
@@ -70,7 +68,7 @@ std::string upper_case(std::string text) {
 void refuse_format(const OutputFormat& format, const Scene& scene) {
     if (scene.film.transparent && !format.no_transparency.empty())
         throw UsageError(
-            fmt::format("the ground is none, and {}; write a .webm or a folder of frames (--format "
+            fmt::format("the ground is none, but {}; write a .webm or a folder of frames (--format "
                         "webm or png)",
                         format.no_transparency));
     const int most = format.most_frames_per_second;
@@ -86,7 +84,7 @@ std::string timings(const RenderReport& report) {
     const auto row = [&](const char* stage, double seconds, const std::string& rate) {
         text += fmt::format("  {:<10} {:>8.2f} s CPU   {}\n", stage, seconds, rate);
     };
-    const double events = static_cast<double>(report.collisions.particle + report.collisions.wall);
+    const auto events = static_cast<double>(events_of(report.collisions));
     const double frames = report.frames;
     row("simulate", report.simulate_seconds,
         fmt::format("{:.3g} events/s in {}: {}",
@@ -122,9 +120,10 @@ std::string warning(const OutputFormat& format, const RenderReport& report) {
         1e-6 * bytes, upper_case(format.name));
 }
 
-void tell(const RenderArguments& arguments, const Scene& scene, const RenderReport& report) {
+void print_report(const RenderArguments& arguments, const Scene& scene,
+                  const RenderReport& report) {
     if (arguments.quiet && !arguments.timings) return;
-    const bool streamed = Output::is_standard_output(arguments.output);
+    const bool streamed = Output::is_standard_output(arguments.destination.output);
     std::string text = fmt::format(
         "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
         streamed ? "standard output" : report.path.string(), counted(report.frames, "frame"),
@@ -136,51 +135,46 @@ void tell(const RenderArguments& arguments, const Scene& scene, const RenderRepo
     fmt::print("{}", text);
 }
 
-RenderReport render_to_stream(const Scene& scene, FilmOptions options, const OutputFormat& format,
-                              Progress& progress) {
+RenderReport render_to_stream(const Scene& scene, FilmOptions options, Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
-    options.output = folder.path() / ("film." + format.name);
+    options.output = folder.path() / options.output;
     const RenderReport report = render(scene, options, progress);
     stream.copy(options.output);
     return report;
 }
 
-void render_scene(const RenderArguments& arguments, const std::string& name, const Scene& scene) {
+void render_scene(const RenderArguments& arguments, const std::string& name, const Scene& scene,
+                  const fs::path& output) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
-    const FilmDestination destination = destination_of(arguments);
-    const fs::path path = film_path(destination, name);
-    const OutputFormat& format = film_format(destination, path);
-    const FilmOptions options{.output = path,
-                              .quality = quality_of(arguments.quality),
-                              .threads = threads_of(arguments),
-                              .text = arguments.words,
-                              .from = arguments.from,
-                              .to = arguments.to};
-    const RenderReport report = Output::is_standard_output(path.string())
-                                    ? render_to_stream(scene, options, format, progress)
+    FilmOptions options = arguments.film;
+    options.output = output;
+    options.threads = threads_of(arguments);
+    const RenderReport report = Output::is_standard_output(arguments.destination.output)
+                                    ? render_to_stream(scene, options, progress)
                                     : render(scene, options, progress);
-    tell(arguments, scene, report);
-    if (!arguments.quiet) say(warning(format, report));
+    print_report(arguments, scene, report);
+    if (!arguments.quiet) say(warning(format_of_film(output), report));
 }
 
-void render_scenes(const RenderArguments& arguments) {
+void render_scenes(RenderArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
-    refuse_same_outputs(arguments);
-    if (arguments.words && Output::is_standard_output(arguments.output))
-        throw UsageError("--words: a film on standard output has no place beside it; name a file");
+    arguments.destination.several = arguments.scenes.size() > 1;
+    const std::vector<fs::path> outputs = outputs_of(arguments);
+    if (arguments.film.text && Output::is_standard_output(arguments.destination.output))
+        throw UsageError(
+            "--words: these files go beside the film, which has no file here; name one with -o");
     const std::vector<Scene> scenes = load_all(arguments);
-    const FilmDestination destination = destination_of(arguments);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         require_letters(scenes[i]);
-        refuse_span(arguments, scenes[i]);
-        refuse_format(film_format(destination, film_path(destination, arguments.scenes[i])),
-                      scenes[i]);
+        refuse_span(arguments.film, scenes[i]);
+        refuse_format(format_of_film(outputs[i]), scenes[i]);
     }
     std::size_t rendered = 0;
     try {
         for (; rendered < scenes.size(); ++rendered)
-            render_scene(arguments, arguments.scenes[rendered], scenes[rendered]);
+            render_scene(arguments, arguments.scenes[rendered], scenes[rendered],
+                         outputs[rendered]);
     } catch (const Interrupted&) {
         if (rendered == 0) throw;
         throw Interrupted(fmt::format("{} of {} films {} written", rendered, scenes.size(),
@@ -198,23 +192,23 @@ Command render_command() {
                 {{{"scenes", "scene files; - for standard input", &its.scenes},
                   {"-o,--output",
                    "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
-                   "it, or a new folder with a slash for its frames as PNG (frames/); "
-                   "out/SCENE.mp4 if not given",
-                   &its.output},
-                  {"--format", "mp4, webm, gif, or png for frames", &its.format, film_formats()},
-                  {"--from", "simulated time at which the film begins", &its.from},
-                  {"--to", "simulated time at which it ends", &its.to},
+                   "it, or a new folder with a slash for its frames as PNG (frames/); default: "
+                   "out/SCENE.mp4",
+                   &its.destination.output},
+                  {"--format", "mp4, webm, gif, or png for single frames", &its.destination.format,
+                   film_formats()},
+                  {"--from", "simulated time at which the film begins", &its.film.from},
+                  {"--to", "simulated time at which the film ends", &its.film.to},
                   {"--words",
-                   "beside the film its captions, chapters and descriptions (.vtt) and a "
-                   "transcript (.txt)",
-                   &its.words}},
+                   "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
+                   &its.film.text}},
                  scene_options(its),
                  picture_options(its),
-                 {shortcut(its, "--fps", "film.fps", "frames a second"),
+                 {shortcut(its, "--fps", "film.fps", "frames per second"),
                   shortcut(its, "--seconds", "film.seconds", "length of the film"),
                   {"--quality",
                    "draft, standard or final",
-                   &its.quality,
+                   [&its](const std::string& name) { its.film.quality = quality_of(name); },
                    {"draft", "standard", "final"}}},
                  work_options(its)}),
             [arguments] { render_scenes(*arguments); }};

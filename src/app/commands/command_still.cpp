@@ -32,9 +32,7 @@ std::filesystem::path still_path(const StillArguments& arguments) {
     std::ranges::rotate(extensions,
                         std::ranges::find(extensions, "." + (format.empty() ? "png" : format)));
     const std::filesystem::path path = output_path(output, false, arguments.scene, extensions);
-    if (!format.empty() && path.extension() != "." + format)
-        throw UsageError(fmt::format("-o {}: the name ends in {}, and --format asks for {}", output,
-                                     path.extension().string(), format));
+    if (!output.empty() && !names_folder(output)) refuse_other_format(output, format);
     return path;
 }
 
@@ -61,12 +59,12 @@ void make_still(const StillArguments& arguments) {
 Command still_command() {
     const auto arguments = std::make_shared<StillArguments>();
     StillArguments& its = *arguments;
-    return {"still", "draw one frame of a film as a PNG, SVG or PDF",
+    return {"still", "draw one frame of a film as PNG, SVG or PDF",
             joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
                              {"--at", "simulated time; the nearest frame is drawn", &its.at},
                              {"-o,--output",
                               "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
-                              "out/SCENE.png if not given",
+                              "default: out/SCENE.png",
                               &its.output},
                              {"--format", "png, svg or pdf", &its.format, still_formats()}},
                             scene_options(its),

@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <string>
 
-#include "media/formats.h"
-
 namespace carom {
 
 /// -o and --format as given; either may be empty.
@@ -15,12 +13,9 @@ struct FilmDestination {
     bool several = false;  ///< scenes
 };
 
-/// The path of the film of `scene`, as format_of_film() reads it, or `-` for standard output.
-/// Throws UsageError when -o and --format contradict one another, or what is there already.
+/// The path of the film of `scene`, as format_of_film() reads it; of one for standard output the
+/// name that it would have. Throws UsageError when -o and --format contradict one another, or what
+/// is there already.
 std::filesystem::path film_path(const FilmDestination& destination, const std::string& scene);
-
-/// The format of the film at such a path.
-const OutputFormat& film_format(const FilmDestination& destination,
-                                const std::filesystem::path& path);
 
 }  // namespace carom

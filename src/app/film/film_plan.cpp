@@ -112,16 +112,12 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     std::optional<FilmTextMaker> text;
     if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles);
     progress.begin("simulating", static_cast<double>(ticks.size()));
-    const Recording::Wanted wanted{panels.wants_collisions(), panels.return_times(ticks)};
-    with_places_of_errors(plan.scene, [&] {
-        plan.run =
-            Recording(std::move(start), std::move(ticks), wanted,
+    plan.run =
+        panels.record(std::move(start), std::move(ticks),
                       [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                          panels.survey(tick, sample, advanced);
                           if (text) text->see(tick, sample, advanced);
                           progress.advance();
                       });
-    });
     panels.fix_axes();
     Archive axes;
     panels.archive(axes);

@@ -16,6 +16,16 @@
 
 namespace carom {
 
+/// Words from `start` to `end`, seconds; lines are kept.
+struct Cue {
+    double start = 0.0, end = 0.0;
+    std::string words;
+};
+
+/// A file of timed words (WebVTT, W3C, https://www.w3.org/TR/webvtt1/). Cues without words or
+/// without length are left out.
+std::string webvtt(const std::vector<Cue>& cues);
+
 /// Whole files. Times count from the first frame of the span.
 struct FilmText {
     std::string captions;      ///< what stands under the gas

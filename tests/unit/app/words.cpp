@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include "app/film/film_text.h"
-#include "app/film/webvtt.h"
 #include "panels/recording.h"
 #include "scene/describe.h"
 #include "scene/time/timeline.h"

@@ -94,7 +94,7 @@ void Output::copy(const fs::path& file) {
 
 std::string Output::left_behind() const {
     if (!streamed_) return "";
-    return (is_standard_output(path_) ? "standard output" : path_) + " holds only a part";
+    return (is_standard_output(path_) ? "standard output" : path_) + " is incomplete";
 }
 
 void Output::commit() {

@@ -61,7 +61,7 @@ void Progress::show_now_and_then() {
 }
 
 std::string Progress::line(double elapsed) const {
-    constexpr double longest = 1e9;  // seconds: nobody waits so long
+    constexpr double longest = 1e9;  // seconds
     const double speed = done_ / elapsed;
     const double left = std::min((total_ - done_) / speed, longest);
     return fmt::format("{}: {} {:.6g}/{:.6g} {}, {:.3g} {}/s, {} left", name_, stage_, done_,

@@ -38,10 +38,6 @@ std::string unbroken(std::string words) {
     return words;
 }
 
-std::string counted(std::int64_t count, const std::string& word) {
-    return fmt::format("{} {}{}", grouped(count), word, count == 1 ? "" : "s");
-}
-
 // "Speed histogram at time 20 of 3 runs", "Entropy of 2 runs, each to its end".
 std::string comparison_words(const Scene& scene, const Figure& figure) {
     const std::string kind = kind_words(scene, *figure.spec);

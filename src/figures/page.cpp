@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "util/text.h"
@@ -94,13 +93,11 @@ class Parser {
         if (lists)
             return errors_.add(page_, tag.place, fmt::format("`{}` is a list", tag.name),
                                fmt::format("write {{{{#{0}}}}} … {{{{/{0}}}}}", tag.name));
-        const auto near = nearest_spelling(tag.name, names);
         errors_.add(page_, tag.place,
                     fmt::format("{} is no placeholder {}", in_quotes(tag.name),
                                 scopes.front().empty() ? string("of a page")
                                                        : fmt::format("in `{}`", scopes.front())),
-                    near ? fmt::format("did you mean `{}`?", *near)
-                         : "there are " + listed(names, "and", "`"));
+                    spelling_hint(tag.name, names, "there are " + listed(names, "and", "`")));
     }
 
     std::vector<Part> until(const Tag* opened, const Scopes& scopes) {
@@ -147,19 +144,6 @@ class Parser {
     bool broken_ = false;  ///< reported, and nothing after it is read
 };
 
-bool is_plain_address(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           string_view("-._~/+=:;,").find(c) != string_view::npos;
-}
-
-string address(string_view file) {
-    string text;
-    for (const char c : file)
-        text += is_plain_address(c) ? string(1, c)
-                                    : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    return text;
-}
-
 class Filler {
   public:
     explicit Filler(PageKind kind) : kind_(kind) {}
@@ -184,7 +168,8 @@ class Filler {
             if (const auto words = scope->words.find(name); words != scope->words.end())
                 return escaped(words->second, kind_);
             if (const auto file = scope->files.find(name); file != scope->files.end())
-                return kind_ == PageKind::latex ? file->second : address(file->second);
+                return kind_ == PageKind::latex ? file->second
+                                                : percent_encoded(file->second, "-._~/+=:;,");
         }
         return std::nullopt;
     }

@@ -100,6 +100,23 @@ std::optional<std::string> nearest_spelling(std::string_view word,
     return best;
 }
 
+std::string spelling_hint(std::string_view word, std::span<const std::string> candidates,
+                          const std::string& fallback) {
+    const std::optional<std::string> near = nearest_spelling(word, candidates);
+    return near ? "did you mean `" + *near + "`?" : fallback;
+}
+
+std::string percent_encoded(std::string_view text, std::string_view plain) {
+    std::string encoded;
+    for (const char c : text) {
+        const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                              (c >= '0' && c <= '9') || plain.find(c) != std::string_view::npos;
+        encoded +=
+            is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return encoded;
+}
+
 std::string superscript(int value) {
     constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     std::string text = value < 0 ? "⁻" : "";
@@ -168,7 +185,7 @@ std::string plain_number(double value) {
 }
 
 std::string counted(long long count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
 }
 
 std::string grouped(long long value) {

@@ -32,6 +32,11 @@ bool is_control(std::string_view code_point);
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates);
 
+/// A hint for a word that is none of the candidates: "did you mean `candidate`?" of the nearest
+/// spelling, or `fallback` where none is near.
+std::string spelling_hint(std::string_view word, std::span<const std::string> candidates,
+                          const std::string& fallback);
+
 /// "a", "a and b", "a, b and c", each between `quote`s.
 std::string listed(std::span<const std::string> words, std::string_view last = "and",
                    std::string_view quote = "");
@@ -45,6 +50,9 @@ std::string capitalised(std::string words);
 /// A number a little farther from 0, by less than any reader sees: what lies half-way between two
 /// digits but for round-off is then rounded one way, wherever it is shown.
 double off_the_tie(double value);
+
+/// As a part of an address: all but ASCII letters, digits and `plain` ones become %XX.
+std::string percent_encoded(std::string_view text, std::string_view plain);
 
 /// An integer in raised figures: ⁻⁷.
 std::string superscript(int value);

@@ -124,8 +124,8 @@ TEST_CASE("a folder that holds anything is refused before any work, and stays as
     const Outcome outcome = render_small(folder.path(), "mine/");
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err ==
-          "carom: -o mine/: numbered frames go into a new or empty folder, and this one holds "
-          "files; for a film in it write -o mine/one-hot-particle.mp4\n");
+          "carom: -o mine/: frames need a new or empty folder, and this one holds files; for a "
+          "film in it write -o mine/one-hot-particle.mp4\n");
     CHECK(names_in(folder.path() / "mine") == std::vector<std::string>{"frame-00001.png"});
     CHECK(contents(folder.path() / "mine/frame-00001.png") == "mine");
 

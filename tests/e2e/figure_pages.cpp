@@ -98,7 +98,7 @@ TEST_CASE("pages show what there is of each figure, and say what is missing") {
     const Outcome missing =
         figures(folder, {"scene.yaml", "-o", "b", "--page", "latex", "--formats", "svg"});
     CHECK(missing.exit_code == 2);
-    CHECK(has(missing.err, "shows figures as pdf or png, and there is no such file of `start`"));
+    CHECK(has(missing.err, "needs figures as pdf or png, and `start` has neither"));
     CHECK(has(
         figures(folder, {"scene.yaml", "-o", "c", "--page", "markdown", "--formats", "pdf"}).err,
         "shows figures as svg or png"));

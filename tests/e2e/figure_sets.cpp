@@ -134,6 +134,6 @@ TEST_CASE("a set has its figures in the order in which it lists them, of scenes 
     // A figure that the set no longer shows is told, and left.
     folder.write("set.yaml",
                  "title: T\nformats: [svg]\nscenes: [{scene: scene.yaml, figures: [start]}]\n");
-    CHECK(has(figures(folder, {"set.yaml"}).err, "speeds.svg of figures that are no longer there"));
+    CHECK(has(figures(folder, {"set.yaml"}).err, "speeds.svg of figures that no longer exist"));
     CHECK(fs::exists(folder.path() / "out/set/speeds.svg"));
 }

@@ -90,7 +90,7 @@ TEST_CASE("what carom did not write is never replaced unasked") {
     CHECK(files_in(out).size() == 1);
     const Outcome forced = figures(folder, {"scene.yaml", "--force"});
     CHECK(forced.exit_code == 0);
-    CHECK(has(forced.err, "replaced speeds.pdf, which carom had not written so"));
+    CHECK(has(forced.err, "replaced speeds.pdf, not written by carom or changed since"));
     CHECK(contents(out / "speeds.pdf").starts_with("%PDF"));
     folder.write("out/scene/start.svg", "changed");
     CHECK(figures(folder, {"scene.yaml"}).exit_code == 2);
@@ -158,7 +158,7 @@ TEST_CASE("files of figures that are gone stay, and are told") {
     folder.write("scene.yaml", renamed);
     const Outcome outcome = figures(folder, {"scene.yaml", "--formats", "svg"});
     CHECK(outcome.exit_code == 0);
-    CHECK(has(outcome.err, "start.svg of figures that are no longer there; left as it is"));
+    CHECK(has(outcome.err, "start.svg of figures that no longer exist; left as it is"));
     CHECK(fs::exists(folder.path() / "out/scene/start.svg"));
     CHECK(captions(folder)["figures"][0]["name"] == "begin");
 }

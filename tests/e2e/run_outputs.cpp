@@ -19,9 +19,9 @@ TEST_CASE("without files the report is a table for people; --timings adds to it,
     const Outcome table = run({program, "run", scene});
     CHECK(table.exit_code == 0);
     CHECK(table.err.empty());
-    for (const char* words :
-         {"Reverse every velocity", "132 particles in two dimensions", "for each), ", "kept to ",
-          "reversed at 12", "out, ", "letters", "mean speed", " by the virial", "█"})
+    for (const char* words : {"Reverse every velocity", "132 particles in two dimensions",
+                              "for each), ", "relative error ", "reversed at 12", "out, ",
+                              "letters", "mean speed", " by the virial", "█"})
         CHECK(table.out.find(words) != std::string::npos);
     CHECK(table.out.find("events/s") == std::string::npos);
     CHECK(run({program, "run", scene, "--timings"}).out.find("events/s") != std::string::npos);
@@ -167,10 +167,10 @@ TEST_CASE("an interrupted table on a stream is said to be a part") {
     const Outcome table = stopped("--csv -");
     CHECK(table.exit_code == 130);
     CHECK(table.out.starts_with("time,particle,"));
-    CHECK(table.err.ends_with("carom: interrupted; standard output holds only a part\n"));
+    CHECK(table.err.ends_with("carom: interrupted; standard output is incomplete\n"));
     const Outcome device = stopped("--csv /dev/null");
     CHECK(device.exit_code == 130);
-    CHECK(device.err.ends_with("carom: interrupted; /dev/null holds only a part\n"));
+    CHECK(device.err.ends_with("carom: interrupted; /dev/null is incomplete\n"));
     for (const std::string& options : std::vector<std::string>{"--json -", "--csv a.csv", ""}) {
         CAPTURE(options);
         const Outcome nothing = stopped(options);

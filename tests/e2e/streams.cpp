@@ -47,7 +47,7 @@ TEST_CASE("mistakes in a scene from standard input have their place in it") {
     CHECK(outcome.err.find("<stdin>:1:1: error: `titel` is not a key") != std::string::npos);
     const Outcome twice = call("check - - </dev/null", folder.path());
     CHECK(twice.exit_code == 2);
-    CHECK(twice.err == "carom: - stands for one scene only: standard input can be read but once\n");
+    CHECK(twice.err == "carom: only one scene can be - (standard input)\n");
 }
 
 TEST_CASE("a template beside the working folder's scene is found for standard input") {
@@ -160,12 +160,12 @@ TEST_CASE("a format and an ending that contradict one another are refused") {
     const TemporaryFolder folder;
     const Outcome film = call("render '" + scene + "' --format gif -o film.webm", folder.path());
     CHECK(film.exit_code == 2);
-    CHECK(film.err == "carom: -o film.webm: the name ends in .webm, and --format asks for gif\n");
+    CHECK(film.err == "carom: -o film.webm: the name ends in .webm, but --format is gif\n");
     const Outcome frames = call("render '" + scene + "' --format png -o film.mp4", folder.path());
     CHECK(frames.exit_code == 2);
     const Outcome still = call("still '" + scene + "' --format svg -o a.png", folder.path());
     CHECK(still.exit_code == 2);
-    CHECK(still.err == "carom: -o a.png: the name ends in .png, and --format asks for svg\n");
+    CHECK(still.err == "carom: -o a.png: the name ends in .png, but --format is svg\n");
     CHECK(call("render '" + scene + "' --format avi", folder.path()).exit_code == 2);
     CHECK(folder.names().empty());
 }

@@ -151,7 +151,7 @@ TEST_CASE("films that cannot be transparent are refused") {
         return outcome.err;
     };
     const std::string mp4 =
-        "carom: the ground is none, and H.264 in MP4 has no transparency; write a .webm or a "
+        "carom: the ground is none, but MP4 cannot be transparent; write a .webm or a "
         "folder of frames (--format webm or png)\n";
     CHECK(refusal("-o film.mp4") == mp4);
     CHECK(refusal("") == mp4);

@@ -1,4 +1,4 @@
-// How many bits it takes to return is found by trying; and what a nudge does to an echo.
+// How many bits it takes to return is found by trial; and what a nudge does to an echo.
 #include <doctest/doctest.h>
 
 #include <cmath>

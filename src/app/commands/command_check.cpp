@@ -11,6 +11,7 @@
 #include "app/report/check_facts.h"
 #include "app/resources.h"
 #include "panels/words/text_panel.h"
+#include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -37,7 +38,7 @@ std::pair<Scene, bool> loaded(const std::string& path, const Overrides& override
 
 // With all its scenes, figures and pages.
 Facts facts_of_set(const std::string& path, const Overrides& overrides) {
-    const FigureSet set = set_of_file(path, overrides);
+    const FigureSet set = load_set(path, overrides);
     for (const SetPart& part : set.parts) refuse_long_words(part.scene);
     for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
     refuse_same_names(set);
@@ -59,9 +60,9 @@ CheckedFile checked(const std::string& path, const Overrides& overrides, int cor
     } catch (const SceneError& error) {
         found.errors = error.diagnostics();
     } catch (const UsageError& error) {
-        Diagnostic& told = found.errors.emplace_back();
-        told.span.file = path;
-        told.message = error.what();
+        Diagnostic& one = found.errors.emplace_back();
+        one.span.file = path;
+        one.message = error.what();
     }
     return found;
 }
@@ -100,11 +101,11 @@ Command check_command() {
     const auto arguments = std::make_shared<CheckArguments>();
     CheckArguments& its = *arguments;
     return {
-        "check", "whether scenes and sets are valid, and what they will cost",
+        "check", "check scenes and figure sets, and estimate their cost",
         joined<Option>(
             {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
                &its.scenes},
-              {"--json", "for programs: a list with an object per file", &its.json}},
+              {"--json", "print JSON: a list with an object for each file", &its.json}},
              scene_options(its),
              picture_options(its)}),
         [arguments] { check_scenes(*arguments); }};

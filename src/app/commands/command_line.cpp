@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <iostream>
 #include <new>
-#include <optional>
 #include <system_error>
 
 #include "app/command.h"
@@ -69,11 +68,9 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
     if (argc < 2) throw UsageError("a command is needed\n\n" + app.help());
     const std::string word = argv[1];
     if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
-    const std::optional<std::string> meant = nearest_spelling(word, names);
-    throw UsageError(fmt::format("there is no command `{}`; {}", word,
-                                 meant
-                                     ? fmt::format("did you mean `{}`?", *meant)
-                                     : fmt::format("the commands are {}", fmt::join(names, ", "))));
+    const std::string commands = fmt::format("the commands are {}", fmt::join(names, ", "));
+    throw UsageError(
+        fmt::format("there is no command `{}`; {}", word, spelling_hint(word, names, commands)));
 }
 
 // Of a flag that the command does not have: the one that is meant.
@@ -100,7 +97,7 @@ void refuse_empty_values(CLI::App& app) {
                 option->check(complaint);
 }
 
-// What a command has told there, and the help; if it was closed nobody was to hear of it.
+// Of what a command has printed there, and of the help; that it was closed is no error.
 void finish_standard_output() {
     if ((std::cout.flush() && std::fflush(stdout) == 0) || errno == EBADF) return;
     throw SystemError("cannot write standard output: " + std::generic_category().message(errno));

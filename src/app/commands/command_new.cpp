@@ -33,22 +33,13 @@ fs::path named(const std::string& name) {
     return name + ".yaml";
 }
 
-bool is_plain(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view{"/._-~+"}.find(c) != std::string_view::npos;
-}
-
 // A path as the first line may hold it: editors read it up to a space, so that one with spaces
 // or other letters becomes a URI.
 std::string as_reference(const fs::path& path) {
+    constexpr std::string_view plain = "/._-~+";
     const std::string text = path.string();
-    if (std::all_of(text.begin(), text.end(), is_plain)) return text;
-    std::string uri = "file://";
-    for (const char c : fs::absolute(path).string())
-        uri += is_plain(c)
-                   ? std::string(1, c)
-                   : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    return uri;
+    if (percent_encoded(text, plain) == text) return text;
+    return "file://" + percent_encoded(fs::absolute(path).string(), plain);
 }
 
 // Where the file finds the schema: by a way that stays true when both are moved if it is written
@@ -78,11 +69,10 @@ fs::path source(const std::string& from) {
     const std::vector<std::string> names = library();
     if (std::find(names.begin(), names.end(), from) != names.end())
         return library_folder() / (from + ".yaml");
-    const auto near = nearest_spelling(from, names);
+    const std::string scenes = fmt::format("its scenes are {}", fmt::join(names, ", "));
     throw UsageError(
         fmt::format("--from {}: there is no such file, and no such scene in the library; {}", from,
-                    near ? fmt::format("did you mean `{}`?", *near)
-                         : fmt::format("its scenes are {}", fmt::join(names, ", "))));
+                    spelling_hint(from, names, scenes)));
 }
 
 std::string text_for(const NewArguments& arguments, const fs::path& file) {
@@ -96,7 +86,7 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
 
 [[noreturn]] void fail(const fs::path& file, int cause) {
     if (cause == EEXIST)
-        throw UsageError(fmt::format("{} exists; it is left as it is", file.string()));
+        throw UsageError(fmt::format("{} exists already and was left unchanged", file.string()));
     throw SystemError(
         fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(cause)));
 }
@@ -135,10 +125,10 @@ Command new_command() {
             "write a commented scene to start from",
             {{"name", "the file to write: NAME.yaml", &arguments->name},
              {"--from",
-              "another scene to begin with: a file, - for standard input, or the name of one in "
-              "the library",
+              "start from another scene: a file, - for standard input, or the name of one that "
+              "comes with carom",
               &arguments->from},
-             {"--quiet", "no report", &arguments->quiet}},
+             {"--quiet", "print no report", &arguments->quiet}},
             [arguments] { make_scene(*arguments); }};
 }
 

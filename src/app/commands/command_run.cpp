@@ -33,7 +33,7 @@ bool is_same_output(const std::string& a, const std::string& b) {
 void refuse_same_files(const RunArguments& arguments) {
     for (const auto& [flag, path] : {std::pair("--json", arguments.json), {"--csv", arguments.csv}})
         if (!path.empty() && is_same_file(path, arguments.scene))
-            throw UsageError(fmt::format("{} {}: this is the scene itself", flag, path));
+            throw UsageError(fmt::format("{} {}: this would overwrite the scene", flag, path));
     if (is_same_output(arguments.json, arguments.csv))
         throw UsageError(fmt::format(
             "--json and --csv would both be written to {}",
@@ -44,7 +44,8 @@ bool standard_output_is_taken(const RunArguments& arguments) {
     return Output::is_standard_output(arguments.json) || Output::is_standard_output(arguments.csv);
 }
 
-std::string words(const RunArguments& arguments, const Scene& scene, const RunReport& report) {
+std::string report_text(const RunArguments& arguments, const Scene& scene,
+                        const RunReport& report) {
     std::string text;
     if (!arguments.quiet && arguments.json.empty() && arguments.csv.empty())
         text += run_table(scene, report);
@@ -55,15 +56,15 @@ std::string words(const RunArguments& arguments, const Scene& scene, const RunRe
     return text;
 }
 
-void tell(const RunArguments& arguments, const std::string& text) {
+void print(const RunArguments& arguments, const std::string& text) {
     if (text.empty()) return;
     if (standard_output_is_taken(arguments)) return say(text);
     Output("-").write(text);
 }
 
-// A table that goes to a stream is there as far as it went.
+// When the work is interrupted, a table that went to a stream is there as far as it came.
 template <typename Work>
-auto telling_what_is_left(const std::optional<Output>& stream, const Work& work) {
+auto reporting_incomplete(const std::optional<Output>& stream, const Work& work) {
     try {
         return work();
     } catch (const Interrupted&) {
@@ -88,7 +89,7 @@ void run_scene(const RunArguments& arguments) {
             table->add(particles, sample);
         };
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
-    const RunReport report = telling_what_is_left(csv, [&] {
+    const RunReport report = reporting_incomplete(csv, [&] {
         const RunReport whole = run_physics(scene, take, progress);
         if (table) table->finish();
         return whole;
@@ -96,7 +97,7 @@ void run_scene(const RunArguments& arguments) {
     if (json) json->write(run_json(scene, report));
     if (csv) csv->commit();
     if (json) json->commit();
-    tell(arguments, words(arguments, scene, report));
+    print(arguments, report_text(arguments, scene, report));
 }
 
 }  // namespace
@@ -105,7 +106,7 @@ Command run_command() {
     const auto arguments = std::make_shared<RunArguments>();
     RunArguments& its = *arguments;
     return {
-        "run", "run the physics alone: statistics and samples",
+        "run", "simulate without drawing: statistics and samples",
         joined<Option>(
             {{{"scene", "a scene file; - for standard input", &its.scene},
               {"--json", "the statistics as JSON; - for standard output", &its.json},

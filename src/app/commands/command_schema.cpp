@@ -13,7 +13,7 @@ Command schema_command() {
     return {
         "schema",
         "print the JSON Schema of scenes, for editors",
-        {{"--for", "scene, or set: a figure set", what.get(), {"scene", "set"}}},
+        {{"--for", "scene, or set for figure sets", what.get(), {"scene", "set"}}},
         [what] { Output("-").write(*what == "set" ? set_schema_json() : scene_schema_json()); }};
 }
 

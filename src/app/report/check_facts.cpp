@@ -75,7 +75,7 @@ Fact species(const Gas& gas, std::int64_t particles) {
 // Expected between particles up to `until`; none: no theory.
 Fact collisions(std::optional<double> expected, std::int64_t particles) {
     Fact fact{"expected_collisions", number_or_null(expected), "collisions",
-              "no estimate: the gas has no equilibrium that theory knows"};
+              "no estimate: the theory needs an equilibrium, and this gas has none"};
     if (expected)
         fact.words =
             fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",

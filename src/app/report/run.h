@@ -17,8 +17,8 @@ namespace carom {
 /// One reversal of all velocities, and how well the gas found its way back.
 struct ReversalReport {
     double at = 0.0;
-    std::optional<ReturnDistance> distance = {};  ///< from the start, at 2 at: if the run goes on
-                                                  ///< so long and no other reversal lies before
+    std::optional<ReturnDistance> distance = {};   ///< from the start, at 2 at: if the run goes on
+                                                   ///< so long and no other reversal lies before
     std::int64_t events_out = 0;                   ///< collisions in [0, at], with walls too
     std::optional<std::int64_t> events_back = {};  ///< in (at, 2 at], if the run goes on so long
 };

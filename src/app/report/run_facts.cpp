@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/report/facts.h"
+#include "util/joined.h"
 #include "util/text.h"
 
 namespace carom {
@@ -15,10 +16,6 @@ namespace {
 
 std::string number(std::optional<double> value) {
     return value && std::isfinite(*value) ? fmt::format("{:.5g}", *value) : "—";
-}
-
-std::string counted(std::int64_t count, const char* one, const char* several) {
-    return fmt::format("{} {}", grouped(count), count == 1 ? one : several);
 }
 
 std::string vector(const std::vector<std::optional<double>>& components) {
@@ -51,7 +48,7 @@ std::string energy_words(const RunSummary& summary) {
     if (!summary.largest_energy_error) return "not conserved: an infinite mass moves";
     if (*summary.largest_energy_error == 0.0)
         return number(summary.energy_initial) + ", kept exactly";
-    return fmt::format("{}, kept to {:.1e} of it", number(summary.energy_initial),
+    return fmt::format("{}, relative error {:.1e}", number(summary.energy_initial),
                        *summary.largest_energy_error);
 }
 
@@ -86,7 +83,7 @@ Fact pressure(const RunSummary& summary, int dimension) {
             dimension == 1 ? "force" : "pressure", pressure_words(summary)};
 }
 
-// Below round-off of the coordinates nothing can be told from touching.
+// What overlaps by less than the round-off of the coordinates touches.
 Fact overlap(double largest) {
     return {"overlap", Json{{"largest_relative", number_or_null(largest)}}, "overlap",
             largest == 0.0 ? "none" : fmt::format("at most {:.1e} of a contact distance", largest)};
@@ -96,7 +93,7 @@ Fact precision(const Scene& scene, int bits) {
     Fact fact{"precision_bits", bits};
     if (bits == bits_of_double) return fact;
     fact.label = "numbers";
-    fact.words = fmt::format("of {} bits{}", bits, scene.run.bits ? "" : ", found by trying");
+    fact.words = fmt::format("of {} bits{}", bits, scene.run.bits ? "" : ", found by trial");
     return fact;
 }
 
@@ -108,13 +105,12 @@ std::string length(double value, double log10) {
 }
 
 std::string way_back(const ReversalReport& report) {
-    if (!report.events_back) return "the run ends before the gas could be home";
-    const std::string events =
-        fmt::format("{} out, {} back", counted(report.events_out, "event", "events"),
-                    grouped(*report.events_back));
-    if (!report.distance) return "another reversal comes between; " + events;
+    if (!report.events_back) return "the run ends before the gas can return";
+    const std::string events = fmt::format("{} out, {} back", counted(report.events_out, "event"),
+                                           grouped(*report.events_back));
+    if (!report.distance) return "another reversal follows before the return; " + events;
     const ReturnDistance& d = *report.distance;
-    return fmt::format("home to within {} (r.m.s. {}); {}", length(d.largest, d.log10_largest),
+    return fmt::format("return error {} (r.m.s. {}); {}", length(d.largest, d.log10_largest),
                        length(d.root_mean_square, d.log10_root_mean_square), events);
 }
 
@@ -212,37 +208,34 @@ Facts histograms(const RunSummary& summary) {
 
 std::string heading(const Scene& scene, const RunReport& report) {
     return fmt::format("{}\n{}: {} in {}, time 0 to {}, {} samples, seed {}\n\n", scene.title,
-                       scene.source.path, counted(report.particles, "particle", "particles"),
+                       scene.source.path, counted(report.particles, "particle"),
                        scene.gas.box.dimension == 1 ? "one dimension" : "two dimensions",
                        scene.run.until, grouped(report.samples), scene.seed);
 }
 
 Facts facts_of(const Scene& scene, const RunReport& report) {
     const RunSummary& summary = report.summary;
-    const auto events = static_cast<double>(report.collisions.particle + report.collisions.wall);
-    Facts facts{{"carom", CAROM_VERSION, "", heading(scene, report)},
-                {"scene", scene.source.path},
-                {"seed", scene.seed},
-                {"dimension", scene.gas.box.dimension},
-                {"particles", report.particles},
-                {"time", scene.run.until},
-                collisions(report),
-                energy(summary),
-                momentum(summary),
-                {"temperature", number_or_null(summary.temperature), "temperature",
-                 number(summary.temperature)},
-                pressure(summary, scene.gas.box.dimension),
-                overlap(summary.largest_overlap),
-                precision(scene, report.bits)};
-    const auto add = [&](const Facts& more) {
-        facts.insert(facts.end(), more.begin(), more.end());
-    };
-    add(reversals(report));
-    facts.push_back(species(scene, summary));
-    add(histograms(summary));
-    facts.push_back({"seconds", Json{{"total", report.seconds.total},
-                                     {"events_per_second", events / report.seconds.simulate}}});
-    return facts;
+    const auto events = static_cast<double>(events_of(report.collisions));
+    return joined<Fact>(
+        {{{"carom", CAROM_VERSION, "", heading(scene, report)},
+          {"scene", scene.source.path},
+          {"seed", scene.seed},
+          {"dimension", scene.gas.box.dimension},
+          {"particles", report.particles},
+          {"time", scene.run.until},
+          collisions(report),
+          energy(summary),
+          momentum(summary),
+          {"temperature", number_or_null(summary.temperature), "temperature",
+           number(summary.temperature)},
+          pressure(summary, scene.gas.box.dimension),
+          overlap(summary.largest_overlap),
+          precision(scene, report.bits)},
+         reversals(report),
+         {species(scene, summary)},
+         histograms(summary),
+         {{"seconds", Json{{"total", report.seconds.total},
+                           {"events_per_second", events / report.seconds.simulate}}}}});
 }
 
 }  // namespace
@@ -263,7 +256,7 @@ std::string run_json(const Scene& scene, const RunReport& report) {
 
 std::string run_timings(const RunReport& report) {
     const RunSeconds& seconds = report.seconds;
-    const auto events = static_cast<double>(report.collisions.particle + report.collisions.wall);
+    const auto events = static_cast<double>(events_of(report.collisions));
     const auto line = [](const char* stage, double time, const std::string& words) {
         return fmt::format("  {:<10} {:>8.2f} s   {}\n", stage, time, words);
     };

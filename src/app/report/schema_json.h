@@ -7,7 +7,8 @@ namespace carom {
 
 /// The JSON Schema of scenes: UTF-8, indented, ends with a line break. It says what one value or
 /// one mapping can say: forms, ranges, defaults, keys that are required or exclude one another.
-/// What depends on several places (overlaps, packing, counts against lists) only loading tells.
+/// What depends on several places (overlaps, packing, counts against lists) is checked only when a
+/// scene is loaded.
 std::string scene_schema_json();
 
 /// The same of figure sets.

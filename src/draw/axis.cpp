@@ -151,45 +151,11 @@ std::pair<std::vector<TickMark>, std::optional<double>> ticks_with_title(const S
     return {std::move(usual), {}};
 }
 
-int most_y_ticks(const Scale& scale, const AxisStyle& style) {
-    const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
-    return std::clamp(static_cast<int>(room) + 1, 2, 5);
-}
-
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
-    return ticks(scale.low, scale.high, most_y_ticks(scale, style), style.whole);
-}
-
-std::vector<TickMark> fitting_decades(const Scale& scale, const AxisStyle& style) {
-    return decade_ticks(scale.low, scale.high, most_y_ticks(scale, style));
-}
-
-double space_of(const std::vector<TickMark>& marks, const AxisStyle& style) {
-    double widest = 0;
-    for (const TickMark& mark : marks)
-        widest = std::max(widest, measure_text(mark.label, style.label).width);
-    return style.tick_length + gap_to_label(style) + widest;
-}
-
-void draw_y_marks(Canvas& canvas, const Rect& area, const Scale& scale,
-                  const std::vector<TickMark>& marks, const std::string& title,
-                  const AxisStyle& style) {
-    const double x = area.x;
-    TextStyle label = style.label;
-    label.align = Align::right;
-    draw_upright_line(canvas, x, area.y - 0.5 * style.line_width,
-                      area.bottom() + 0.5 * style.line_width, style);
-    for (const TickMark& mark : marks) {
-        const double y = scale(mark.value);
-        draw_level_line(canvas, x - style.tick_length, x, y, style);
-        draw_text(canvas,
-                  {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
-                  mark.label, label);
-    }
-    if (title.empty()) return;
-    TextStyle words = style.title;
-    words.align = Align::left;
-    draw_text(canvas, {x, area.y - 0.7 * words.size}, title, words);
+    const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
+    const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
+    return style.decades ? decade_ticks(scale.low, scale.high, most)
+                         : ticks(scale.low, scale.high, most, style.whole);
 }
 
 // How many multiples of a step there are from `first` to `last`.
@@ -254,11 +220,10 @@ double x_axis_space(const AxisStyle& style) {
 }
 
 double y_axis_space(const Scale& scale, const AxisStyle& style) {
-    return space_of(fitting_y_ticks(scale, style), style);
-}
-
-double log_y_axis_space(const Scale& scale, const AxisStyle& style) {
-    return space_of(fitting_decades(scale, style), style);
+    double widest = 0;
+    for (const TickMark& mark : fitting_y_ticks(scale, style))
+        widest = std::max(widest, measure_text(mark.label, style.label).width);
+    return style.tick_length + gap_to_label(style) + widest;
 }
 
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
@@ -291,14 +256,19 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
     }
 }
 
-void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
-                 const AxisStyle& style) {
-    draw_y_marks(canvas, area, scale, fitting_y_ticks(scale, style), title, style);
-}
-
-void draw_log_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
-                     const AxisStyle& style) {
-    draw_y_marks(canvas, area, scale, fitting_decades(scale, style), title, style);
+void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const AxisStyle& style) {
+    const double x = area.x;
+    TextStyle label = style.label;
+    label.align = Align::right;
+    draw_upright_line(canvas, x, area.y - 0.5 * style.line_width,
+                      area.bottom() + 0.5 * style.line_width, style);
+    for (const TickMark& mark : fitting_y_ticks(scale, style)) {
+        const double y = scale(mark.value);
+        draw_level_line(canvas, x - style.tick_length, x, y, style);
+        draw_text(canvas,
+                  {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
+                  mark.label, label);
+    }
 }
 
 }  // namespace carom

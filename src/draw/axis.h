@@ -42,13 +42,13 @@ struct AxisStyle {
     TextStyle label;  ///< of the tick labels
     TextStyle title;  ///< of the words at its end
     Color line;
-    bool whole = false;  ///< ticks of linear axes at whole numbers only
+    bool whole = false;    ///< ticks of linear axes at whole numbers only
+    bool decades = false;  ///< of a vertical axis: its scale maps decimal logarithms
 };
 
 /// The height that an x axis takes below its area, and the width that a y axis takes left of it.
 double x_axis_space(const AxisStyle& style);
 double y_axis_space(const Scale& scale, const AxisStyle& style);
-double log_y_axis_space(const Scale& scale, const AxisStyle& style);
 
 /// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
 /// on the line of the labels: at the right end, or between two of them, with fewer ticks if that
@@ -56,13 +56,7 @@ double log_y_axis_space(const Scale& scale, const AxisStyle& style);
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
 
-/// A vertical axis along the left edge of `area`, labels left of it, `title` above its top end, set
-/// level.
-void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
-                 const AxisStyle& style);
-
-/// The same for a logarithmic axis: `scale` maps decimal logarithms.
-void draw_log_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
-                     const AxisStyle& style);
+/// A vertical axis along the left edge of `area`, labels left of it.
+void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const AxisStyle& style);
 
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -268,15 +269,12 @@ void Canvas::stroke_rect(Rect rect, double width, Color color) {
     stroke(width, color);
 }
 
-void Canvas::stroke_line(Point from, Point to, double width, Color color) {
+void Canvas::stroke_line(Point from, Point to, double width, Color color, double dash) {
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
-    cairo_move_to(handle(), from.x, from.y);
-    cairo_line_to(handle(), to.x, to.y);
+    cairo_set_dash(handle(), &dash, dash > 0.0 ? 1 : 0, 0.0);
+    trace(handle(), std::array{from, to});
     stroke(width, color);
-}
-
-void Canvas::stroke_path(std::span<const Point> points, double width, Color color, double dash) {
-    stroke_path(points, width, color, std::span(&dash, dash > 0.0 ? 1 : 0));
+    cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
 
 void Canvas::stroke_path(std::span<const Point> points, double width, Color color,
@@ -286,12 +284,6 @@ void Canvas::stroke_path(std::span<const Point> points, double width, Color colo
     cairo_set_dash(handle(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
     trace(handle(), points);
     stroke(width, color);
-    cairo_set_dash(handle(), nullptr, 0, 0.0);
-}
-
-void Canvas::stroke_dashed(Point from, Point to, double width, double dash, Color color) {
-    cairo_set_dash(handle(), &dash, 1, 0.0);
-    stroke_line(from, to, width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
 

@@ -73,12 +73,11 @@ class Canvas {
     void stroke_circle(Point center, double radius, double width, Color color);
     void stroke_rect(Rect rect, double width,
                      Color color);  ///< the line lies on the edge, half of it on each side
-    void stroke_line(Point from, Point to, double width, Color color);
+    void stroke_line(Point from, Point to, double width, Color color,
+                     double dash = 0.0);  ///< dash and gap; 0: solid
     void stroke_path(std::span<const Point> points, double width, Color color,
-                     double dash = 0.0);  ///< round joins and caps, unless it is dashed
-    void stroke_path(std::span<const Point> points, double width, Color color,
-                     std::span<const double> dashes);  ///< line, gap, ...; none: solid
-    void stroke_dashed(Point from, Point to, double width, double dash, Color color);
+                     std::span<const double> dashes = {});  ///< line, gap, ...; none: solid, with
+                                                            ///< round joins and caps
     void fill_polygon(std::span<const Point> points, Color color);
     void clip_to(Rect rect);  ///< until release_clip(); does not nest
     void release_clip();

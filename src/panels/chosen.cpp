@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "draw/palette.h"
-
 namespace carom {
 
 std::vector<Chosen> choices(const PanelSpec& spec) {
@@ -35,12 +33,6 @@ std::optional<double> asked_trail(const PanelContext& context, Eigen::Index part
 std::string name_of(const PanelContext& context, const Chosen& chosen) {
     if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
     return chosen.species ? context.scene.gas.species[*chosen.species].name : "all";
-}
-
-Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_t place,
-                   const Theme& theme) {
-    if (chosen.species) return species_color(context, *chosen.species, theme);
-    return kind_color(context.scene.gas.species.size() + place, theme);
 }
 
 plot::Role species_role(const PanelContext& context, std::size_t species) {

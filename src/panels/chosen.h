@@ -30,13 +30,11 @@ std::string single_name(const PanelContext& context, Eigen::Index particle);
 /// How much of such a name is seen, from 0 to 1: in a film for its first three seconds.
 double name_alpha(const PanelContext& context, const Tick& tick);
 
+/// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
+plot::Role species_role(const PanelContext& context, std::size_t species);
+
 /// The colour of a choice among several: the species', wherever it is told apart; single particles
 /// and all have colours that no species has by default. `place`: among the choices.
-Color choice_color(const PanelContext& context, const Chosen& chosen, std::size_t place,
-                   const Theme& theme);
-
-/// The same as roles of a plot.
-plot::Role species_role(const PanelContext& context, std::size_t species);
 plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place);
 
 /// That of the only choice is the one of bars.

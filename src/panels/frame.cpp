@@ -7,7 +7,6 @@
 #include "panels/layout.h"
 #include "panels/precision.h"
 #include "panels/registry.h"
-#include "panels/words/monitors_panel.h"
 #include "panels/words/text_panel.h"
 
 namespace carom {
@@ -23,7 +22,8 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
     panels_.push_back({layout.gas, make_gas_panel(context)});
     if (layout.monitors)
         panels_.push_back(
-            {*layout.monitors, std::make_unique<MonitorsPanel>(context, scene.film.monitors)});
+            {*layout.monitors,
+             make_monitors(context, {.kind = "monitors", .numbers = scene.film.monitors})});
     std::vector<std::unique_ptr<Panel>> panels;
     std::vector<std::optional<double>> enough;
     for (const PanelSpec& spec : scene.film.panels) {

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <array>
 
-#include "draw/palette.h"
-
 namespace carom {
+
+void refuse(Diagnostic place, std::string message, std::string hint) {
+    place.message = std::move(message);
+    place.hint = std::move(hint);
+    throw SceneError({place});
+}
 
 const Theme& theme_of(ThemeName name) {
     if (name == ThemeName::light) return theme(ThemeKind::light);
@@ -52,7 +56,7 @@ std::string fitting_title(const DrawContext& dc, const std::vector<std::string>&
     style.size = dc.unit;
     for (const std::string& title : titles)
         if (measure_text(title, style).width <= dc.area.width) return title;
-    return titles.back();
+    return titles.empty() ? "" : titles.back();
 }
 
 bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double width,
@@ -72,31 +76,11 @@ bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double wid
     return false;
 }
 
-std::string colored(const std::string& text, Color color, const Theme& theme) {
-    return fmt::format("<span foreground=\"#{:06x}\">{}</span>",
-                       to_pixel(legible(color, theme)) & 0xFFFFFF, escape_markup(text));
-}
-
-std::vector<double> line_dashes(std::size_t line, std::size_t lines, const DrawContext& dc) {
-    if (dc.theme.kind != ThemeKind::print || lines < 2) return {};
-    const double u = dc.unit;
-    switch (line % 4) {
-        case 0:
-            return {};
-        case 1:
-            return {0.8 * u, 0.4 * u};
-        case 2:
-            return {0.2 * u, 0.25 * u};
-        default:
-            return {0.9 * u, 0.3 * u, 0.2 * u, 0.3 * u};
-    }
-}
-
 std::string line_sample(std::size_t line, Color color, const Theme& theme) {
     if (theme.kind != ThemeKind::print) return "";
     constexpr std::array<const char*, 4> samples = {"—", "- - -", "···", "–·–"};
-    return fmt::format("<span foreground=\"#{:06x}\" weight=\"900\">{}</span> ",
-                       to_pixel(edge_of(color, theme)) & 0xFFFFFF, samples[line % samples.size()]);
+    return fmt::format("<span foreground=\"{}\" weight=\"900\">{}</span> ",
+                       hex_of(edge_of(color, theme)), samples[line % samples.size()]);
 }
 
 bool looks_hollow(Color color, const Theme& theme) {
@@ -106,18 +90,10 @@ bool looks_hollow(Color color, const Theme& theme) {
 
 std::string disk_sample(Color color, const Theme& theme) {
     if (theme.kind != ThemeKind::print) return "";
-    return fmt::format("<span foreground=\"#{:06x}\">{}</span> ",
-                       to_pixel(edge_of(color, theme)) & 0xFFFFFF,
+    return fmt::format("<span foreground=\"{}\">{}</span> ", hex_of(edge_of(color, theme)),
                        looks_hollow(color, theme) ? "○" : "●");
 }
 
 std::string slow_words(const Slowness& slow) { return fmt::format("\u00D7{:.3g}", slow.factor); }
-
-Color species_color(const PanelContext& context, std::size_t species, const Theme& theme) {
-    const std::optional<std::string>& own = context.scene.looks[species].color;
-    if (own)
-        if (const std::optional<Color> parsed = parse_color(*own)) return *parsed;
-    return kind_color(species, theme);
-}
 
 }  // namespace carom

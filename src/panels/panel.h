@@ -114,6 +114,9 @@ class Panel {
     virtual void draw_key(Canvas&, const DrawContext&, const DrawContext& own) const { (void)own; }
 };
 
+/// Reports what a scene asks of a panel, at its place in the file.
+[[noreturn]] void refuse(Diagnostic place, std::string message, std::string hint);
+
 /// How much of what is behind a plate under words is covered.
 constexpr double plate_alpha = 0.9;
 
@@ -138,18 +141,13 @@ std::string slow_words(const Slowness& slow);
 void draw_panel_title(Canvas& canvas, const DrawContext& dc, const std::string& markup);
 
 /// The first of some titles (markup, from the longest on) that is not cut; if all are, the last.
+/// Empty where there are none.
 std::string fitting_title(const DrawContext& dc, const std::vector<std::string>& titles);
 
 /// The longest of some remarks (plain words) that fits into `width`, on a plate of the ground in
 /// the corner whose lower right is `corner`; whether any did.
 bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double width,
                  const std::vector<std::string>& remarks);
-
-/// `text` in a colour, or the nearest to it that can be read, as markup.
-std::string colored(const std::string& text, Color color, const Theme& theme);
-
-/// How one of several lines is dashed where greys tell them apart, in print; empty: it is solid.
-std::vector<double> line_dashes(std::size_t line, std::size_t lines, const DrawContext& dc);
 
 /// In print, a sample of a line or a disk to stand before the words about it, as markup with a
 /// space after it; elsewhere nothing, as the words have the colour.
@@ -158,8 +156,5 @@ std::string disk_sample(Color color, const Theme& theme);
 
 /// Whether a disk is of a grey that hardly differs from the paper, so that it looks like a ring.
 bool looks_hollow(Color color, const Theme& theme);
-
-/// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
-Color species_color(const PanelContext& context, std::size_t species, const Theme& theme);
 
 }  // namespace carom

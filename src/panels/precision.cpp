@@ -3,19 +3,10 @@
 #include <optional>
 #include <utility>
 
+#include "panels/panel.h"
 #include "scene/feasibility/feasibility.h"
 
 namespace carom {
-namespace {
-
-[[noreturn]] void refuse(Diagnostic place, const std::string& message, const std::string& hint) {
-    place.message = message;
-    place.hint = hint;
-    throw SceneError({place});
-}
-
-}  // namespace
-
 void with_places_of_errors(const Scene& scene, const std::function<void()>& run) {
     try {
         run();

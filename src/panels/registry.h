@@ -23,24 +23,12 @@ std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& 
 /// The box of a plane, or the wire.
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context);
 
-std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
-                                                      const PanelSpec& spec);
-std::unique_ptr<Panel> make_return_distance(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_single_collision(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_contact_time(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_collision_map(const PanelContext& context, const PanelSpec& spec);
-std::unique_ptr<Panel> make_text(const PanelContext& context, const PanelSpec& spec);
+/// What makes a panel of one kind.
+using PanelMaker = std::unique_ptr<Panel>(const PanelContext& context, const PanelSpec& spec);
+PanelMaker make_speed_histogram, make_energy_histogram, make_velocity_histogram,
+    make_energy_by_species, make_position_histogram, make_speed_classes, make_temperature,
+    make_entropy, make_pressure, make_mean_squared_displacement, make_return_distance, make_phase,
+    make_positions, make_monitors, make_single_collision, make_contact_time, make_collision_map,
+    make_text;
 
 }  // namespace carom

@@ -1,41 +1,122 @@
-#include "panels/collision/collision_map.h"
-
+// The collision of two beads on a wire in the plane of their velocities: an ellipse of constant
+// energy, a line of constant momentum, and the two points where they cross, before and after. Or
+// all collisions of the two as a walk on the ellipse.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "panels/collision/collision_map_key.h"
+#include "panels/collision/pair_collision.h"
+#include "panels/collision/pair_motion.h"
+#include "panels/gas/bead_words.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
 
+using namespace plot;
 using Vector = Eigen::Array2d;
+using Cause = WalkStep::Cause;
 
 constexpr int ellipse_points = 240;
+constexpr double air_around = 1.08;  // over the largest velocities, at the ends of the axes
+constexpr int depth_of_zero = 5, depth_of_equal = 4, depth_of_energy = 3, depth_of_lines = 2,
+              depth_of_arrows = 1;
+
+const plot::Mark full{.role = {Role::Of::ink}, .radius = 0.36, .halo = 0.1};
+const plot::Mark hollow{.role = {Role::Of::ink}, .radius = 0.36, .is_hollow = true, .halo = 0.1};
+const Stroke of_energy{.width = 0.16}, of_equal{.width = 0.1, .dashes = {0.12, 0.3}};
+const Stroke of_steps{.role = {Role::Of::highlight}, .width = 0.14, .shade = Shade::legible};
+const Stroke of_walls{.width = 0.11, .dashes = {0.4, 0.3}};
+const Role ink{Role::Of::ink}, page{Role::Of::page}, muted{Role::Of::muted};
 
 struct MapState : PanelState {
     std::size_t steps = 0;  // of the walk, so far
     int stage = 0;          // of the collision shown: 1 before, 2 after, 0 another flight
 };
 
-Point toward(const Point& from, const Point& to, double distance) {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    const double share = length > 0.0 ? distance / length : 0.0;
-    return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+struct Counts {
+    std::int64_t pair = 0, wall = 0;
+};
+
+Stroke of_momentum() {
+    Stroke stroke = of_steps;
+    stroke.print_dashes = dashes_in_print(1, 2);
+    return stroke;
 }
 
-double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+// Three digits, without zeros at the end.
+std::string few_digits(double value) {
+    return plain_number(std::stod(fmt::format("{:.3g}", off_the_tie(value))));
+}
 
-Vector largest(const Vector& a, const Vector& b) { return a.abs().max(b.abs()); }
+// Two momenta that cancel but for round-off are none.
+std::string momentum_words(const PairMotion& motion) {
+    const double least = 1e-12 * (motion.before / motion.inverse_mass).abs().maxCoeff();
+    return few_digits(std::abs(motion.momentum()) < least ? 0.0 : motion.momentum());
+}
 
-}  // namespace
+// The numbers of a vector; those that are 0 but for round-off are 0.
+std::string numbers(const Vector& velocity, const char* between) {
+    const double least = 1e-9 * velocity.abs().maxCoeff();
+    const auto words = [&](double v) { return few_digits(std::abs(v) < least ? 0.0 : v); };
+    return words(velocity[0]) + between + words(velocity[1]);
+}
 
-CollisionMapPanel::CollisionMapPanel(const PanelContext& context, const PanelSpec& spec)
-    : context_(context), spec_(spec), watch_(context, spec), walk_watch_(context, spec) {}
+std::string in_brackets(const Vector& velocity) { return "(" + numbers(velocity, ", ") + ")"; }
+
+class CollisionMapPanel : public PlotPanel {
+  public:
+    CollisionMapPanel(const PanelContext& context, const PanelSpec& spec)
+        : context_(context), spec_(spec), watch_(context, spec), walk_watch_(context, spec) {}
+
+    void survey(const FrameInput& input) override;
+    bool surveys_collisions() const override { return !spec_.given; }
+    void fix_axes() override;
+    void archive(Archive& archive) override {
+        archive(met_, motion_, number_, walk_, factor_, reach_);
+        if (archive.is_reading()) make_plot();
+    }
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    Plot plot(const PanelState* state) const override;
+
+  private:
+    bool is_walk() const { return spec_.walk; }
+    bool is_scaled() const { return spec_.scaled.value_or(is_walk()); }
+    void find_motion();
+    Counts counts_of(std::size_t steps) const;
+    std::string subscripted(const char* letter, std::size_t k) const;
+    std::string column_of(std::size_t k) const;
+    Axis axis(std::size_t k) const;
+    std::vector<Text> titles() const;
+    Note key(std::size_t steps) const;
+    Note key_of_walk(std::size_t steps) const;
+    Note key_of_collision() const;
+    std::vector<Column> columns(const std::vector<Vector>& velocities) const;
+    Line line(const std::vector<Vector>& through, Stroke stroke, int depth) const;
+    Points points(const std::vector<Vector>& at, const plot::Mark& mark) const;
+    Arrow arrow(const Vector& from, const Vector& to, const Role& role, const Role& edge) const;
+    void make_plot();
+    void add_energy();
+    void add_collision();
+    void add_walk(Plot& plot, std::size_t steps) const;
+    std::string account_of(std::size_t steps) const;
+
+    PanelContext context_;
+    PanelSpec spec_;
+    PairCollisionWatch watch_;
+    WalkWatch walk_watch_;
+    std::optional<PairCollision> met_;  // of the run
+    PairMotion motion_;
+    std::array<std::int64_t, 2> number_{1, 2};  // what the two are called
+    std::vector<WalkStep> walk_;
+    Vector factor_{1.0, 1.0};  // of each velocity: 1, or the root of its mass
+    Vector reach_{1.0, 1.0};   // largest velocities shown, times factor_
+    Plot whole_;               // what is still
+};
 
 void CollisionMapPanel::survey(const FrameInput& input) {
     if (spec_.given) return;
@@ -43,35 +124,37 @@ void CollisionMapPanel::survey(const FrameInput& input) {
     if (is_walk()) walk_watch_.survey(input);
 }
 
-void CollisionMapPanel::fix_axes() {
+void CollisionMapPanel::find_motion() {
     if (spec_.given) {
         motion_ = {.inverse_mass = spec_.given->inverse_mass, .before = spec_.given->velocity};
         motion_.after = (collision_matrix(motion_.inverse_mass) * motion_.before.matrix()).array();
-    } else {
-        met_ = watch_.collision();
-        for (std::size_t k = 0; k < 2; ++k) {
-            const auto i = static_cast<Eigen::Index>(k);
-            number_[k] = met_->particle[k];
-            motion_.inverse_mass[i] = context_.particles.inverse_mass[met_->particle[k]];
-            motion_.before[i] = met_->before[k][0];
-            motion_.after[i] = met_->after[k][0];
-        }
+        return;
     }
-    if (motion_.has_infinite_mass() && (is_scaled() || is_walk())) {
-        Diagnostic error = spec_.place;
-        error.message = fmt::format(
-            "a collision with an infinite mass has no ellipse of energy, "
-            "which `{}` needs",
-            spec_.scaled == true ? "scaled" : "walk");
-        error.hint = "leave it out, or give a pair of finite masses";
-        throw SceneError({error});
+    met_ = watch_.collision();
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        number_[k] = met_->particle[k];
+        motion_.inverse_mass[i] = context_.particles.inverse_mass[met_->particle[k]];
+        motion_.before[i] = met_->before[k][0];
+        motion_.after[i] = met_->after[k][0];
     }
+}
+
+void CollisionMapPanel::fix_axes() {
+    find_motion();
+    if (motion_.has_infinite_mass() && (is_scaled() || is_walk()))
+        refuse(spec_.place,
+               fmt::format(
+                   "a collision with an infinite mass has no ellipse of energy, which `{}` needs",
+                   spec_.scaled == true ? "scaled" : "walk"),
+               "leave it out, or give a pair of finite masses");
     if (is_scaled()) factor_ = motion_.inverse_mass.rsqrt();
     if (is_walk()) walk_ = walk_watch_.steps();
-    reach_ = largest(motion_.before, motion_.after);
+    reach_ = motion_.before.abs().max(motion_.after.abs());
     if (!motion_.has_infinite_mass())
         reach_ = (2.0 * motion_.energy() * motion_.inverse_mass).sqrt();
     reach_ = (factor_ * reach_).max(0.25 * (factor_ * reach_).maxCoeff());
+    make_plot();
 }
 
 std::shared_ptr<const PanelState> CollisionMapPanel::state(const FrameInput& input) {
@@ -82,129 +165,290 @@ std::shared_ptr<const PanelState> CollisionMapPanel::state(const FrameInput& inp
     return state;
 }
 
-std::size_t CollisionMapPanel::steps_of(const PanelState& state) {
-    return static_cast<const MapState&>(state).steps;
-}
-
-MapPlaces CollisionMapPanel::places(const DrawContext& dc) const {
-    const std::vector<MapKeyEntry> entries = key(walk_.size());
-    const double least = 3.0 * dc.unit;
-    const Scale up = plane_in(map_places(dc, least, entries, reach_).plane).up();
-    return map_places(dc, std::max(least, y_axis_space(up, axis_style(dc))), entries, reach_);
-}
-
-VelocityPlane CollisionMapPanel::plane_in(const Rect& area) const {
-    return {area, factor_, scale_in(area, reach_)};
-}
-
-VelocityPlane CollisionMapPanel::plane(const DrawContext& dc) const {
-    return plane_in(places(dc).plane);
-}
-
-void CollisionMapPanel::draw_axes(Canvas& canvas, const DrawContext& dc,
-                                  const VelocityPlane& to) const {
-    const double u = dc.unit;
-    const Point zero = to(Vector::Zero());
-    const Color faint = mix(dc.theme.muted, dc.theme.page, 0.6);
-    canvas.stroke_line({to.area.x, zero.y}, {to.area.right(), zero.y}, 0.06 * u, faint);
-    canvas.stroke_line({zero.x, to.area.y}, {zero.x, to.area.bottom()}, 0.06 * u, faint);
-    const auto name = [&](std::size_t k) {
-        return met_ ? colored(velocity_name(k), color_of(context_, *met_, k, dc.theme), dc.theme)
-                    : velocity_name(k);
-    };
-    draw_x_axis(canvas, to.area, to.across(), name(0), axis_style(dc));
-    draw_y_axis(canvas, to.area, to.up(), "", axis_style(dc));
-    draw_text(canvas, {to.area.x + 0.4 * u, to.area.y - 0.4 * u}, name(1), label_style(dc));
-}
-
-std::vector<Eigen::Array2d> CollisionMapPanel::ellipse() const {
-    const Vector half = (2.0 * motion_.energy() * motion_.inverse_mass).sqrt();
-    std::vector<Vector> points;
-    for (int i = 0; i <= ellipse_points; ++i) {
-        const double turn = 2.0 * std::numbers::pi * i / ellipse_points;
-        points.push_back({half[0] * std::cos(turn), half[1] * std::sin(turn)});
+Counts CollisionMapPanel::counts_of(std::size_t steps) const {
+    Counts counts;
+    for (std::size_t i = 0; i < steps; ++i) {
+        if (walk_[i].cause == Cause::pair) ++counts.pair;
+        if (walk_[i].cause == Cause::wall) ++counts.wall;
     }
+    return counts;
+}
+
+std::string CollisionMapPanel::subscripted(const char* letter, std::size_t k) const {
+    constexpr std::array lowered{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    std::string words = letter;
+    for (const char digit : std::to_string(number_[k]))
+        words += lowered[static_cast<std::size_t>(digit - '0')];
+    return words;
+}
+
+std::string CollisionMapPanel::column_of(std::size_t k) const {
+    return is_scaled()
+               ? column_name(fmt::format("sqrt(m{0}) v{0}", number_[k]), "mass^0.5 length/time")
+               : column_name(fmt::format("v{}", number_[k]), reduced::speed);
+}
+
+Axis CollisionMapPanel::axis(std::size_t k) const {
+    const std::string name =
+        (is_scaled() ? "√" + subscripted("m", k) + "\u2009" : "") + subscripted("v", k);
+    const double end = air_around * reach_[static_cast<Eigen::Index>(k)];
+    return {.title = met_ ? named(name, role_of(context_, *met_, k)) : Text(name),
+            .low = -end,
+            .high = end};
+}
+
+std::vector<Text> CollisionMapPanel::titles() const {
+    if (spec_.title) return {escape_markup(*spec_.title)};
+    const Text of = met_ ? names_of(context_, *met_)
+                         : Text(fmt::format("masses {} and {}", mass_text(motion_.inverse_mass[0]),
+                                            mass_text(motion_.inverse_mass[1])));
+    const Text words = "Velocities of " + of;
+    if (is_walk())
+        return {words + ", collision by collision", "Velocities, collision by collision",
+                "Velocities"};
+    return {words + " in their collision", words, "Velocities in a collision"};
+}
+
+Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
+    const Counts counts = counts_of(steps), all = counts_of(walk_.size());
+    const auto with_each_other = [](const Counts& of) {
+        return "with each other: " + grouped(of.pair);
+    };
+    const auto with_a_wall = [](const Counts& of) { return "with a wall: " + grouped(of.wall); };
+    return {
+        .entries =
+            {{.words = {"start"}, .mark = hollow},
+             {.words = {spec_.at ? "at time " + plain_number(*spec_.at) : "present"}, .mark = full},
+             {.sample = of_energy, .words = {"energy " + few_digits(motion_.energy())}},
+             {.sample = of_steps,
+              .words = {with_each_other(counts)},
+              .longest = with_each_other(all)},
+             {.sample = of_walls, .words = {with_a_wall(counts)}, .longest = with_a_wall(all)},
+             {.sample = of_equal, .words = {subscripted("v", 0) + " = " + subscripted("v", 1)}}},
+        .changes = true};
+}
+
+Note CollisionMapPanel::key_of_collision() const {
+    const std::array v{subscripted("v", 0), subscripted("v", 1)};
+    std::string energy = "energy " + few_digits(motion_.energy());
+    std::string momentum = "momentum " + momentum_words(motion_);
+    if (motion_.has_infinite_mass()) {
+        const std::size_t wall = motion_.inverse_mass[0] > 0.0 ? 1 : 0;
+        const double velocity = motion_.before[static_cast<Eigen::Index>(wall)];
+        energy = "no ellipse: |" + v[0] + " − " + v[1] + "| = " + few_digits(motion_.speed_apart());
+        momentum = v[wall] + " = " + few_digits(velocity) + ", mass ∞";
+    }
+    const Vector stays = factor_ / factor_[0];
+    Vector turns = factor_ * motion_.turning();
+    turns /= turns[0] != 0.0 ? turns[0] : turns[1];
+    const auto sample = [](double from, double to, const Role& role, const Role& edge) {
+        return Arrow{{}, {from, 0.0}, {to, 0.0}, role, edge};
+    };
+    return {.entries = {{.words = {"before " + in_brackets(motion_.before)}, .mark = hollow},
+                        {.words = {"after " + in_brackets(motion_.after)}, .mark = full},
+                        {.sample = of_energy, .words = {energy}},
+                        {.sample = of_momentum(), .words = {momentum}},
+                        {.sample = of_equal,
+                         .words = {in_brackets(stays) + " stays"},
+                         .arrows = {sample(0.0, 0.6, muted, page)}},
+                        {.words = {in_brackets(turns) + " turns round"},
+                         .arrows = {sample(0.5, 0.0, page, ink), sample(0.5, 1.0, ink, page)}}}};
+}
+
+Note CollisionMapPanel::key(std::size_t steps) const {
+    Note note = is_walk() ? key_of_walk(steps) : key_of_collision();
+    note.wraps = note.may_be_beside = true;
+    note.sample_width = 2.0;
+    return note;
+}
+
+// Of velocities as the axes and the table show them.
+std::vector<Column> CollisionMapPanel::columns(const std::vector<Vector>& velocities) const {
+    std::vector<double> first, second;
+    for (const Vector& velocity : velocities) {
+        first.push_back(factor_[0] * velocity[0]);
+        second.push_back(factor_[1] * velocity[1]);
+    }
+    return {column(column_of(0), std::move(first)), column(column_of(1), std::move(second))};
+}
+
+Line CollisionMapPanel::line(const std::vector<Vector>& through, Stroke stroke, int depth) const {
+    const std::vector<Column> places = columns(through);
+    Line line{{.depth = depth, .still = true}, places[0], places[1]};
+    line.is_thinned = false;
+    line.stroke = std::move(stroke);
+    line.beyond = Beyond::cut;
+    return line;
+}
+
+Points CollisionMapPanel::points(const std::vector<Vector>& at, const plot::Mark& mark) const {
+    const std::vector<Column> places = columns(at);
+    Points points{{}, places[0], places[1]};
+    points.mark = mark;
     return points;
 }
 
+Arrow CollisionMapPanel::arrow(const Vector& from, const Vector& to, const Role& role,
+                               const Role& edge) const {
+    const Vector start = factor_ * from, end = factor_ * to;
+    return {{.depth = depth_of_arrows, .still = true},
+            {start[0], start[1]},
+            {end[0], end[1]},
+            role,
+            edge};
+}
+
 // With an infinite mass the two speeds that the other can have, in its frame.
-void CollisionMapPanel::draw_energy(Canvas& canvas, const DrawContext& dc,
-                                    const VelocityPlane& to) const {
-    const double width = 0.16 * dc.unit;
-    if (!motion_.has_infinite_mass()) {
-        std::vector<Point> path;
-        for (const Vector& point : ellipse()) path.push_back(to(point));
-        canvas.stroke_path(path, width, dc.theme.muted);
+void CollisionMapPanel::add_energy() {
+    const Layer still{.depth = depth_of_energy, .still = true};
+    if (motion_.has_infinite_mass()) {
+        for (const Vector& through : {motion_.before, motion_.after})
+            if (motion_.inverse_mass[0] > 0.0)
+                whole_.layers.emplace_back(Marker{still, "", through[0], {}, of_energy});
+            else
+                whole_.layers.emplace_back(Level{still, "", through[1], of_energy});
         return;
     }
-    const Vector across = motion_.inverse_mass[0] > 0.0 ? Vector{0.0, 1.0} : Vector{1.0, 0.0};
-    for (const Vector& through : {motion_.before, motion_.after})
-        to.draw_line(canvas, through, across, width, dc.theme.muted, {});
+    const Vector half = (2.0 * motion_.energy() * motion_.inverse_mass).sqrt();
+    std::vector<Vector> around;
+    for (int i = 0; i <= ellipse_points; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / ellipse_points;
+        around.push_back({half[0] * std::cos(turn), half[1] * std::sin(turn)});
+    }
+    Line ellipse = line(around, of_energy, depth_of_energy);
+    ellipse.part = "curve";
+    ellipse.of = "energy";
+    whole_.layers.emplace_back(std::move(ellipse));
 }
 
-void CollisionMapPanel::draw_collision(Canvas& canvas, const DrawContext& dc,
-                                       const VelocityPlane& to) const {
-    const double u = dc.unit;
-    const Vector middle = Vector::Constant(motion_.mass_center_velocity());
-    to.draw_line(canvas, motion_.before, motion_.turning(), 0.14 * u, momentum_color(dc),
-                 momentum_dashes(dc));
-    const Point center = to(middle), zero = to(Vector::Zero());
-    if (distance(zero, center) > u) draw_arrow(canvas, zero, center, map_arrow_center(dc));
-    const auto draw_part = [&](const Vector& end, const ArrowStyle& style) {
-        const Point at = to(end);
-        const double length = distance(center, at) - map_point_radius * u;
-        if (length > 0.8 * u) draw_arrow(canvas, center, toward(center, at, length), style);
+// The arrows begin and end with the motion of the centre of mass, and with the eigenvectors.
+void CollisionMapPanel::add_collision() {
+    const double time = met_ ? met_->time : std::nan("");
+    const auto add_point = [&](const char* of, const Vector& at, const plot::Mark& mark) {
+        Points point = points({at}, mark);
+        static_cast<Layer&>(point) = {.part = "point", .of = of, .still = true};
+        point.more = {column(whole_.columns[1], {time})};
+        whole_.layers.emplace_back(std::move(point));
     };
-    draw_part(motion_.before, map_arrow_before(dc));
-    draw_part(motion_.after, map_arrow_after(dc));
-    draw_map_point(canvas, dc, to(motion_.before), true);
-    draw_map_point(canvas, dc, to(motion_.after), false);
+    const auto add_arrow = [&](const char* part, const char* of, const Vector& listed,
+                               Arrow arrow) {
+        arrow.part = part;
+        arrow.of = of;
+        arrow.more = columns({listed});
+        whole_.layers.emplace_back(std::move(arrow));
+    };
+    add_point("before", motion_.before, hollow);
+    add_point("after", motion_.after, full);
+    const Vector middle = Vector::Constant(motion_.mass_center_velocity());
+    Arrow center = arrow(Vector::Zero(), middle, muted, page);
+    Arrow before = arrow(middle, motion_.before, page, ink);
+    Arrow after = arrow(middle, motion_.after, ink, page);
+    center.shortest = 1.0;
+    before.gap = after.gap = full.radius;
+    before.shortest = after.shortest = 0.8;
+    add_arrow("point", "centre of mass", middle, std::move(before));
+    add_arrow("eigenvector", "1", Vector::Ones(), std::move(center));
+    add_arrow("eigenvector", "-1", motion_.turning(), std::move(after));
+    const Vector far =
+        motion_.turning() * (10.0 * reach_.sum() / (factor_ * motion_.turning()).abs().maxCoeff());
+    whole_.layers.emplace_back(
+        line({motion_.before - far, motion_.before + far}, of_momentum(), depth_of_lines));
 }
 
-void CollisionMapPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    draw_panel_title(
-        canvas, dc,
-        spec_.title ? escape_markup(*spec_.title) : fitting_title(dc, titles(dc.theme)));
-    const VelocityPlane to = plane(dc);
-    draw_axes(canvas, dc, to);
-    to.draw_line(canvas, Vector::Zero(), Vector::Ones(), 0.1 * dc.unit, dc.theme.muted,
-                 equal_dots(dc));
-    draw_energy(canvas, dc, to);
-    if (is_walk()) return;
-    draw_collision(canvas, dc, to);
-    draw_map_key(canvas, dc, key(0), places(dc));
+void CollisionMapPanel::make_plot() {
+    whole_ = {.titles = titles(), .x = axis(0), .y = axis(1), .has_equal_scales = true};
+    whole_.columns = {"step (number)", column_name("time", reduced::time), column_of(0),
+                      column_of(1)};
+    whole_.notes = {key(walk_.size())};
+    const Layer zero{.depth = depth_of_zero, .still = true};
+    const Stroke faint{.width = 0.06, .fade = 0.6};
+    whole_.layers.emplace_back(Level{zero, "", 0.0, faint});
+    whole_.layers.emplace_back(Marker{zero, "", 0.0, {}, faint});
+    const Vector far = Vector::Constant(10.0 * reach_.sum() / factor_.maxCoeff());
+    whole_.layers.emplace_back(line({-far, far}, of_equal, depth_of_equal));
+    add_energy();
+    if (!is_walk()) add_collision();
 }
 
-void CollisionMapPanel::draw_walk(Canvas& canvas, const DrawContext& dc, const VelocityPlane& to,
-                                  std::size_t steps) const {
-    const double u = dc.unit;
+// Long walks are drawn finer.
+void CollisionMapPanel::add_walk(Plot& plot, std::size_t steps) const {
+    constexpr std::array causes{"start", "collision of the two", "wall", "reversal"};
     const double fine = std::sqrt(std::min(1.0, 40.0 / static_cast<double>(walk_.size())));
-    for (std::size_t i = 1; i < steps; ++i) {
-        const std::array line{to(walk_[i - 1].velocity), to(walk_[i].velocity)};
-        if (walk_[i].cause == WalkStep::Cause::pair)
-            canvas.stroke_path(line, 0.13 * fine * u, momentum_color(dc));
-        else if (walk_[i].cause == WalkStep::Cause::wall)
-            canvas.stroke_path(line, 0.11 * fine * u, dc.theme.muted, wall_dashes(dc));
+    const auto add_steps = [&](Cause cause, Stroke stroke) {
+        std::vector<Vector> ends;
+        std::vector<int> pieces;
+        for (std::size_t i = 1; i < steps; ++i) {
+            if (walk_[i].cause != cause) continue;
+            ends.insert(ends.end(), {walk_[i - 1].velocity, walk_[i].velocity});
+            pieces.insert(pieces.end(), 2, static_cast<int>(i));
+        }
+        stroke.width *= fine;
+        Line line = this->line(ends, std::move(stroke), depth_of_lines);
+        line.still = false;
+        line.piece = std::make_shared<const std::vector<int>>(std::move(pieces));
+        plot.layers.emplace_back(std::move(line));
+    };
+    add_steps(Cause::pair, of_steps);
+    add_steps(Cause::wall, of_walls);
+    std::vector<Vector> velocities;
+    std::vector<double> numbers, times;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < steps; ++i) {
+        velocities.push_back(walk_[i].velocity);
+        numbers.push_back(static_cast<double>(i));
+        times.push_back(walk_[i].time);
+        names.emplace_back(causes.at(static_cast<std::size_t>(walk_[i].cause)));
     }
-    for (std::size_t i = 0; i < steps; ++i)
-        canvas.fill_circle(to(walk_[i].velocity), std::max(0.1, 0.22 * fine) * u,
-                           momentum_color(dc));
-    draw_map_point(canvas, dc, to(walk_.front().velocity), true);
-    if (steps > 1) draw_map_point(canvas, dc, to(walk_[steps - 1].velocity), false);
+    Points all = points(velocities, {.role = of_steps.role, .radius = std::max(0.1, 0.22 * fine)});
+    all.part = "point";
+    all.of_each = std::move(names);
+    all.more = {column(plot.columns[0], std::move(numbers)),
+                column(plot.columns[1], std::move(times))};
+    plot.layers.emplace_back(std::move(all));
+    plot.layers.emplace_back(points({walk_.front().velocity}, hollow));
+    if (steps > 1) plot.layers.emplace_back(points({walk_[steps - 1].velocity}, full));
 }
 
-void CollisionMapPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const MapState&>(state);
-    const VelocityPlane to = plane(dc);
+std::string CollisionMapPanel::account_of(std::size_t steps) const {
+    const auto mass = [&](Eigen::Index k) {
+        return motion_.inverse_mass[k] > 0.0 ? "mass " + mass_text(motion_.inverse_mass[k])
+                                             : std::string("infinite mass");
+    };
+    const std::string pair = fmt::format("Beads of {} and {}", mass(0), mass(1));
     if (is_walk()) {
-        draw_walk(canvas, dc, to, now.steps);
-        draw_map_key(canvas, dc, key(now.steps), places(dc));
-        return;
+        const Counts counts = counts_of(steps);
+        return fmt::format(
+            "{} at energy {}: {} collisions with one another and {} with a wall, from velocities "
+            "{} to {}.",
+            pair, few_digits(motion_.energy()), grouped(counts.pair), grouped(counts.wall),
+            numbers(walk_.front().velocity, " and "), numbers(walk_[steps - 1].velocity, " and "));
     }
-    if (now.stage == 0 || !context_.in_film) return;
-    const Point at = to(now.stage == 1 ? motion_.before : motion_.after);
-    canvas.stroke_circle(at, 0.75 * dc.unit, 0.12 * dc.unit, momentum_color(dc));
+    const std::string kept =
+        motion_.has_infinite_mass()
+            ? fmt::format("the infinite mass goes on as before, and their relative speed stays {}",
+                          few_digits(motion_.speed_apart()))
+            : fmt::format("energy {} and momentum {} stay", few_digits(motion_.energy()),
+                          momentum_words(motion_));
+    return fmt::format("{} with velocities {} before their collision and {} after it: {}.", pair,
+                       numbers(motion_.before, " and "), numbers(motion_.after, " and "), kept);
 }
+
+Plot CollisionMapPanel::plot(const PanelState* state) const {
+    Plot plot = whole_;
+    if (state == nullptr) return plot;
+    const auto& now = static_cast<const MapState&>(*state);
+    plot.account = account_of(now.steps);
+    if (is_walk()) {
+        plot.notes = {key(now.steps)};
+        add_walk(plot, now.steps);
+    } else if (now.stage > 0 && context_.in_film) {
+        plot.layers.emplace_back(points({now.stage == 1 ? motion_.before : motion_.after},
+                                        {.role = of_steps.role, .radius = 0.75, .ring = 0.12}));
+    }
+    return plot;
+}
+
+}  // namespace
 
 std::unique_ptr<Panel> make_collision_map(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<CollisionMapPanel>(context, spec);

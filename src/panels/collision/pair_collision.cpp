@@ -101,19 +101,17 @@ void PairCollisionWatch::survey(const FrameInput& input) {
 
 const PairCollision& PairCollisionWatch::collision() const {
     if (found_) return *found_;
-    Diagnostic error = spec_.place;
     const std::string pair =
         spec_.of.empty() ? "no two particles"
                          : fmt::format("particles {} and {} do not", spec_.of[0].particle.value(),
                                        spec_.of[1].particle.value());
-    error.message = fmt::format("{} collide from time 0 to {}, the end of the run", pair,
-                                context_.scene.run.until);
-    error.hint =
-        spec_.of.empty()
-            ? "give a longer run, or let particles collide"
-            : "give another pair in `of`, or none for the first that collides, or a longer "
-              "run";
-    throw SceneError({error});
+    refuse(spec_.place,
+           fmt::format("{} collide from time 0 to {}, the end of the run", pair,
+                       context_.scene.run.until),
+           spec_.of.empty()
+               ? "give a longer run, or let particles collide"
+               : "give another pair in `of`, or none for the first that collides, or a longer "
+                 "run");
 }
 
 plot::Role role_of(const PanelContext& context, const PairCollision& pair, std::size_t k) {

@@ -69,29 +69,27 @@ std::vector<WalkStep> WalkWatch::steps() const {
     std::vector<WalkStep> steps;
     if (!pair_) return steps;
     const auto& pair = *pair_;
-    const auto fail = [&](const std::string& message, const std::string& hint) {
-        Diagnostic error = spec_.place;
-        error.message = message;
-        error.hint = hint;
-        throw SceneError({error});
-    };
     if (foreign_) {
         const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
-        fail(fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
-                         "walk on one ellipse",
-                         first_is_own ? foreign_->second.particle() : foreign_->first,
-                         first_is_own ? foreign_->first : foreign_->second.particle(),
-                         foreign_->time, pair[0], pair[1]),
-             "`walk` is for two beads that collide only with each other and with walls; without it "
-             "the panel "
-             "shows their first collision");
+        refuse(
+            spec_.place,
+            fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
+                        "walk on one ellipse",
+                        first_is_own ? foreign_->second.particle() : foreign_->first,
+                        first_is_own ? foreign_->first : foreign_->second.particle(),
+                        foreign_->time, pair[0], pair[1]),
+            "`walk` is for two beads that collide only with each other and with walls; without it "
+            "the panel "
+            "shows their first collision");
     }
     if (count_ > most_steps)
-        fail(fmt::format("particles {} and {} collide with each other and with walls {} times, but "
-                         "`walk` shows "
-                         "at most {}",
-                         pair[0], pair[1], count_, most_steps),
-             "give a shorter run, or more similar masses");
+        refuse(
+            spec_.place,
+            fmt::format("particles {} and {} collide with each other and with walls {} times, but "
+                        "`walk` shows "
+                        "at most {}",
+                        pair[0], pair[1], count_, most_steps),
+            "give a shorter run, or more similar masses");
     steps.push_back({.velocity = {start_[pair[0]], start_[pair[1]]}});
     std::size_t next = 0;
     const auto go_on_until = [&](double time) {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "panels/gas/bead_words.h"
-#include "panels/gas/velocity_arrows.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "util/archive.h"
@@ -228,7 +227,7 @@ CollisionStages SingleCollisionPanel::stages(const DrawContext& dc) const {
 }
 
 ArrowStyle SingleCollisionPanel::style(const DrawContext& dc, Color color) const {
-    return collision_arrow(dc, color, dc.theme.page, 0.07);
+    return plot::arrow_style(dc, color, dc.theme.page, 0.07);
 }
 
 // Open arrows where there is no other colour to tell them by.
@@ -268,9 +267,9 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
                 beyond, std::hypot(arrow.to.x - arrow.from.x, arrow.to.y - arrow.from.y) + 0.6 * u);
         const Point along{(b.x - a.x) / apart_by, (b.y - a.y) / apart_by};
         canvas.clip_to(stage.area);
-        canvas.stroke_dashed({a.x - beyond * along.x, a.y - beyond * along.y},
-                             {b.x + beyond * along.x, b.y + beyond * along.y}, 0.09 * u, 0.3 * u,
-                             dc.theme.muted);
+        canvas.stroke_line({a.x - beyond * along.x, a.y - beyond * along.y},
+                           {b.x + beyond * along.x, b.y + beyond * along.y}, 0.09 * u,
+                           dc.theme.muted, 0.3 * u);
         canvas.release_clip();
     }
     if (context_.scene.gas.box.dimension == 1 && index != 1)  // the wire
@@ -284,7 +283,7 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
                            mix(dc.theme.page, color, tint));
     }
     if (index == 1)
-        canvas.stroke_dashed(stage.center[0], stage.center[1], 0.09 * u, 0.3 * u, dc.theme.muted);
+        canvas.stroke_line(stage.center[0], stage.center[1], 0.09 * u, dc.theme.muted, 0.3 * u);
     const Color grey = dc.theme.muted;
     draw_arrow(canvas, stage.mass_center_velocity.from, stage.mass_center_velocity.to,
                style(dc, grey));
@@ -298,13 +297,13 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
 
 std::string SingleCollisionPanel::amounts(std::size_t index, const DrawContext& dc,
                                           const std::string& words) const {
-    std::string text = words;
+    plot::Text text = words;
     for (std::size_t k = 0; k < 2; ++k) {
         const Vector v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
-        text += (k == 0 ? "" : ", ") +
-                colored(three_digits(length(v)), color_of(context_, met_, k, dc.theme), dc.theme);
+        if (k > 0) text += ", ";
+        text += plot::named(three_digits(length(v)), role_of(context_, met_, k));
     }
-    return text;
+    return plot::markup_of(text, dc.theme);
 }
 
 // The numbers under a stage.

@@ -31,8 +31,7 @@ class EchoRecord {
         double log10_law = std::numeric_limits<double>::quiet_NaN();  ///< of the largest distance,
                                                                       ///< where there is a law
 
-        template <class Archive>
-        void archive(Archive& archive) {
+        void archive(auto& archive) {
             archive(frame, reversal, since, collisions, apart, is_known, log10_law);
         }
     };

@@ -87,7 +87,7 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     Line line(const char* part, const char* of, const Steps& steps, const Distance& distance) const;
     void add_distance(Plot& plot, std::size_t run, const Distance& distance,
                       std::size_t shown) const;
-    void add_law(Plot& plot, std::size_t run, std::size_t reversal) const;
+    void add_law(Plot& plot, std::size_t run, std::size_t shown) const;
     void add_level(Plot& plot) const;
     void add_end(Plot& plot) const;
     void add_start(Plot& plot) const;
@@ -277,10 +277,12 @@ void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distan
     plot.layers.emplace_back(std::move(head));
 }
 
-void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t reversal) const {
-    const Steps points = law(record_.runs[run], reversal);
+void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t shown) const {
+    const Echo& echo = record_.runs[run];
+    const Steps points = law(echo, shown > 0 ? echo.steps[shown - 1].reversal : 0);
     if (points.empty()) return;
     Line curve = line("curve", "growth law", points, largest);
+    if (shown == 0) curve.shown.end = 0;
     curve.stroke = {.role = {Role::Of::accent}, .width = law_width};
     curve.depth = static_cast<int>(record_.runs.size()) + 1;
     if (compares()) curve.run = run;
@@ -341,7 +343,7 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     Label label;
     label.words = {"begins at time " + three_digits(run.reversals.front())};
-    for (const double height : {0.5, 0.75, 0.25})
+    for (const double height : {0.5, 0.75, 0.25, 0.85, 0.15, 0.65, 0.35})
         label.anchors.push_back({.at = {0.5, height},
                                  .x_is_share = true,
                                  .y_is_share = true,
@@ -394,15 +396,12 @@ Plot ReturnDistancePanel::plot(const PanelState* state) const {
     const std::vector<std::size_t> none(record_.runs.size(), 0);
     const std::vector<std::size_t>& shown =
         state ? static_cast<const ShownState&>(*state).shown : none;
-    const bool has_begun = shown != none;
+    const bool has_begun = shown != none;  // else labels keep clear of what will come
     for (std::size_t k = 0; k < record_.runs.size(); ++k) {
         const Echo& run = record_.runs[k];
-        if (has_begun || state == nullptr) {  // labels keep clear of what will come
-            add_distance(plot, k, largest, shown[k]);
-            if (!compares()) add_distance(plot, k, root_mean_square, shown[k]);
-            if (shown[k] > 0 || (state == nullptr && !run.steps.empty()))
-                add_law(plot, k, shown[k] > 0 ? run.steps[shown[k] - 1].reversal : 0);
-        }
+        add_distance(plot, k, largest, shown[k]);
+        if (!compares()) add_distance(plot, k, root_mean_square, shown[k]);
+        add_law(plot, k, shown[k]);
         if (compares()) plot.accounts_of_runs.push_back(account_of(run, shown[k]));
     }
     add_level(plot);

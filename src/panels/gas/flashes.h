@@ -29,10 +29,7 @@ class Flashes {
     void survey(const FrameInput& input, const std::function<Point(const Collision&)>& place);
     void fix_scale();
 
-    template <class Archive>
-    void archive(Archive& archive) {
-        archive(dense_, contacts_);
-    }
+    void archive(auto& archive) { archive(dense_, contacts_); }
 
     /// Those of a frame, a function of the frame alone.
     std::vector<Flash> at(const Tick& tick) const;
@@ -46,22 +43,14 @@ class Flashes {
         double folded;   ///< simulated time, running back after a reversal
         std::pair<std::int32_t, std::int32_t> pair;
         Point place;
-
-        template <class Archive>
-        void archive(Archive& archive) {
-            archive(seconds, folded, pair, place);
-        }
+        void archive(auto& archive) { archive(seconds, folded, pair, place); }
     };
 
     /// Contacts that may flash together: as many as the limit allows, at least `gap` apart.
     struct Choice {
         double gap;  ///< seconds of film
         std::vector<Start> starts;
-
-        template <class Archive>
-        void archive(Archive& archive) {
-            archive(gap, starts);
-        }
+        void archive(auto& archive) { archive(gap, starts); }
     };
 
     bool is_free(const Choice& choice, double seconds) const;

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "panels/layout.h"
+#include "panels/chosen.h"
+#include "panels/plot/layers.h"
 #include "stats/histogram.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
@@ -137,7 +138,7 @@ std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     std::vector<Color> colors;
     if (context_.scene.film.color_by == ColorBy::species) {
         for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
-            colors.push_back(species_color(context_, k, theme));
+            colors.push_back(plot::color_of(species_role(context_, k), theme));
         return colors;
     }
     if (context_.scene.film.color_by == ColorBy::speed_class)

@@ -108,14 +108,4 @@ Rect VelocityArrows::draw_key(Canvas& canvas, const DrawContext& dc, double scal
     return above;
 }
 
-ArrowStyle collision_arrow(const DrawContext& dc, Color color, Color edge_color, double edge) {
-    const double u = dc.unit;
-    return {.shaft = std::max(1.5, 0.17 * u),
-            .head_length = 0.7 * u,
-            .head_width = 0.65 * u,
-            .edge = std::max(0.8, edge * u),
-            .color = color,
-            .edge_color = edge_color};
-}
-
 }  // namespace carom

@@ -30,14 +30,7 @@ class VelocityArrows {
     void survey(const FrameInput& input);
     void fix_scale(double length);
 
-    template <class Archive>
-    void archive(Archive& archive) {
-        archive(fast_, reach_);
-    }
-
-    /// The simulated time in which a particle goes as far as its arrow is long; 0 if all are at
-    /// rest.
-    double reach() const { return reach_; }
+    void archive(auto& archive) { archive(fast_, reach_); }
 
     /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or
     /// at the rim where words stand on the disks. `ground` is the colour behind.
@@ -57,11 +50,9 @@ class VelocityArrows {
     PanelContext context_;
     std::vector<double> pool_;
     int surveyed_ = 0;
-    double fast_ = 0.0;  ///< a speed
-    double reach_ = 0.0;
+    double fast_ = 0.0;   ///< a speed
+    double reach_ = 0.0;  ///< the simulated time in which a particle goes as far as its arrow is
+                          ///< long; 0 if all are at rest
 };
-
-/// An arrow in a picture that explains a collision; the edge's width in units.
-ArrowStyle collision_arrow(const DrawContext& dc, Color color, Color edge_color, double edge);
 
 }  // namespace carom

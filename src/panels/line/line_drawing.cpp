@@ -89,7 +89,7 @@ void WirePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     canvas.fill(v.plot, dc.theme.ground);
     for (const double side : {-1.0, 1.0}) draw_end(canvas, dc, side);
     canvas.stroke_line({v.plot.x, v.wire_y}, {v.plot.right(), v.wire_y}, 0.12 * u, dc.theme.wall);
-    draw_y_axis(canvas, v.plot, v.time, "", axis_style(dc));
+    draw_y_axis(canvas, v.plot, v.time, axis_style(dc));
     draw_captions(canvas, dc);
 }
 
@@ -100,8 +100,8 @@ void WirePanel::draw_end(Canvas& canvas, const DrawContext& dc, double side) con
     const double x = side < 0.0 ? v.plot.x : v.plot.right();
     const double top = v.wire_y - 2.2 * u, bottom = v.wire_y + 2.2 * u;
     if (is_ring()) {
-        canvas.stroke_dashed({x, top}, {x, bottom}, 0.1 * u, 0.4 * u, dc.theme.wall);
-        canvas.stroke_dashed({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, 0.4 * u, dc.theme.wall);
+        canvas.stroke_line({x, top}, {x, bottom}, 0.1 * u, dc.theme.wall, 0.4 * u);
+        canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, dc.theme.wall, 0.4 * u);
     } else {
         const double thick = 0.5 * u;
         canvas.fill({side < 0.0 ? x - thick : x, top, thick, bottom - top}, dc.theme.wall);

@@ -31,8 +31,7 @@ class WireMap {
     /// The same for one particle at x, near `last`.
     double place(Eigen::Index i, double x, double last) const;
 
-    template <class Archive>
-    void archive(Archive& archive) {
+    void archive(auto& archive) {
         archive(true_length_, ring_, order_, radius_, true_, push_, length_);
     }
 

@@ -37,8 +37,8 @@ void draw_piece(Canvas& canvas, const Frame& frame, const Line& line, std::size_
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
     if (line.beyond == Beyond::cut)
-        canvas.clip_to(
-            {frame.area.x, frame.area.y, frame.area.width, frame.area.height + frame.dc.unit});
+        canvas.clip_to({frame.area.x, frame.area.y, frame.area.width,
+                        frame.area.height + 0.5 * frame.pixels(line.stroke.width)});
     std::vector<Point> path;
     std::optional<Point> last;
     for (std::size_t i = line.shown.first; i < end_of(line); ++i) {

@@ -1,7 +1,6 @@
-// Levels, markers, ellipses and arrows, and the words beside them.
+// Levels, markers and arrows, and the words beside them.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "panels/plot/layers.h"
 
@@ -124,15 +123,9 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker) {
     if (marker.label) draw_layer(canvas, frame, *marker.label);
 }
 
-void draw_layer(Canvas& canvas, const Frame& frame, const Ellipse& ellipse) {
-    constexpr int points = 240;
-    std::vector<Point> path;
-    for (int i = 0; i <= points; ++i) {
-        const double turn = 2.0 * std::numbers::pi * i / points;
-        path.push_back({frame.x(ellipse.center.x + ellipse.half.x * std::cos(turn)),
-                        frame.y(ellipse.center.y + ellipse.half.y * std::sin(turn))});
-    }
-    draw_stroke(canvas, frame.dc, path, ellipse.stroke);
+void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow) {
+    draw_arrow(canvas, frame.dc, {frame.x(arrow.from.x), frame.y(arrow.from.y)},
+               {frame.x(arrow.to.x), frame.y(arrow.to.y)}, arrow);
 }
 
 }  // namespace carom::plot

@@ -2,7 +2,9 @@
 #include "panels/plot/draw_plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "panels/plot/bar_notes.h"
 #include "panels/plot/draw_bars.h"
@@ -10,77 +12,122 @@
 namespace carom::plot {
 namespace {
 
-constexpr double sample_width = 2.6, sample_gap = 0.5, entry_gap = 1.5;  // of notes, units
-constexpr double first_baseline = 2.5;                                   // of notes, units
-constexpr double least_left = 3.0;         // for the labels of the axis up, units
+constexpr double sample_gap = 0.5, entry_gap = 1.5;  // of notes, units
+constexpr double first_baseline = 2.5;               // of notes, units
+constexpr double least_left = 3.0;                   // for the labels of the axis up, units
 constexpr double most_of_title = 0.3;      // of the width: a longer title has a short form
 constexpr double zero_place_height = 1.5;  // units
 constexpr double sample_over_plot = 2.4;   // of notes that begin at the plot's edge, units
 constexpr double gap_over_bars = 0.4;  // under notes, for the counts of bars that are cut, units
+constexpr double gap_beside = 1.4;     // between a plot and the note beside it, units
+constexpr double most_rows = 0.45;     // of the height, that a note takes which may be beside
+constexpr double thinnest = 0.8, widest = 1.6;  // of a plot beside a note, width over height
 
 // How much lower rows of words stand over bars.
 double drop_over_bars(const Plot& plot, const DrawContext& dc) {
     return plot.bar_notes ? 0.3 * dc.unit : 0.0;
 }
 
-double start_of_words(const KeyEntry& entry, const DrawContext& dc) {
-    return entry.sample ? (sample_width + sample_gap) * dc.unit : 0.0;
+// Marks are narrower than other samples.
+double sample_of(const Note& note, const KeyEntry& entry, const DrawContext& dc) {
+    if (entry.sample || !entry.arrows.empty()) return note.sample_width * dc.unit;
+    return entry.mark ? 2.5 * entry.mark->radius * dc.unit : 0.0;
+}
+
+double width_of(const Text& words, const DrawContext& dc) {
+    return measure_text(markup_of(words, dc.theme), label_style(dc)).width;
+}
+
+const Text& words_of(const KeyEntry& entry, std::size_t length) {
+    return entry.words[std::min(length, entry.words.size() - 1)];
 }
 
 // Which of its words an entry shows, and where it begins.
 struct PlacedEntry {
     const KeyEntry* entry;
     std::size_t length;
-    Point at;
-    double width;
+    Point at;  // of the baseline
+    double sample, width;
 };
 
-double width_of(const KeyEntry& entry, std::size_t length, const DrawContext& dc) {
-    const Text& words = entry.words[std::min(length, entry.words.size() - 1)];
-    return start_of_words(entry, dc) +
-           measure_text(markup_of(words, dc.theme), label_style(dc)).width;
+// With its sample as wide as given, or as it is by itself.
+PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length,
+                     const DrawContext& dc, std::optional<double> sample_width = {}) {
+    const double sample = sample_width.value_or(sample_of(note, entry, dc));
+    const double gap = sample > 0.0 ? sample_gap * dc.unit : 0.0;
+    const Text& words = entry.longest ? *entry.longest : words_of(entry, length);
+    return {&entry, length, {}, sample, sample + gap + width_of(words, dc)};
 }
 
-// From the left end of the first row's baseline.
-std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc) {
+// In rows, from the left end of the first one's baseline.
+std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc, Point start = {}) {
     std::size_t lengths = 1, length = 0;
     for (const KeyEntry& entry : note.entries) lengths = std::max(lengths, entry.words.size());
     const auto whole = [&] {
         double sum = -entry_gap * dc.unit;
         for (const KeyEntry& entry : note.entries)
-            sum += width_of(entry, length, dc) + entry_gap * dc.unit;
+            sum += measured(note, entry, length, dc).width + entry_gap * dc.unit;
         return sum;
     };
     while (length + 1 < lengths && whole() > dc.area.width) ++length;
     std::vector<PlacedEntry> placed;
-    Point at{0.0, 0.0};
+    Point at;
     for (const KeyEntry& entry : note.entries) {
-        const double width = std::min(dc.area.width, width_of(entry, length, dc));
-        if (note.wraps && at.x > 0.0 && at.x + width > dc.area.width)
+        PlacedEntry one = measured(note, entry, length, dc);
+        one.width = std::min(dc.area.width, one.width);
+        if (note.wraps && at.x > 0.0 && at.x + one.width > dc.area.width)
             at = {0.0, at.y + note_height * dc.unit};
-        placed.push_back({&entry, std::min(length, entry.words.size() - 1), at, width});
-        at.x += width + entry_gap * dc.unit;
+        if (note.may_be_beside && at.y > most_rows * plot_area(dc).height) break;
+        one.at = {start.x + at.x, start.y + at.y};
+        at.x += one.width + entry_gap * dc.unit;
+        placed.push_back(one);
     }
     return placed;
 }
 
-}  // namespace
-
-double height_of(const Note& note, const DrawContext& dc) {
-    if (note.entries.empty()) return note.changes ? note_height : 0.0;
-    return note_height + (note.wraps ? places(note, dc).back().at.y / dc.unit : 0.0);
+// The same for a column, in which words begin at one place; and the width that the column takes.
+std::pair<std::vector<PlacedEntry>, double> column_of(const Note& note, const DrawContext& dc) {
+    std::vector<PlacedEntry> entries;
+    double width = 0.0;
+    for (const KeyEntry& entry : note.entries) {
+        entries.push_back(measured(note, entry, 0, dc, note.sample_width * dc.unit));
+        width = std::max(width, entries.back().width + gap_beside * dc.unit);
+    }
+    return {std::move(entries), width};
 }
 
-namespace {
+// In columns right of an area, as many as there is room for.
+std::vector<PlacedEntry> places_beside(const Note& note, const DrawContext& dc, const Rect& area) {
+    const double u = dc.unit;
+    auto [placed, width] = column_of(note, dc);
+    Point at{area.right() + gap_beside * u, area.y + u};
+    for (std::size_t i = 0; i < placed.size(); ++i, at.y += note_height * u) {
+        if (at.y > area.bottom()) at = {at.x + width, area.y + u};
+        if (at.x + placed[i].width > dc.area.right() + 1e-6) {
+            placed.resize(i);
+            break;
+        }
+        placed[i].at = at;
+    }
+    return placed;
+}
 
-double height_of_rows(const Plot& plot, const DrawContext& dc) {
+// The height of a note under the title, in units.
+double height_of(const Note& note, const DrawContext& dc) {
+    if (note.entries.empty()) return note.changes ? note_height : 0.0;
+    const std::vector<PlacedEntry> placed = places(note, dc);
+    return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
+}
+
+double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_beside) {
     double sum = 0.0;
-    for (const Note& note : plot.notes) sum += height_of(note, dc);
+    for (const Note& note : plot.notes)
+        if (!(note.may_be_beside && is_key_beside)) sum += height_of(note, dc);
     return sum;
 }
 
-double height_of_notes(const Plot& plot, const DrawContext& dc) {
-    double sum = height_of_rows(plot, dc);
+double height_of_notes(const Plot& plot, const DrawContext& dc, bool is_key_beside) {
+    double sum = height_of_rows(plot, dc, is_key_beside);
     if (!plot.bar_notes) return sum;
     sum += note_height * rows_of(*plot.bar_notes, plot, dc);
     return sum > 0.0 ? sum + gap_over_bars : 0.0;
@@ -107,23 +154,29 @@ void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, d
     }
 }
 
-void draw_note(Canvas& canvas, const Frame& frame, const Note& note, double y) {
+// A line, a mark in its middle, arrows over it.
+void draw_sample(Canvas& canvas, const DrawContext& dc, const PlacedEntry& placed) {
+    const KeyEntry& entry = *placed.entry;
+    const double y = placed.at.y - 0.35 * dc.unit;
+    const auto along = [&](double share) { return Point{placed.at.x + share * placed.sample, y}; };
+    if (entry.sample) draw_stroke(canvas, dc, std::array{along(0.0), along(1.0)}, *entry.sample);
+    if (entry.mark) draw_mark(canvas, dc, along(0.5), *entry.mark);
+    for (const Arrow& arrow : entry.arrows)
+        draw_arrow(canvas, dc, along(arrow.from.x), along(arrow.to.x), arrow);
+}
+
+void draw_note(Canvas& canvas, const Frame& frame, const std::vector<PlacedEntry>& placed) {
     const DrawContext& dc = frame.dc;
-    for (const PlacedEntry& one : places(note, dc)) {
-        const Point left{dc.area.x + one.at.x, y + one.at.y};
-        const double words = start_of_words(*one.entry, dc);
-        if (one.entry->sample)
-            draw_stroke(canvas, dc,
-                        std::array{Point{left.x, left.y - 0.35 * dc.unit},
-                                   Point{left.x + sample_width * dc.unit, left.y - 0.35 * dc.unit}},
-                        *one.entry->sample);
+    for (const PlacedEntry& one : placed) {
+        draw_sample(canvas, dc, one);
+        const double words = one.sample > 0.0 ? one.sample + sample_gap * dc.unit : 0.0;
         TextStyle style = label_style(dc);
         style.max_width =
-            std::min(one.width - words + 0.1 * dc.unit, dc.area.width - one.at.x - words);
-        draw_text(canvas, {left.x + words, left.y},
-                  markup_of(one.entry->words[one.length], dc.theme), style);
-        frame.placer.keep_clear(
-            Rect{left.x, left.y - 0.9 * dc.unit, one.width + entry_gap * dc.unit, 1.2 * dc.unit});
+            std::min(one.width - words + 0.1 * dc.unit, dc.area.right() - one.at.x - words);
+        draw_text(canvas, {one.at.x + words, one.at.y},
+                  markup_of(words_of(*one.entry, one.length), dc.theme), style);
+        frame.placer.keep_clear(Rect{one.at.x, one.at.y - 0.9 * dc.unit,
+                                     one.width + entry_gap * dc.unit, 1.2 * dc.unit});
     }
 }
 
@@ -131,13 +184,16 @@ void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part)
     const DrawContext& dc = frame.dc;
     double y = dc.area.y + first_baseline * dc.unit + drop_over_bars(plot, dc);
     for (const Note& note : plot.notes) {
+        const bool is_beside = note.may_be_beside && frame.is_key_beside;
         if (note.changes == (part == Part::changing)) {
             if (note.is_over_plot)
                 draw_note_over_plot(canvas, frame, note, y);
             else
-                draw_note(canvas, frame, note, y);
+                draw_note(canvas, frame,
+                          is_beside ? places_beside(note, dc, frame.area)
+                                    : places(note, dc, {dc.area.x, y}));
         }
-        y += height_of(note, dc) * dc.unit;
+        if (!is_beside) y += height_of(note, dc) * dc.unit;
     }
 }
 
@@ -155,32 +211,81 @@ std::string title_of(const Plot& plot, const DrawContext& dc) {
 AxisStyle style_of(const Axis& axis, const DrawContext& dc) {
     AxisStyle style = axis_style(dc);
     style.whole = axis.is_whole;
+    style.decades = axis.kind != Axis::Kind::linear;
     return style;
 }
 
-bool is_linear(const Axis& axis) { return axis.kind == Axis::Kind::linear; }
+// Pixels of a unit of data, the same on both axes.
+double scale_in(const Rect& area, const Plot& plot) {
+    return std::min(area.width / (plot.x.high - plot.x.low),
+                    area.height / (plot.y.high - plot.y.low));
+}
 
-// Where the data lie: under the title and the notes, left and above the axes' labels.
+struct PlotArea {
+    Rect rect;
+    bool is_key_beside = false;
+};
+
+// Under the title and the notes, right of so much for the labels of the axis; the note that may be
+// beside is, where that leaves more of the area.
+PlotArea area_of(const Plot& plot, const DrawContext& dc, double left) {
+    const Rect whole = plot_area(dc);
+    const auto under_notes = [&](bool is_key_beside) {
+        Rect area = whole;
+        const double notes = height_of_notes(plot, dc, is_key_beside) * dc.unit;
+        area.x += left;
+        area.width -= left;
+        area.y += notes;
+        area.height = std::max(dc.unit, area.height - notes);
+        return area;
+    };
+    const Rect under = under_notes(false);
+    const auto key = std::ranges::find_if(plot.notes, &Note::may_be_beside);
+    if (key == plot.notes.end()) return {under};
+    Rect beside = under_notes(true);
+    const double column = column_of(*key, dc).second;
+    const double ratio =
+        std::clamp((plot.x.high - plot.x.low) / (plot.y.high - plot.y.low), thinnest, widest);
+    beside.width = std::clamp(beside.width - column, 0.1 * dc.unit, ratio * beside.height);
+    if (scale_in(beside, plot) > scale_in(under, plot)) return {beside, true};
+    return {under};
+}
+
+// What an axis shows between two places: what it says, or more, so that a unit takes `scale`.
+Scale scale_of(const Axis& axis, double from, double to, std::optional<double> scale) {
+    if (!scale) return {axis.low, axis.high, from, to};
+    const double middle = 0.5 * (axis.low + axis.high), half = 0.5 * std::abs(to - from) / *scale;
+    return {middle - half, middle + half, from, to};
+}
+
+}  // namespace
+
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
     const double u = dc.unit;
-    Rect area = plot_area(dc);
-    const double notes = height_of_notes(plot, dc) * u;
-    area.y += notes;
-    area.height = std::max(u, area.height - notes);
-    const double floor =
-        plot.y.has_zero_place ? std::min(0.3 * area.height, zero_place_height * u) : 0.0;
-    const Scale up{plot.y.low, plot.y.high, area.bottom() - floor, area.y};
-    const AxisStyle style = style_of(plot.y, dc);
-    const double space = is_linear(plot.y) ? y_axis_space(up, style) : log_y_axis_space(up, style);
-    const double more = std::max(0.0, space - least_left * u);
-    area.x += more;
-    area.width -= more;
+    const auto equal_scale = [&](const Rect& area) {
+        return plot.has_equal_scales ? std::optional(scale_in(area, plot)) : std::nullopt;
+    };
+    const auto scale_up = [&](const Rect& area) {
+        const double floor =
+            plot.y.has_zero_place ? std::min(0.3 * area.height, zero_place_height * u) : 0.0;
+        return scale_of(plot.y, area.bottom() - floor, area.y, equal_scale(area));
+    };
+    const double space = y_axis_space(scale_up(area_of(plot, dc, 0.0).rect), style_of(plot.y, dc));
+    const auto [area, is_key_beside] = area_of(plot, dc, std::max(0.0, space - least_left * u));
     placer = LabelPlacer(area);
-    const double row =
-        dc.area.y + first_baseline * u + drop_over_bars(plot, dc) + height_of_rows(plot, dc) * u;
-    return {dc,     area,         {plot.x.low, plot.x.high, area.x, area.right()}, up, plot.y.kind,
-            placer, {area.x, row}};
+    const double row = dc.area.y + first_baseline * u + drop_over_bars(plot, dc) +
+                       height_of_rows(plot, dc, is_key_beside) * u;
+    return {dc,
+            area,
+            scale_of(plot.x, area.x, area.right(), equal_scale(area)),
+            scale_up(area),
+            plot.y.kind,
+            placer,
+            {area.x, row},
+            is_key_beside};
 }
+
+namespace {
 
 // No power of ten is 0: it has a place of its own under the axis, which is broken there.
 void draw_zero_place(Canvas& canvas, const Frame& frame) {
@@ -204,10 +309,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     draw_x_axis(canvas, frame.area, frame.x_scale, title, style);
     Rect above = frame.area;
     above.height = frame.y_scale.from - frame.area.y;
-    if (is_linear(plot.y))
-        draw_y_axis(canvas, above, frame.y_scale, "", style_of(plot.y, dc));
-    else
-        draw_log_y_axis(canvas, above, frame.y_scale, "", style_of(plot.y, dc));
+    draw_y_axis(canvas, above, frame.y_scale, style_of(plot.y, dc));
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
     if (!plot.y.title.empty())
         draw_text(canvas, {frame.area.x + 0.4 * dc.unit, frame.area.y - 0.1 * dc.unit},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/arrow.h"
 #include "panels/panel.h"
 #include "panels/plot/label_placer.h"
 #include "panels/plot/plot.h"
@@ -19,7 +20,8 @@ struct Frame {
     Scale x_scale, y_scale;  ///< unless an axis is linear, of decimal logarithms
     Axis::Kind y_kind;
     LabelPlacer& placer;
-    Point row = {};  ///< where the last row above the plot begins, on its baseline
+    Point row = {};              ///< where the last row above the plot begins, on its baseline
+    bool is_key_beside = false;  ///< of a note that may be
 
     double x(double value) const { return x_scale(value); }
 
@@ -28,13 +30,17 @@ struct Frame {
     double pixels(double units) const { return units * dc.unit; }
 };
 
+/// Where a plot's data lie in `dc.area`: under the title and the notes, left and above the axes'
+/// labels.
+Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer);
+
 void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars);
 void draw_layer(Canvas& canvas, const Frame& frame, const Line& line);
 void draw_layer(Canvas& canvas, const Frame& frame, const Band& band);
 void draw_layer(Canvas& canvas, const Frame& frame, const Points& points);
 void draw_layer(Canvas& canvas, const Frame& frame, const Level& level);
 void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
-void draw_layer(Canvas& canvas, const Frame& frame, const Ellipse& ellipse);
+void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow);
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
 /// Keeps other labels off where this one goes.
@@ -55,8 +61,11 @@ void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
 
 void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark);
 
-/// The height of a note under the title, in units.
-double height_of(const Note& note, const DrawContext& dc);
+/// An arrow in a picture that explains something; the edge's width in units.
+ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, double edge);
+
+/// Draws an arrow between two points of the canvas.
+void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, const Arrow& arrow);
 
 /// A text as markup in a theme's colours.
 std::string markup_of(const Text& text, const Theme& theme);

@@ -91,20 +91,6 @@ Text operator+(Text first, const Text& second);
 Text named(const std::string& name, const Role& role, Sample sample = Sample::none,
            std::size_t line = 0);
 
-/// A sample, then words: a part of a key.
-struct KeyEntry {
-    std::optional<Stroke> sample = {};
-    std::vector<Text> words;  ///< from the longest on
-};
-
-/// Words under the title: entries in a row, all in their longest words that fit.
-struct Note {
-    std::vector<KeyEntry> entries = {};
-    bool wraps = false;         ///< into as many rows as they need
-    bool changes = false;       ///< from frame to frame; its row is kept in any case
-    bool is_over_plot = false;  ///< begins at the plot's left edge, samples left of it
-};
-
 /// A place for words: a point, and from there on in steps, as far as the plot's area goes.
 struct Anchor {
     Point at;  ///< data, or shares of the area from its top left corner
@@ -181,6 +167,7 @@ struct Band : Layer {
 
 struct Points : Layer {
     Column x, y;
+    std::vector<std::string> of_each = {};  ///< in the table, instead of `of`
     Shown shown = {};
     double spacing = 0.0;  ///< units: one that is nearer to the last one drawn is left out
     Mark mark = {};
@@ -224,12 +211,14 @@ struct Bars : Layer {
     Stroke error_stroke = {.width = 0.08};
 };
 
-struct Ellipse : Layer {
-    Point center, half;  ///< half axes
-    Stroke stroke = {};
+struct Arrow : Layer {
+    Point from, to;
+    Role role = {.of = Role::Of::ink}, edge = {.of = Role::Of::page};
+    double gap = 0.0;       ///< units, that are left out at its end
+    double shortest = 0.0;  ///< units, with which it is drawn
 };
 
-using AnyLayer = std::variant<Bars, Line, Band, Points, Level, Marker, Ellipse, Label>;
+using AnyLayer = std::variant<Bars, Line, Band, Points, Level, Marker, Arrow, Label>;
 
 /// What all kinds of layers have in common.
 const Layer& common(const AnyLayer& layer);
@@ -248,6 +237,27 @@ struct BarNotes {
     bool is_right = false;                 ///< at the top right whatever lies there
     std::pair<double, double> marks = {};  ///< between which marks move in the whole film
     std::string below = {}, above = {}, beyond = {};  ///< "3", "5", "faster"; empty: none
+};
+
+// ----------------------------------------------------------------------------------- words around
+
+/// A sample, then words: a part of a key.
+struct KeyEntry {
+    std::optional<Stroke> sample = {};
+    std::vector<Text> words;           ///< from the longest on
+    std::optional<Mark> mark = {};     ///< the sample, or its middle
+    std::vector<Arrow> arrows = {};    ///< over the sample, in shares of its width
+    std::optional<Text> longest = {};  ///< whose room it takes, of words that change
+};
+
+/// Words under the title: entries in a row, all in their longest words that fit.
+struct Note {
+    std::vector<KeyEntry> entries = {};
+    bool wraps = false;          ///< into as many rows as they need
+    bool changes = false;        ///< from frame to frame; its row is kept in any case
+    bool is_over_plot = false;   ///< begins at the plot's left edge, samples left of it
+    bool may_be_beside = false;  ///< in a column right of the plot, where that leaves it larger
+    double sample_width = 2.6;   ///< units
 };
 
 // ------------------------------------------------------------------------------------ axes, plot
@@ -271,6 +281,7 @@ struct Plot {
     std::vector<Text> titles = {};       ///< from the longest on
     std::vector<Text> wide_titles = {};  ///< tried before those, at full size only
     Axis x = {}, y = {};
+    bool has_equal_scales = false;  ///< then the axes show at least what they say
     std::vector<AnyLayer> layers = {};
     std::vector<Note> notes = {};
     std::optional<BarNotes> bar_notes = {};

@@ -62,6 +62,8 @@ class Rows {
             if constexpr (requires { curve.piece_column; })
                 if (!curve.piece_column.empty()) numbers[curve.piece_column] = (*curve.piece)[i];
             for (const Column& more : curve.more) numbers[more.name] = more[i];
+            if constexpr (requires { curve.of_each; })
+                if (!curve.of_each.empty()) of_ = curve.of_each[i];
             row(numbers);
         }
     }

@@ -86,6 +86,26 @@ void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark
     if (mark.is_hollow || is_pale) canvas.fill_circle(at, 0.6 * radius, dc.theme.page);
 }
 
+ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, double edge) {
+    const double u = dc.unit;
+    return {.shaft = std::max(1.5, 0.17 * u),
+            .head_length = 0.7 * u,
+            .head_width = 0.65 * u,
+            .edge = std::max(0.8, edge * u),
+            .color = color,
+            .edge_color = edge_color};
+}
+
+void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, const Arrow& arrow) {
+    const double whole = std::hypot(to.x - from.x, to.y - from.y);
+    const double length = whole - arrow.gap * dc.unit;
+    if (!(length > arrow.shortest * dc.unit)) return;
+    const double share = length / whole;
+    carom::draw_arrow(
+        canvas, from, {std::lerp(from.x, to.x, share), std::lerp(from.y, to.y, share)},
+        arrow_style(dc, color_of(arrow.role, dc.theme), color_of(arrow.edge, dc.theme), 0.08));
+}
+
 namespace {
 
 std::string sample_of(const Text::Piece& piece, const Theme& theme) {

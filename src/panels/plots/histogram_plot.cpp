@@ -7,6 +7,7 @@
 
 #include "panels/chosen.h"
 #include "panels/plot/draw_bars.h"
+#include "panels/plot/layers.h"
 #include "panels/plots/histogram_panel.h"
 #include "util/text.h"
 
@@ -67,7 +68,7 @@ HistogramPanel::Roles HistogramPanel::roles_of(std::size_t k) const {
     if (compares()) return {run, run, run};
     if (count() == 1) return {{Role::Of::bar}, {Role::Of::accent}, {Role::Of::highlight}};
     const auto color = [&](std::size_t choice, const Theme& theme) {
-        return choice_color(context_, choices_[choice].chosen, choice, theme);
+        return color_of(choice_role(context_, choices_[choice].chosen, choice), theme);
     };
     const auto line = [&](double share) {
         return own_role([&, share](const Theme& theme) {

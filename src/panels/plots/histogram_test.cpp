@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "panels/plots/histogram_panel.h"
-#include "util/diagnostics.h"
 #include "util/text.h"
 
 namespace carom {
@@ -32,23 +31,18 @@ Expected HistogramPanel::expected(const HistogramSeries& series) const {
 // Particles of several masses, with so many of each, do not make counts of one distribution; and
 // fixed ones have no part in the energy.
 void HistogramPanel::require_testable(const HistogramSeries& series) const {
-    Diagnostic error = spec_.place;
-    if (series.equilibria.size() < axes_.runs) {
-        error.message = "there is no equilibrium that these bars could be tested against";
-        error.hint = "leave out `test`, or change the gas so that it comes to one";
-        throw SceneError({error});
-    }
+    if (series.equilibria.size() < axes_.runs)
+        refuse(spec_.place, "there is no equilibrium that these bars could be tested against",
+               "leave out `test`, or change the gas so that it comes to one");
     const std::vector<MassGroup>& groups = series.equilibria.front().groups;
-    if (groups.size() > 1 || groups.front().count < series.particles) {
-        error.message = "the test is for particles of one finite mass";
-        error.hint = "choose them in `of`: the name of one species";
-        throw SceneError({error});
-    }
+    if (groups.size() > 1 || groups.front().count < series.particles)
+        refuse(spec_.place, "the test is for particles of one finite mass",
+               "choose them in `of`: the name of one species");
     const Expected classes = expected(series);
-    if (pearson(classes.count, classes)) return;
-    error.message = "too few particles for the test: not three bars have 5 expected in each";
-    error.hint = "leave out `test`, or give the gas more particles";
-    throw SceneError({error});
+    if (!pearson(classes.count, classes))
+        refuse(spec_.place,
+               "too few particles for the test: not three bars have 5 expected in each",
+               "leave out `test`, or give the gas more particles");
 }
 
 std::optional<ChiSquared> HistogramPanel::test_of(const HistogramCounts& counts,

@@ -1,12 +1,14 @@
-#include "panels/words/monitors_panel.h"
-
+// Numbers in fixed places: time, collisions, mean speed, mean energy, shares of slow, medium and
+// fast, or some of these; a row under the gas, or as large as a panel.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "panels/echo/echo_record.h"
 #include "panels/registry.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
@@ -15,29 +17,40 @@
 namespace carom {
 namespace {
 
-struct MonitorsState : PanelState {
-    double time = 0.0;
-    std::int64_t collisions = 0;
-    std::int64_t with_walls = 0;
-    double mean_speed = 0.0;
-    double mean_energy = 0.0;
-    std::array<double, 3> shares{};
-    std::optional<double> return_distance;
-    double log10_return_distance = 0.0;  // where it is known, also beyond doubles
-    Slowness slow;
-    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
-};
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// How a number is written.
+enum class Format { fixed, count, per_cent, power };
 
 struct Column {
     const char* label;
     double width;  // units, at the smallest size of text
+    const char* unit;
+    Format format;
 };
 
 // In the order of Monitor.
-constexpr std::array columns{
-    Column{"time", 7.08},         Column{"collisions", 7.788},     Column{"mean speed", 7.788},
-    Column{"mean energy", 8.968}, Column{"slow", 5.664},           Column{"medium", 5.9},
-    Column{"fast", 4.012},        Column{"all collisions", 8.968}, Column{"from way out", 8.968}};
+constexpr std::array all_columns{Column{"time", 7.08, reduced::time, Format::fixed},
+                                 Column{"collisions", 7.788, "count", Format::count},
+                                 Column{"mean speed", 7.788, reduced::speed, Format::fixed},
+                                 Column{"mean energy", 8.968, reduced::energy, Format::fixed},
+                                 Column{"slow", 5.664, "per cent", Format::per_cent},
+                                 Column{"medium", 5.9, "per cent", Format::per_cent},
+                                 Column{"fast", 4.012, "per cent", Format::per_cent},
+                                 Column{"all collisions", 8.968, "count", Format::count},
+                                 Column{"from way out", 8.968, reduced::length, Format::power}};
+using Numbers = std::array<double, all_columns.size()>;
+
+std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
+
+struct MonitorsState : PanelState {
+    Numbers numbers{};              // of a distance its decimal logarithm, or none
+    double return_distance = none;  // the same as a double, which may be 0
+    Slowness slow;
+    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
+};
+
 constexpr double widest_column = 8.968;
 constexpr double widest_number = 6.4;
 constexpr double tightest = 0.85;  // the widths of columns have some air
@@ -51,7 +64,7 @@ constexpr double arrow_place = 5.29;   // units, to the middle of the arrow that
 constexpr double arrow_gap = 0.9;      // units, from the end of a long time to its middle
 constexpr double arrow_size = 0.6;     // units, from its middle to its ends
 
-const Column& column(Monitor number) { return columns.at(static_cast<std::size_t>(number)); }
+const Column& column(Monitor number) { return all_columns.at(index_of(number)); }
 
 // As many decimals as show three digits of the largest value, so that only digits change.
 std::string fixed_digits(double value, double largest) {
@@ -69,8 +82,8 @@ std::string counted(std::int64_t count) {
 }
 
 // Whole per cent, one digit padded by a figure space.
-std::string percent(double share) {
-    const auto whole = std::to_string(std::lround(100.0 * share));
+std::string percent(double per_cent) {
+    const auto whole = std::to_string(std::lround(per_cent));
     std::string padding;
     for (std::size_t i = whole.size(); i < 2; ++i) padding += "\u2007";
     return padding + whole + "\u2009%";
@@ -95,10 +108,8 @@ void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color co
     canvas.fill_polygon(corners, color);
 }
 
-}  // namespace
-
 // Where each number stands, and how large: as large as the area allows, in one row or several.
-struct MonitorsPanel::Row {
+struct Row {
     Rect area;
     std::size_t shown, columns;
     double spacing, size, height;  // of text and rows as multiples of the smallest
@@ -111,8 +122,40 @@ struct MonitorsPanel::Row {
     }
 };
 
+class MonitorsPanel : public Panel {
+  public:
+    MonitorsPanel(const PanelContext& context, const PanelSpec& spec);
+
+    void survey(const FrameInput& input) override;
+    bool wants_return_distances() const override { return echo_.has_value(); }
+    void archive(Archive& archive) override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
+    bool shows_time() const override;
+    std::optional<double> enough_height() const override;
+
+  private:
+    Row row(const DrawContext& dc) const;
+    Row row_of(const Rect& area, double unit, std::size_t count) const;
+    Point place(const Row& row, std::size_t index) const;  // its top left corner
+    void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
+                       const Slowness& slow) const;
+    std::string text(Monitor number, double value) const;
+    double width(Monitor number, double unit) const;  // of its column
+    double widest_time(double unit) const;
+    double column_width(double unit) const;
+
+    PanelContext context_;
+    std::vector<Monitor> numbers_;
+    std::optional<std::string> title_;
+    Numbers largest_{}, smallest_;    // in the film: fix the number of decimals
+    std::optional<EchoRecord> echo_;  // if its number is shown
+};
+
 // Of the first `count` numbers.
-MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) const {
+Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) const {
     Row best{area, count, count, 0.0, 0.0, 0.0, unit};
     for (std::size_t rows = 1; rows <= count; ++rows) {
         const std::size_t columns = (count + rows - 1) / rows;
@@ -132,7 +175,7 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
 }
 
 // As many of the numbers as there is room for, from the first on.
-MonitorsPanel::Row MonitorsPanel::row(const DrawContext& dc) const {
+Row MonitorsPanel::row(const DrawContext& dc) const {
     Rect area = dc.area;
     if (title_) {
         area.y += title_height * dc.unit;
@@ -166,10 +209,9 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
 // In units, at the smallest size of text, with the arrow behind it; 0 if it is no longer than
 // usual.
 double MonitorsPanel::widest_time(double unit) const {
-    MonitorsState last;
-    last.time = context_.scene.run.until;
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
-    const double width = measure_text(text(last, Monitor::time), style).width / unit;
+    const double width =
+        measure_text(text(Monitor::time, context_.scene.run.until), style).width / unit;
     if (width < arrow_place - arrow_size) return 0.0;
     return width + (branch_count(context_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
 }
@@ -178,20 +220,16 @@ double MonitorsPanel::widest_time(double unit) const {
 double MonitorsPanel::width(Monitor number, double unit) const {
     if (number == Monitor::time)
         return std::max(column(number).width, (widest_time(unit) + least_gap) / tightest);
-    if (number != Monitor::mean_speed && number != Monitor::mean_energy &&
-        number != Monitor::return_distance)
-        return column(number).width;
-    MonitorsState least, most;
-    most.return_distance = 8.88e-16;
-    most.log10_return_distance = std::log10(8.88e-16);
-    least.mean_speed = smallest_speed_;
-    least.mean_energy = smallest_energy_;
-    most.mean_speed = largest_speed_;
-    most.mean_energy = largest_energy_;
+    const Format format = column(number).format;
+    if (format != Format::fixed && format != Format::power) return column(number).width;
+    constexpr double small_distance = 8.88e-16;
+    const double least = format == Format::power ? none : smallest_.at(index_of(number));
+    const double most =
+        format == Format::power ? std::log10(small_distance) : largest_.at(index_of(number));
     TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     double widest = 0.0;
-    for (const MonitorsState* state : {&least, &most})
-        widest = std::max(widest, measure_text(text(*state, number), style).width / unit);
+    for (const double value : {least, most})
+        widest = std::max(widest, measure_text(text(number, value), style).width / unit);
     return std::max(column(number).width, (widest + least_gap) / tightest);
 }
 
@@ -200,41 +238,51 @@ double MonitorsPanel::column_width(double unit) const {
     return std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
 }
 
-MonitorsPanel::MonitorsPanel(const PanelContext& context, std::vector<Monitor> numbers,
-                             std::optional<std::string> title)
-    : context_(context), numbers_(std::move(numbers)), title_(std::move(title)) {
+// No numbers stand for all of them but the last two.
+MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
+    : context_(context), numbers_(spec.numbers), title_(spec.title) {
+    smallest_.fill(infinity);
+    largest_[index_of(Monitor::time)] = context.scene.run.until;
     if (numbers_.empty())
-        numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
-                    Monitor::slow, Monitor::medium,     Monitor::fast};
+        for (std::size_t i = 0; i <= index_of(Monitor::fast); ++i)
+            numbers_.push_back(static_cast<Monitor>(i));
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
         echo_.emplace(context);
 }
 
 void MonitorsPanel::survey(const FrameInput& input) {
     if (echo_) echo_->survey(input);
-    largest_speed_ = std::max(largest_speed_, input.speed.mean());
-    largest_energy_ = std::max(largest_energy_, input.energy.mean());
-    smallest_speed_ = std::min(smallest_speed_, input.speed.mean());
-    smallest_energy_ = std::min(smallest_energy_, input.energy.mean());
+    for (const auto& [number, value] : {std::pair{Monitor::mean_speed, input.speed.mean()},
+                                        std::pair{Monitor::mean_energy, input.energy.mean()}}) {
+        double &largest = largest_.at(index_of(number)), &smallest = smallest_.at(index_of(number));
+        largest = std::max(largest, value);
+        smallest = std::min(smallest, value);
+    }
 }
 
 void MonitorsPanel::archive(Archive& archive) {
-    archive(largest_speed_, largest_energy_, smallest_speed_, smallest_energy_);
+    archive(largest_, smallest_);
     if (echo_) echo_->archive(archive);
 }
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<MonitorsState>();
-    state->time = folded_time(context_.scene.run, input.tick.time);
-    state->collisions = input.advanced.counts.particle;
-    state->with_walls = input.advanced.counts.wall;
-    state->mean_speed = input.speed.mean();
-    state->mean_energy = input.energy.mean();
-    state->shares = class_shares(input.speed, state->mean_speed);
+    const CollisionCounts& counts = input.advanced.counts;
+    const double mean_speed = input.speed.mean();
+    const auto shares = class_shares(input.speed, mean_speed);
+    state->numbers = {folded_time(context_.scene.run, input.tick.time),
+                      static_cast<double>(counts.particle),
+                      mean_speed,
+                      input.energy.mean(),
+                      100.0 * shares[0],
+                      100.0 * shares[1],
+                      100.0 * shares[2],
+                      static_cast<double>(counts.particle + counts.wall),
+                      none};
     if (echo_)
         if (const auto apart = echo_->at(input.tick.frame)) {
             state->return_distance = apart->largest;
-            state->log10_return_distance = apart->log10_largest;
+            state->numbers.back() = apart->log10_largest;
         }
     state->slow = input.tick.slow;
     const bool turning = input.tick.phase == Phase::reversing;
@@ -255,27 +303,16 @@ void MonitorsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     }
 }
 
-std::string MonitorsPanel::text(const PanelState& state, Monitor number) const {
-    const auto& now = static_cast<const MonitorsState&>(state);
-    switch (number) {
-        case Monitor::time:
-            return fixed_digits(now.time, context_.scene.run.until);
-        case Monitor::collisions:
-            return counted(now.collisions);
-        case Monitor::mean_speed:
-            return fixed_digits(now.mean_speed, largest_speed_);
-        case Monitor::mean_energy:
-            return fixed_digits(now.mean_energy, largest_energy_);
-        case Monitor::slow:
-            return percent(now.shares[0]);
-        case Monitor::medium:
-            return percent(now.shares[1]);
-        case Monitor::fast:
-            return percent(now.shares[2]);
-        case Monitor::all_collisions:
-            return counted(now.collisions + now.with_walls);
-        case Monitor::return_distance:
-            return now.return_distance ? three_digits_of_power(now.log10_return_distance) : "–";
+std::string MonitorsPanel::text(Monitor number, double value) const {
+    switch (column(number).format) {
+        case Format::fixed:
+            return fixed_digits(value, largest_.at(index_of(number)));
+        case Format::count:
+            return counted(static_cast<std::int64_t>(value));
+        case Format::per_cent:
+            return percent(value);
+        case Format::power:
+            return std::isnan(value) ? "–" : three_digits_of_power(value);
     }
     return "";
 }
@@ -292,8 +329,7 @@ bool MonitorsPanel::shows_time() const {
 
 // Beside the word "time".
 void MonitorsPanel::draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
-                                  const PanelState& state) const {
-    const Slowness& slow = static_cast<const MonitorsState&>(state).slow;
+                                  const Slowness& slow) const {
     if (slow.share <= 0.0) return;
     const auto index =
         static_cast<std::size_t>(std::ranges::find(numbers_, Monitor::time) - numbers_.begin());
@@ -308,61 +344,44 @@ void MonitorsPanel::draw_slowness(Canvas& canvas, const DrawContext& dc, const R
 }
 
 void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
     const Row rows = row(dc);
     TextStyle style = title_style(dc);
     style.size = rows.digits() * dc.unit;
     for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();
-        draw_text(canvas, {at.x, baseline}, text(state, numbers_[i]), style);
+        draw_text(canvas, {at.x, baseline},
+                  text(numbers_[i], now.numbers.at(index_of(numbers_[i]))), style);
         if (numbers_[i] != Monitor::time) continue;
-        draw_slowness(canvas, dc, rows, state);
+        draw_slowness(canvas, dc, rows, now.slow);
         if (branch_count(context_.scene.run) == 1) continue;
         const double size = rows.size * dc.unit;
         const double x =
             std::max(arrow_place * rows.spacing, (widest_time(dc.unit) - arrow_size) * rows.size) *
             dc.unit;
-        draw_arrow(canvas, {at.x + x, baseline - 0.55 * size}, 0.6 * size,
-                   static_cast<const MonitorsState&>(state).arrow, dc.theme.accent);
+        draw_arrow(canvas, {at.x + x, baseline - 0.55 * size}, 0.6 * size, now.arrow,
+                   dc.theme.accent);
     }
 }
 
 Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
     const auto& now = static_cast<const MonitorsState&>(state);
-    const auto number = [&](Monitor which) -> std::pair<Cell, const char*> {
-        switch (which) {
-            case Monitor::time:
-                return {now.time, reduced::time};
-            case Monitor::collisions:
-                return {now.collisions, "count"};
-            case Monitor::mean_speed:
-                return {now.mean_speed, reduced::speed};
-            case Monitor::mean_energy:
-                return {now.mean_energy, reduced::energy};
-            case Monitor::slow:
-                return {100.0 * now.shares[0], "per cent"};
-            case Monitor::medium:
-                return {100.0 * now.shares[1], "per cent"};
-            case Monitor::fast:
-                return {100.0 * now.shares[2], "per cent"};
-            case Monitor::all_collisions:
-                return {now.collisions + now.with_walls, "count"};
-            case Monitor::return_distance:
-                if (!now.return_distance) return {{}, reduced::length};
-                return {*now.return_distance, reduced::length};
-        }
-        return {};
-    };
     Table table{{"part", "of", "value", "unit"}};
     for (const Monitor which : numbers_) {
-        const auto [value, its_unit] = number(which);
-        table.rows.push_back({"number", column(which).label, value, its_unit});
+        const double number = now.numbers.at(index_of(which));
+        Cell value = number;
+        if (column(which).format == Format::count) value = static_cast<std::int64_t>(number);
+        if (column(which).format == Format::power) value = now.return_distance;
+        table.rows.push_back({"number", column(which).label, value, column(which).unit});
     }
     return table;
 }
 
+}  // namespace
+
 std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpec& spec) {
-    return std::make_unique<MonitorsPanel>(context, spec.numbers, spec.title);
+    return std::make_unique<MonitorsPanel>(context, spec);
 }
 
 }  // namespace carom

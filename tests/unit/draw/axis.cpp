@@ -164,7 +164,7 @@ TEST_CASE("an axis keeps to the space it asks for") {
     const Rect area{120, 60, 220, 150};
     const Scale x{0, 3, 120, 340}, y{0, 12000, 210, 60};
     draw_x_axis(canvas, area, x, "speed", style);
-    draw_y_axis(canvas, area, y, "number", style);
+    draw_y_axis(canvas, area, y, style);
     const PixelView pixels = canvas.pixels();
     int left = 400, bottom = 0;
     for (int row = 0; row < 300; ++row)
@@ -186,7 +186,7 @@ TEST_CASE("the lines of an axis are crisp wherever they lie") {
     style.label.color = style.title.color = rgb(0x000000);
     const Rect area{120.3, 60.6, 220.2, 150.9};
     draw_x_axis(canvas, area, {0, 3.1, 120.3, 340.5}, "", style);
-    draw_y_axis(canvas, area, {0, 13, 211.5, 60.6}, "", style);
+    draw_y_axis(canvas, area, {0, 13, 211.5, 60.6}, style);
     const PixelView pixels = canvas.pixels();
     int grey = 0, bright = 0;
     for (int i = 0; i < pixels.stride * pixels.height; ++i) {

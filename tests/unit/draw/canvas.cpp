@@ -76,13 +76,13 @@ TEST_CASE("shapes have the area that geometry gives them") {
     CHECK(drawn([&](Canvas& c) { c.stroke_path(corner, 6, white); }) ==
           doctest::Approx(2 * 60 * 6 - 9 + 0.75 * 0 + pi * 9 * 1.25).epsilon(0.01));
     CHECK(drawn([](Canvas& c) {
-              c.stroke_dashed({0, 10}, {100, 10}, 2, 10, white);
+              c.stroke_line({0, 10}, {100, 10}, 2, white, 10);
           }) == doctest::Approx(100).epsilon(0.01));
 }
 
 TEST_CASE("a dash is forgotten by the next line") {
     Canvas canvas({100, 20});
-    canvas.stroke_dashed({0, 5}, {100, 5}, 2, 10, white);
+    canvas.stroke_line({0, 5}, {100, 5}, 2, white, 10);
     canvas.fill_all(rgb(0));
     canvas.stroke_line({0, 5}, {100, 5}, 2, white);
     CHECK(area_of(canvas) == doctest::Approx(200));
@@ -150,7 +150,7 @@ void draw_something(Canvas& canvas, DiskPainter& disks, int kind, std::uint64_t 
     if (kind == 5) canvas.stroke_line(a, b, width, color);
     if (kind == 6) canvas.stroke_path(path, width, color);
     if (kind == 7) canvas.stroke_path(path, width, color, dashes);
-    if (kind == 8) canvas.stroke_dashed(a, b, width, 2.0, color);
+    if (kind == 8) canvas.stroke_line(a, b, width, color, 2.0);
     if (kind == 9) canvas.fill_polygon(path, color);
     if (kind == 10) draw_text(canvas, a, "Åjg{[", style);
     if (kind == 11) draw_text(canvas, a, "<u>Å</u> <span foreground='red'>g</span>", style);

@@ -1,12 +1,14 @@
 // The collision of two beads in the plane of their velocities: against exact fractions, against the
 // conservation laws, and as pixels where geometry says.
-#include "panels/collision/collision_map.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <string>
 
+#include "panels/collision/pair_motion.h"
+#include "panels/plot/layers.h"
+#include "panels/plot/plot_panel.h"
+#include "panels/registry.h"
 #include "support/csv.h"
 #include "support/pixels.h"
 #include "support/relative.h"
@@ -45,13 +47,15 @@ struct Seen {
     Scene scene;
     Particles particles;
     std::optional<EquilibriumGas> none = {};
-    CollisionMapPanel panel;
+    std::unique_ptr<Panel> made;
+    PlotPanel& panel;
     std::vector<std::shared_ptr<const PanelState>> states = {};
 
     Seen(Scene loaded, const PanelSpec& spec, bool in_film = true)
         : scene(std::move(loaded)),
           particles(Simulation(scene.gas, scene.run).particles()),
-          panel(PanelContext{scene, particles, 40, none, in_film}, spec) {
+          made(make_collision_map(PanelContext{scene, particles, 40, none, in_film}, spec)),
+          panel(dynamic_cast<PlotPanel&>(*made)) {
         const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(particles.count());
         for (const bool survey : {true, false}) {
             Simulation simulation(scene.gas, scene.run);
@@ -73,6 +77,19 @@ struct Seen {
 
     Table table(std::size_t state = 40) const {
         return panel.table(*states[state], theme(ThemeKind::light));
+    }
+};
+
+// Where velocities are in the picture of a panel: on axes of velocities times `factor`.
+struct Plane {
+    plot::LabelPlacer placer{{}};
+    plot::Frame frame;
+    Eigen::Array2d factor;
+
+    Plane(const PlotPanel& panel, const DrawContext& dc, const Eigen::Array2d& times = {1.0, 1.0})
+        : frame(plot::frame_of(panel.plot(nullptr), dc, placer)), factor(times) {}
+    Point operator()(const Eigen::Array2d& v) const {
+        return {frame.x(factor[0] * v[0]), frame.y(factor[1] * v[1])};
     }
 };
 
@@ -313,16 +330,14 @@ TEST_CASE("equal scales on both axes, 0 in the middle, the points where their ve
             canvas.fill_all(dc.theme.page);
             seen.panel.draw_ground(canvas, dc);
             seen.panel.draw(canvas, dc, *seen.states.back());
-            const VelocityPlane to = seen.panel.plane(dc);
+            const double root = scaled ? std::sqrt(3.0) : 1.0;
+            const Plane to(seen.panel, dc, {1.0, root});
             const Point zero = to({0.0, 0.0});
-            CHECK(zero.x == relative(to.area.x + to.area.width / 2, 1e-12));
-            CHECK(zero.y == relative(to.area.y + to.area.height / 2, 1e-12));
+            const Rect& area = to.frame.area;
+            CHECK(zero.x == relative(area.x + area.width / 2, 1e-12));
+            CHECK(zero.y == relative(area.y + area.height / 2, 1e-12));
             const double across = to({1.0, 0.0}).x - zero.x, up = zero.y - to({0.0, 1.0}).y;
-            CHECK(up == relative(across * (scaled ? std::sqrt(3.0) : 1.0), 1e-12));
-            // The axes say the same as the plane.
-            CHECK(to.across()(1.0) == relative(to({1.0, 0.0}).x, 1e-12));
-            CHECK(to.up()(1.0) ==
-                  relative(to({0.0, scaled ? 1.0 / std::sqrt(3.0) : 1.0}).y, 1e-12));
+            CHECK(up == relative(across * root, 1e-12));
 
             const PixelView view = canvas.pixels();
             const Color ink = dc.theme.ink;
@@ -354,7 +369,7 @@ TEST_CASE("an infinite mass has two lines instead of an ellipse") {
     const DrawContext dc{{20, 20, 960, 660}, 24.0, theme(ThemeKind::light), disks};
     canvas.fill_all(dc.theme.page);
     seen.panel.draw_ground(canvas, dc);
-    const VelocityPlane to = seen.panel.plane(dc);
+    const Plane to(seen.panel, dc);
     const PixelView view = canvas.pixels();
     for (const double wall : {-0.8, 0.3, 0.7})
         for (const double bead : {-2.0, 1.0})
@@ -374,7 +389,7 @@ TEST_CASE("in a film a ring stands around the point of the present, before and a
         seen.panel.draw(canvas, dc, *seen.states[state]);
         return canvas;
     };
-    const VelocityPlane to = seen.panel.plane(dc);
+    const Plane to(seen.panel, dc);
     const std::uint32_t ring = rgb_of(edge_of(dc.theme.highlight, dc.theme));
     for (const auto& [state, v] :
          {std::pair<std::size_t, Eigen::Array2d>{10, {1.0, 0.0}}, {35, {-0.5, 0.5}}}) {

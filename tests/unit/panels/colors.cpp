@@ -8,6 +8,7 @@
 #include "draw/palette.h"
 #include "panels/frame.h"
 #include "panels/gas/gas_colors.h"
+#include "panels/plot/layers.h"
 #include "scene/load.h"
 #include "support/files.h"
 #include "support/first_frame.h"
@@ -274,16 +275,18 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     DiskPainter disks;
     const DrawContext dc{{0, 0, 100, 100}, 20.0, print, disks};
     for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(line_dashes(i, 1, dc).empty());
+        CHECK(plot::dashes_in_print(i, 1).empty());
         CHECK_FALSE(line_sample(i, print.ink, print).empty());
         for (std::size_t k = 0; k < i; ++k) {
-            CHECK(line_dashes(i, 4, dc) != line_dashes(k, 4, dc));
+            CHECK(plot::dashes_in_print(i, 4) != plot::dashes_in_print(k, 4));
             CHECK(line_sample(i, print.ink, print) != line_sample(k, print.ink, print));
         }
     }
     for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
         const DrawContext other{{0, 0, 100, 100}, 20.0, theme(kind), disks};
-        CHECK(line_dashes(1, 4, other).empty());
+        const plot::Stroke stroke{.print_dashes = plot::dashes_in_print(1, 4)};
+        CHECK(plot::dashes_of(stroke, other).empty());
+        CHECK_FALSE(plot::dashes_of(stroke, dc).empty());
         CHECK(line_sample(1, theme(kind).ink, theme(kind)).empty());
         CHECK(disk_sample(theme(kind).ink, theme(kind)).empty());
     }

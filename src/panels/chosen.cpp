@@ -19,6 +19,13 @@ std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& cho
     return found;
 }
 
+std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
+                                               const std::vector<Chosen>& chosen) {
+    std::vector<std::vector<Eigen::Index>> lists;
+    for (const Chosen& one : chosen) lists.push_back(members(context, one));
+    return lists;
+}
+
 std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle) {
     const auto species = static_cast<std::size_t>(context.particles.species[particle]);
     if (const std::optional<double>& own = context.scene.looks[species].trail) return own;

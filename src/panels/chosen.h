@@ -15,6 +15,8 @@ std::vector<Chosen> choices(const PanelSpec& spec);
 
 /// Numbers of the particles chosen, rising.
 std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen);
+std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
+                                               const std::vector<Chosen>& chosen);
 
 /// How long a trail the scene asks for, in seconds of film, by the particle's species or else for
 /// the film; nothing where it does not say.

@@ -1,12 +1,14 @@
 #include "panels/registry.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 
 #include "panels/collision/collision_map_keys.h"
-#include "panels/echo/return_distance_keys.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
+#include "physics/theory/error_growth.h"
 #include "scene/reading/panel_reading.h"
 
 namespace carom {
@@ -25,6 +27,44 @@ std::vector<Binding<PanelSpec>> displacement_keys() {
                      "The simulated time from which the line 2 d D t is fitted; D is the diffusion "
                      "coefficient.")
                 .default_text("half-way to the end of the run")};
+}
+
+// The line needs a part of the run, and displacements in it.
+void check_displacements(PanelSpec& panel, const Node& node, Reading& reading) {
+    const double until = reading.run.until;
+    const Node *from = given(node, "from"), *fit_from = given(node, "fit_from");
+    if (!(until > 0.0)) return;
+    const auto is_late = [&](const Node* key, double time) {
+        if (key == nullptr || time < until) return false;
+        reading.errors.add(*key, fmt::format("the run ends at {}", until),
+                           fmt::format("expected a time below {}", until));
+        return true;
+    };
+    if (is_late(from, panel.from) || fit_from == nullptr || is_late(fit_from, *panel.fit_from))
+        return;
+    if (*panel.fit_from < panel.from)
+        reading.errors.add(
+            *fit_from,
+            fmt::format("displacements are measured from {}, which is later", panel.from),
+            "give a time from there on, or an earlier `from`");
+}
+
+std::vector<Binding<PanelSpec>> against_key() {
+    return {bind_key("against", &PanelSpec::against_collisions,
+                     one_of<bool>({{"time", false}, {"collisions", true}}),
+                     "The horizontal axis: the time since the reversal, or the collisions of each "
+                     "particle since then, on average.")};
+}
+
+// Reports a run without a reversal, and a growth law that is asked for where none is known.
+void check_return_distance(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_reversal(node.is_mapping() ? *given(node, "kind") : node, reading);
+    const Node* asked = given(node, "theory");
+    if (asked == nullptr || !panel.theory || reading.gas.species.empty()) return;
+    if (asked->source->origin == Origin::template_file) return;
+    if (const auto reason = why_no_growth_law(reading.gas))
+        reading.errors.add(*asked, *reason,
+                           "leave out `theory`; the curve is then drawn where there is one");
 }
 
 std::vector<Binding<PanelSpec>> numbers_key() {
@@ -78,11 +118,12 @@ std::vector<PanelKind> all_kinds() {
         {.name = "mean-squared-displacement",
          .make = make_mean_squared_displacement,
          .abilities = {of, means, comparison},
-         .keys = displacement_keys()},
+         .keys = displacement_keys(),
+         .rule = check_displacements},
         {.name = "return-distance",
          .make = make_return_distance,
          .abilities = {theory, comparison},
-         .keys = return_distance_keys(),
+         .keys = against_key(),
          .rule = check_return_distance},
         {.name = "phase", .make = make_phase, .abilities = {of, component}},
         {.name = "positions", .make = make_positions, .abilities = {of, two, component}},
@@ -111,7 +152,7 @@ PanelKinds panel_kinds() {
 }
 
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context) {
-    if (context.scene.gas.box.dimension == 1) return std::make_unique<WirePanel>(context);
+    if (context.scene.gas.box.dimension == 1) return std::make_unique<LinePanel>(context);
     return std::make_unique<GasPanel>(context);
 }
 

@@ -23,6 +23,7 @@ struct ContactState : PanelState {
 constexpr double ahead = 1.25, beyond = 1.75;  // of the time between the roots, that are shown
 constexpr int curve_points = 200;
 constexpr const char* passing = "if they passed through each other";
+const Stroke level_stroke{.width = 0.08};
 const std::string time_column = column_name("time", reduced::time);
 const std::string square_column = column_name("squared distance", "length^2");
 
@@ -136,7 +137,7 @@ void ContactTimePanel::add_roots(Plot& plot) const {
         Level level{{.part = "level", .of = "contact", .depth = 2, .still = true},
                     square_column,
                     contact_,
-                    {.width = 0.08}};
+                    level_stroke};
         level.x_column = time_column;
         plot.layers.emplace_back(std::move(level));
     }
@@ -150,6 +151,7 @@ void ContactTimePanel::add_roots(Plot& plot) const {
 
 Label ContactTimePanel::label(const std::string& words, std::vector<Anchor> anchors) const {
     Label label{{.still = true}, {words}, std::move(anchors), {Role::Of::ink}};
+    label.sample = level_stroke;
     label.may_be_left_out = true;
     return label;
 }
@@ -165,12 +167,13 @@ void ContactTimePanel::add_labels(Plot& plot) const {
     const auto at_left = [&](double down) {
         return Anchor{.at = {0.0, contact_}, .x_is_share = true, .offset = {0.4, down}};
     };
-    const auto at_right = [](double y, bool is_share, double down) {
+    const auto at_right = [](double y, bool is_share, double down, bool has_sample = false) {
         return Anchor{.at = {1.0, y},
                       .x_is_share = true,
                       .y_is_share = is_share,
                       .offset = {-0.2, down},
-                      .align = Align::right};
+                      .align = Align::right,
+                      .has_sample = has_sample};
     };
     const auto add = [&](const std::string& words, std::vector<Anchor> anchors) {
         plot.layers.emplace_back(label(words, std::move(anchors)));
@@ -186,7 +189,7 @@ void ContactTimePanel::add_labels(Plot& plot) const {
         add("σ² = " + three_digits(contact_), {at_left(-0.5),
                                                at_left(1.2),
                                                {.at = contact, .offset = {0.7, -0.5}},
-                                               at_right(0.0, true, -note_height)});
+                                               at_right(0.0, true, -note_height, true)});
     if (are_points_) return;
     add(three_digits(other.x) + " is too late",
         {at_right(contact_, false, 1.3),

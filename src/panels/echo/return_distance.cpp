@@ -342,9 +342,10 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
 void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     Label label;
-    label.words = {"begins at time " + three_digits(run.reversals.front())};
-    for (const double height : {0.5, 0.75, 0.25, 0.85, 0.15, 0.65, 0.35})
-        label.anchors.push_back({.at = {0.5, height},
+    const std::string time = "time " + three_digits(run.reversals.front());
+    label.words = {"begins at " + time, "from " + time};
+    for (const Point at : {Point{0.5, 0.5}, {0.5, 0.75}, {0.5, 0.25}, {0.6, 0.5}})
+        label.anchors.push_back({.at = at,
                                  .x_is_share = true,
                                  .y_is_share = true,
                                  .offset = {0.0, 0.35},

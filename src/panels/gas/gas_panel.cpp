@@ -6,7 +6,6 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
-#include "panels/gas/gas_state.h"
 
 namespace carom {
 namespace {
@@ -15,14 +14,9 @@ constexpr double default_trail_seconds = 1.0;
 
 }  // namespace
 
-GasPanel::GasPanel(const PanelContext& context)
-    : context_(context),
-      colors_(context),
-      arrows_(context),
-      ghosts_(context.scene),
-      flashes_(context) {
+GasPanel::GasPanel(const PanelContext& context) : ParticlePanel(context) {
     choose_particles();
-    trails_.resize(chosen_.size());
+    trails_.resize(followed_.size());
 }
 
 void GasPanel::survey(const FrameInput& input) {
@@ -59,7 +53,7 @@ void GasPanel::choose_particles() {
             context_.scene.gas.species[species].count == 1 && context_.particles.count() > 10;
         const double trail =
             asked_trail(context_, i).value_or(single ? default_trail_seconds : 0.0);
-        if (trail > 0.0) chosen_.push_back({i, trail});
+        if (trail > 0.0) followed_.push_back({i, trail});
     }
 }
 
@@ -68,9 +62,9 @@ void GasPanel::extend_trails(const FrameInput& input) {
     const bool moves = input.tick.time > last_time_;
     if (moves) moving_seconds_ += elapsed;
     const double pace = moves ? elapsed / (input.tick.time - last_time_) : 0.0;
-    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+    for (std::size_t k = 0; k < followed_.size(); ++k) {
         std::deque<TrailPoint>& trail = trails_[k];
-        const auto particle = static_cast<std::int32_t>(chosen_[k].particle);
+        const auto particle = static_cast<std::int32_t>(followed_[k].particle);
         for (const Collision& collision : input.advanced.collisions) {
             if (collision.first != particle && collision.second != particle) continue;
             const Eigen::Array2d& at =
@@ -79,39 +73,25 @@ void GasPanel::extend_trails(const FrameInput& input) {
                 {moving_seconds_ - (input.tick.time - collision.time) * pace, {at[0], at[1]}});
         }
         trail.push_back({moving_seconds_,
-                         {input.sample.position(chosen_[k].particle, 0),
-                          input.sample.position(chosen_[k].particle, 1)}});
-        while (trail.front().film_time < moving_seconds_ - chosen_[k].trail_seconds)
+                         {input.sample.position(followed_[k].particle, 0),
+                          input.sample.position(followed_[k].particle, 1)}});
+        while (trail.front().film_time < moving_seconds_ - followed_[k].trail_seconds)
             trail.pop_front();
     }
     last_time_ = input.tick.time;
 }
 
 std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
-    auto state = std::make_shared<GasState>();
-    const double mean_speed = input.speed.mean();
-    const Eigen::Index n = context_.particles.count();
-    for (Eigen::Index i = 0; i < n; ++i) {
-        state->x.push_back(static_cast<float>(input.sample.position(i, 0)));
-        state->y.push_back(static_cast<float>(input.sample.position(i, 1)));
-        state->shades.push_back(colors_.shade(i, input.speed[i], mean_speed));
-        if (!arrows_.shown()) continue;
-        state->vx.push_back(static_cast<float>(input.sample.velocity(i, 0)));
-        state->vy.push_back(static_cast<float>(input.sample.velocity(i, 1)));
-    }
-    ghosts_.see(input.tick, input.sample.position);
-    state->ghosts = ghosts_.present();
-    state->ghost_words = ghosts_.words_alpha(input.tick);
-    state->flashes = flashes_.at(input.tick);
+    auto state = std::make_shared<State>();
+    see(input, input.sample.position, *state);
     extend_trails(input);
     for (const std::deque<TrailPoint>& trail : trails_) {
-        GasState::Trail& copy = state->trails.emplace_back();
+        Trail& copy = state->trails.emplace_back();
         for (const TrailPoint& point : trail) {
             copy.places.push_back(point.place);
             copy.ages.push_back(static_cast<float>(moving_seconds_ - point.film_time));
         }
     }
-    state->label_alpha = static_cast<float>(name_alpha(context_, input.tick));
     return state;
 }
 
@@ -129,18 +109,21 @@ Rect GasPanel::frame_in(const Rect& area) const {
     return {area.x + left, area.y + (area.height - height) / 2, width, height};
 }
 
-std::string GasPanel::label(std::size_t particle, const PanelState& state) const {
-    const auto i = static_cast<Eigen::Index>(particle);
-    const std::string words = words_on(context_, i, context_.scene.film.labels);
+double GasPanel::scale_in(const DrawContext& own) const {
+    return frame_in(own.area).width / context_.scene.gas.box.size[0];
+}
+
+std::string GasPanel::label(Eigen::Index particle, const State& state) const {
+    const std::string words = words_on(context_, particle, context_.scene.film.labels);
     const bool named =
-        static_cast<const GasState&>(state).label_alpha > 0.0F &&
-        std::ranges::any_of(chosen_, [i](const Chosen& c) { return c.particle == i; });
-    return words.empty() && named ? single_name(context_, i) : words;
+        state.label_alpha > 0.0 &&
+        std::ranges::any_of(followed_, [&](const Followed& f) { return f.particle == particle; });
+    return words.empty() && named ? single_name(context_, particle) : words;
 }
 
 // Places are those of the picture, in single precision.
 Table GasPanel::table(const PanelState& state, const Theme& theme) const {
-    const auto& gas = static_cast<const GasState&>(state);
+    const auto& gas = static_cast<const State&>(state);
     Table table{{"part", "particle", "species", column_name("x", reduced::length),
                  column_name("y", reduced::length), column_name("radius", reduced::length),
                  "colour", "label"}};
@@ -148,31 +131,23 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
         for (const char* name : {"velocity x", "velocity y"})
             table.columns.push_back(column_name(name, reduced::speed));
     const std::vector<Color> colors = colors_.of_shades(theme);
-    const auto add = [&](const char* part, std::size_t i, Cell x, Cell y, Cell radius, Cell color,
-                         Cell label) {
-        const int species = context_.particles.species[static_cast<Eigen::Index>(i)];
-        table.rows.push_back({part, static_cast<std::int64_t>(i),
-                              context_.scene.gas.species[static_cast<std::size_t>(species)].name,
-                              std::move(x), std::move(y), std::move(radius), std::move(color),
-                              std::move(label)});
-        table.rows.back().resize(table.columns.size());
-    };
     const Eigen::ArrayXd& radius = context_.particles.radius;
-    for (std::size_t i = 0; i < gas.x.size(); ++i) {
-        add("disk", i, gas.x[i], gas.y[i], radius[static_cast<Eigen::Index>(i)],
-            hex_of(colors[gas.shades[i] % colors.size()]), label(i, state));
-        if (gas.vx.empty()) continue;
-        table.rows.back()[8] = gas.vx[i];
-        table.rows.back()[9] = gas.vy[i];
+    for (Eigen::Index i = 0; i < gas.place.rows(); ++i) {
+        const std::uint8_t shade = gas.shades[static_cast<std::size_t>(i)];
+        add_row(table, "disk", i,
+                {gas.place(i, 0), gas.place(i, 1), radius[i], hex_of(colors[shade % colors.size()]),
+                 label(i, gas)},
+                gas.velocity);
     }
     for (std::size_t k = 0; k < gas.trails.size(); ++k)
         for (const Point& place : gas.trails[k].places)
-            add("trail", static_cast<std::size_t>(chosen_[k].particle), place.x, place.y, {},
-                hex_of(theme.ink), {});
+            add_row(table, "trail", followed_[k].particle,
+                    {place.x, place.y, {}, hex_of(theme.ink)});
     if (gas.ghosts)
-        for (std::size_t i = 0; i < gas.ghosts->x.size(); ++i)
-            add("mark", i, gas.ghosts->x[i], gas.ghosts->y[i], radius[static_cast<Eigen::Index>(i)],
-                hex_of(theme.muted), gas.ghosts->words);
+        for (Eigen::Index i = 0; i < gas.ghosts->place.rows(); ++i)
+            add_row(table, "mark", i,
+                    {gas.ghosts->place(i, 0), gas.ghosts->place(i, 1), radius[i],
+                     hex_of(theme.muted), gas.ghosts->words});
     return table;
 }
 

@@ -3,17 +3,14 @@
 #pragma once
 
 #include <deque>
+#include <string>
 #include <vector>
 
-#include "panels/gas/flashes.h"
-#include "panels/gas/gas_colors.h"
-#include "panels/gas/ghosts.h"
-#include "panels/gas/velocity_arrows.h"
-#include "panels/panel.h"
+#include "panels/gas/particle_panel.h"
 
 namespace carom {
 
-class GasPanel : public Panel {
+class GasPanel : public ParticlePanel {
   public:
     explicit GasPanel(const PanelContext& context);
 
@@ -25,50 +22,45 @@ class GasPanel : public Panel {
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
-    void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
-
     /// A trail needs the collisions on the way.
-    bool wants_collisions() const override { return !chosen_.empty(); }
-    bool surveys_collisions() const override { return flashes_.asked(); }
+    bool wants_collisions() const override { return !followed_.empty(); }
 
     /// The box is as large as fits, at the area's left; in its middle where no panel stands right
     /// of it.
     Rect frame_in(const Rect& area) const override;
 
   private:
-    struct Chosen {
+    struct Drawing;
+    struct Followed {  // with a trail
         Eigen::Index particle;
         double trail_seconds;
     };
     struct TrailPoint {
-        double film_time;  ///< seconds
-        Point place;       ///< scene units
+        double film_time;  // seconds
+        Point place;       // scene units
+    };
+    struct Trail {
+        std::vector<Point> places;  // oldest first, scene units
+        std::vector<float> ages;    // seconds of film
+    };
+    struct State : ParticleState {
+        std::vector<Trail> trails;  // one for each particle that is followed
+        std::size_t bytes() const override {
+            std::size_t sum = ParticleState::bytes();
+            for (const Trail& trail : trails) sum += trail.places.size() * 20;
+            return sum;
+        }
     };
 
+    double scale_in(const DrawContext& own) const override;
     void choose_particles();
     void extend_trails(const FrameInput& input);
     bool stands_alone() const;
-    bool is_filled(std::size_t particle) const;
-    std::string label(std::size_t particle, const PanelState& state) const;
-    void draw_ghosts(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_disks(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_infinite(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_arrows(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_labels(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_trails(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_chosen(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_flashes(Canvas& canvas, const DrawContext& dc, const PanelState& state) const;
-    void draw_remarks(Canvas& canvas, const DrawContext& dc) const;
+    std::string label(Eigen::Index particle, const State& state) const;
 
-    PanelContext context_;
-    GasColors colors_;
-    VelocityArrows arrows_;
-    GhostKeeper ghosts_;
-    Flashes flashes_;
-    std::vector<Chosen> chosen_;
-    std::vector<std::deque<TrailPoint>>
-        trails_;                   ///< one for each chosen particle, as of the last state
-    double moving_seconds_ = 0.0;  ///< film time without holds
+    std::vector<Followed> followed_;
+    std::vector<std::deque<TrailPoint>> trails_;  // of these, as of the last state
+    double moving_seconds_ = 0.0;                 // film time without holds
     double last_time_ = 0.0;
 };
 

@@ -10,17 +10,14 @@ constexpr double fade_seconds = 0.5;
 
 }  // namespace
 
-void GhostKeeper::see(const Tick& tick, const Eigen::Ref<const Eigen::ArrayXXd>& places) {
+void GhostKeeper::see(const Tick& tick, const Eigen::ArrayXXd& places) {
     const std::size_t before = next_;
     while (next_ < scene_.marks.size() && scene_.marks[next_].at <= tick.time) ++next_;
     if (next_ == before) return;
     auto ghosts = std::make_shared<Ghosts>();
     ghosts->words = scene_.marks[next_ - 1].words;
     ghosts->frame = tick.frame;
-    for (Eigen::Index i = 0; i < places.rows(); ++i) {
-        ghosts->x.push_back(static_cast<float>(places(i, 0)));
-        if (places.cols() > 1) ghosts->y.push_back(static_cast<float>(places(i, 1)));
-    }
+    ghosts->place = places.cast<float>();
     present_ = std::move(ghosts);
 }
 

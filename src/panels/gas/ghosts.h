@@ -14,8 +14,8 @@ namespace carom {
 /// What a mark has stamped.
 struct Ghosts {
     std::string words;
-    int frame = 0;            ///< the first with the mark
-    std::vector<float> x, y;  ///< of all particles; no y on a wire
+    int frame = 0;          ///< the first with the mark
+    Eigen::ArrayXXf place;  ///< of all particles, a column for each axis
 };
 
 /// The marks of a scene as its frames pass.
@@ -25,7 +25,7 @@ class GhostKeeper {
 
     /// Second pass, every frame in order: a mark is stamped in the first frame at its time or after
     /// it, with the places given (a column for each axis).
-    void see(const Tick& tick, const Eigen::Ref<const Eigen::ArrayXXd>& places);
+    void see(const Tick& tick, const Eigen::ArrayXXd& places);
 
     /// The ghosts of the present frame; null before the first mark.
     const std::shared_ptr<const Ghosts>& present() const { return present_; }

@@ -1,4 +1,4 @@
-// The drawing of a wire: its beads, ghosts, arrows and words, and their world lines below.
+// The drawing of a line: its beads, ghosts, arrows and words, and their world lines below.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,13 +8,12 @@
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/line/line_panel.h"
-#include "panels/line/line_state.h"
 
 namespace carom {
 namespace {
 
 constexpr double rods_from = 2.0;   // units of radius: longer beads are drawn as rods
-constexpr double rods_fill = 0.15;  // of the wire, from which beads of true length are rods
+constexpr double rods_fill = 0.15;  // of the line, from which beads of true length are rods
 constexpr double rod_half_height = 1.3;
 constexpr double ring_line = 0.13;
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
@@ -37,36 +36,72 @@ void draw_rod(Canvas& canvas, const DrawContext& dc, Point center, double radius
 }  // namespace
 
 // Where things are, in pixels.
-struct WirePanel::View {
-    Rect plot;      // of the world lines
-    double wire_y;  // the height of the wire
-    double scale;   // pixels of a length
-    Scale time;     // time before now
-    double unit;
+struct LinePanel::View {
+    Rect plot;         // of the world lines
+    double line_y;     // the height of the line
+    double scale;      // pixels of a length
+    Scale time;        // time before now
     bool rods;         // beads of true length are drawn as rods, else as disks
     bool larger_rods;  // and those drawn larger than they are
     double x(double place) const { return plot.x + place * scale; }
 };
 
-// Small beads stay visible, chosen ones above all.
-double WirePanel::shown_radius(Eigen::Index i, const View& v) const {
-    return std::max((stands_out(context_, i) ? 0.4 : 0.15) * v.unit, map_->radius(i) * v.scale);
-}
+// A picture being drawn.
+struct LinePanel::Drawing {
+    const LinePanel& panel;
+    Canvas& canvas;
+    const DrawContext& dc;
+    const State& now;
+    View v = panel.view(dc);
+    double u = dc.unit;
+    const PanelContext& context = panel.context_;
+    const LineMap& map = *panel.map_;
+    bool is_ring = panel.is_ring();
+    std::vector<Color> colors = panel.colors_.of_shades(dc.theme);
 
-bool WirePanel::is_rod(Eigen::Index i, const View& v) const {
-    return map_->is_true(i) ? v.rods : v.larger_rods;
-}
+    Eigen::Index count() const { return context.particles.count(); }
+    double place(Eigen::Index i) const { return static_cast<double>(now.place(i, 0)); }
+    Color color_of(std::uint8_t shade) const { return colors[shade % colors.size()]; }
+    Color color(Eigen::Index i) const { return color_of(now.shades[static_cast<std::size_t>(i)]); }
+    bool is_rod(Eigen::Index i) const { return map.is_true(i) ? v.rods : v.larger_rods; }
 
-double WirePanel::half_height(Eigen::Index i, const View& v) const {
-    return is_rod(i, v) ? rod_half_height * v.unit : shown_radius(i, v);
-}
+    // Small beads stay visible, chosen ones above all.
+    double shown_radius(Eigen::Index i) const {
+        return std::max((stands_out(context, i) ? 0.4 : 0.15) * u, map.radius(i) * v.scale);
+    }
+    double half_height(Eigen::Index i) const {
+        return is_rod(i) ? rod_half_height * u : shown_radius(i);
+    }
+    double around_once(double x) const {  // of pixels from the left end
+        return is_ring ? x - v.plot.width * std::floor(x / v.plot.width) : x;
+    }
 
-WirePanel::View WirePanel::view(const DrawContext& dc) const {
+    void draw_ground() const;
+    void draw_end(double side) const;
+    void draw_captions() const;
+
+    void draw() const;
+    std::vector<Point> seen_at(double place, double radius) const;
+    template <class Draw>
+    void for_each_turn(double least, double most, const Draw& draw) const;
+    void draw_lines() const;
+    void draw_line(std::size_t line, std::optional<Color> one, double width) const;
+    void draw_band(std::size_t line) const;
+    void draw_reversals() const;
+    void draw_ghosts() const;
+    void draw_beads() const;
+    void draw_flashes() const;
+    void draw_arrows() const;
+    void draw_name(Eigen::Index particle, double place) const;
+    bool words_fit(Labels labels) const;
+    void draw_words() const;
+};
+
+LinePanel::View LinePanel::view(const DrawContext& dc) const {
     const double u = dc.unit;
-    View view;
-    view.unit = u;
-    view.wire_y = dc.area.y + 3.4 * u;
     const double arrows = arrows_.shown() ? arrows_height * u : 0.0;
+    View view{};
+    view.line_y = dc.area.y + 3.4 * u;
     view.plot = {dc.area.x + 3.4 * u, dc.area.y + 7.6 * u + arrows, dc.area.width - 4.0 * u,
                  dc.area.height - 8.0 * u - arrows};
     view.scale = view.plot.width / map_->length();
@@ -83,308 +118,254 @@ WirePanel::View WirePanel::view(const DrawContext& dc) const {
     return view;
 }
 
-void WirePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    const View v = view(dc);
-    const double u = dc.unit;
+double LinePanel::scale_in(const DrawContext& own) const { return view(own).scale; }
+
+void LinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    const State none;
+    Drawing{*this, canvas, dc, none}.draw_ground();
+}
+
+void LinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    Drawing{*this, canvas, dc, static_cast<const State&>(state)}.draw();
+}
+
+void LinePanel::Drawing::draw_ground() const {
     canvas.fill(v.plot, dc.theme.ground);
-    for (const double side : {-1.0, 1.0}) draw_end(canvas, dc, side);
-    canvas.stroke_line({v.plot.x, v.wire_y}, {v.plot.right(), v.wire_y}, 0.12 * u, dc.theme.wall);
+    for (const double side : {-1.0, 1.0}) draw_end(side);
+    canvas.stroke_line({v.plot.x, v.line_y}, {v.plot.right(), v.line_y}, 0.12 * u, dc.theme.wall);
     draw_y_axis(canvas, v.plot, v.time, axis_style(dc));
-    draw_captions(canvas, dc);
+    draw_captions();
 }
 
 // A wall and its world line, or where a ring is cut open.
-void WirePanel::draw_end(Canvas& canvas, const DrawContext& dc, double side) const {
-    const View v = view(dc);
-    const double u = dc.unit;
+void LinePanel::Drawing::draw_end(double side) const {
     const double x = side < 0.0 ? v.plot.x : v.plot.right();
-    const double top = v.wire_y - 2.2 * u, bottom = v.wire_y + 2.2 * u;
-    if (is_ring()) {
-        canvas.stroke_line({x, top}, {x, bottom}, 0.1 * u, dc.theme.wall, 0.4 * u);
-        canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, dc.theme.wall, 0.4 * u);
-    } else {
-        const double thick = 0.5 * u;
+    const double top = v.line_y - 2.2 * u, bottom = v.line_y + 2.2 * u;
+    const double thick = 0.5 * u, dash = is_ring ? 0.4 * u : 0.0;
+    if (is_ring)
+        canvas.stroke_line({x, top}, {x, bottom}, 0.1 * u, dc.theme.wall, dash);
+    else
         canvas.fill({side < 0.0 ? x - thick : x, top, thick, bottom - top}, dc.theme.wall);
-        canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, dc.theme.wall);
-    }
+    canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, dc.theme.wall, dash);
 }
 
 // What the axis is, what the lines are, and that beads are not as large as they look.
-void WirePanel::draw_captions(Canvas& canvas, const DrawContext& dc) const {
-    const View v = view(dc);
-    const double u = dc.unit;
-    const double baseline = v.plot.y - 0.8 * u;
+void LinePanel::Drawing::draw_captions() const {
+    const double baseline = v.plot.y - 0.8 * u, left = v.plot.x + 1.6 * u;
     TextStyle words = label_style(dc);
     draw_text(canvas, {dc.area.x, baseline}, "time ago", words);
-    const bool all = lines_->count() == static_cast<std::size_t>(context_.particles.count());
-    const double end = v.plot.x + 1.6 * u +
-                       draw_text(canvas, {v.plot.x + 1.6 * u, baseline},
-                                 all ? "where each bead was"
-                                     : fmt::format("where {} of the beads were", lines_->count()),
-                                 words)
-                           .width;
-    const bool larger = map_->length() > context_.scene.gas.box.size[0];
+    const std::size_t lines = panel.lines_->count();
+    const std::string what = lines == static_cast<std::size_t>(count())
+                                 ? "where each bead was"
+                                 : fmt::format("where {} of the beads were", lines);
+    const double end = left + draw_text(canvas, {left, baseline}, what, words).width;
+    const bool larger = map.length() > context.scene.gas.box.size[0];
     words.align = Align::right;
     const std::string remark = "beads drawn larger than they are";
     if (larger && end + u + measure_text(remark, words).width < v.plot.right())
         draw_text(canvas, {v.plot.right(), baseline}, remark, words);
 }
 
-void WirePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const View v = view(dc);
+void LinePanel::Drawing::draw() const {
     canvas.clip_to(v.plot);
-    draw_lines(canvas, dc, state);
-    draw_reversals(canvas, dc, state);
+    draw_lines();
+    draw_reversals();
     canvas.release_clip();
     canvas.clip_to({v.plot.x, dc.area.y, v.plot.width, v.plot.y - dc.area.y});
-    draw_ghosts(canvas, dc, state);
-    draw_beads(canvas, dc, state);
-    draw_flashes(canvas, dc, state);
+    draw_ghosts();
+    draw_beads();
+    draw_flashes();
     canvas.release_clip();
-    draw_remark(canvas, dc, {v.plot.right(), v.plot.bottom()}, v.plot.width, flashes_.remarks());
-    draw_arrows(canvas, dc, state);
-    draw_words(canvas, dc, state);
-    const auto& now = static_cast<const WireState&>(state);
+    draw_remark(canvas, dc, {v.plot.right(), v.plot.bottom()}, v.plot.width,
+                panel.flashes_.remarks());
+    draw_arrows();
+    draw_words();
     if (now.ghosts)
-        draw_ghost_words(canvas, dc, {v.plot.x + 0.3 * dc.unit, dc.area.y + 0.9 * dc.unit},
-                         v.plot.width - 0.6 * dc.unit, *now.ghosts, now.ghost_words);
+        draw_ghost_words(canvas, dc, {v.plot.x + 0.3 * u, dc.area.y + 0.9 * u},
+                         v.plot.width - 0.6 * u, *now.ghosts, now.ghost_words);
 }
 
 // Where a bead is seen: on a ring more than once, where it reaches over the cut.
-std::vector<Point> WirePanel::seen_at(double place, double radius, const View& v) const {
-    double x = place * v.scale;
-    if (is_ring()) x -= v.plot.width * std::floor(x / v.plot.width);
+std::vector<Point> LinePanel::Drawing::seen_at(double place, double radius) const {
+    const double x = around_once(place * v.scale);
     std::vector<Point> seen;
     for (const double shift : {0.0, -v.plot.width, v.plot.width}) {
-        const Point at{v.plot.x + x + shift, v.wire_y};
-        if (shift != 0.0 && !is_ring()) continue;
+        const Point at{v.plot.x + x + shift, v.line_y};
+        if (shift != 0.0 && !is_ring) continue;
         if (at.x + radius > v.plot.x && at.x - radius < v.plot.right()) seen.push_back(at);
     }
     return seen;
 }
 
-void WirePanel::draw_ghosts(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const WireState&>(state);
+// Calls `draw` with each length by which turns round a ring bring a place between these into view.
+template <class Draw>
+void LinePanel::Drawing::for_each_turn(double least, double most, const Draw& draw) const {
+    const double first = is_ring ? std::floor(least / map.length()) : 0.0;
+    const double last = is_ring ? std::floor(most / map.length()) : 0.0;
+    for (double turn = first; turn <= last; turn += 1.0) draw(turn * map.length());
+}
+
+void LinePanel::Drawing::draw_ghosts() const {
     if (!now.ghosts) return;
-    const View v = view(dc);
-    const double line = ghost_line(dc);
-    for (std::size_t i = 0; i < now.ghosts->x.size(); ++i) {
-        const auto particle = static_cast<Eigen::Index>(i);
-        const double radius = shown_radius(particle, v);
-        for (const Point& at : seen_at(double(now.ghosts->x[i]), radius, v)) {
-            const double half = rod_half_height * dc.unit;
-            if (is_rod(particle, v))
+    const double line = ghost_line(dc), half = rod_half_height * u;
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const double radius = shown_radius(i);
+        for (const Point& at : seen_at(static_cast<double>(now.ghosts->place(i, 0)), radius))
+            if (is_rod(i))
                 canvas.stroke_rect({at.x - radius, at.y - half, 2.0 * radius, 2.0 * half}, line,
                                    dc.theme.muted);
             else
                 canvas.stroke_circle(at, radius, line, dc.theme.muted);
-        }
     }
 }
 
-void WirePanel::draw_lines(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const double apart = view(dc).plot.width / static_cast<double>(lines_->count());
-    const double width = std::clamp(0.3 * apart, 0.08 * dc.unit, 0.26 * dc.unit);
-    for (std::size_t line = 0; line < lines_->count(); ++line) draw_band(canvas, dc, state, line);
-    for (std::size_t line = 0; line < lines_->count(); ++line)
-        if (!stands_out(context_, lines_->particle(line)))
-            draw_line(canvas, dc, state, line, std::nullopt, width);
-    for (std::size_t line = 0; line < lines_->count(); ++line) {
-        if (!stands_out(context_, lines_->particle(line))) continue;
-        draw_line(canvas, dc, state, line, dc.theme.ink, width + 0.24 * dc.unit);
-        draw_line(canvas, dc, state, line, std::nullopt, width + 0.08 * dc.unit);
+void LinePanel::Drawing::draw_lines() const {
+    const std::size_t lines = panel.lines_->count();
+    const auto is_chosen = [&](std::size_t line) {
+        return stands_out(context, panel.lines_->particle(line));
+    };
+    const double apart = v.plot.width / static_cast<double>(lines);
+    const double width = std::clamp(0.3 * apart, 0.08 * u, 0.26 * u);
+    for (std::size_t line = 0; line < lines; ++line) draw_band(line);
+    for (std::size_t line = 0; line < lines; ++line)
+        if (!is_chosen(line)) draw_line(line, std::nullopt, width);
+    for (std::size_t line = 0; line < lines; ++line) {
+        if (!is_chosen(line)) continue;
+        draw_line(line, dc.theme.ink, width + 0.24 * u);
+        draw_line(line, std::nullopt, width + 0.08 * u);
     }
 }
 
 // As wide as the bead is drawn, so that those of neighbours touch where they meet.
-void WirePanel::draw_band(Canvas& canvas, const DrawContext& dc, const PanelState& state,
-                          std::size_t line) const {
-    const auto& now = static_cast<const WireState&>(state);
+void LinePanel::Drawing::draw_band(std::size_t line) const {
     const std::vector<WorldLines::Bend>& bends = now.lines[line];
-    const View v = view(dc);
-    const double radius = map_->radius(lines_->particle(line)) * v.scale;
-    if (radius < 0.2 * dc.unit) return;
-    const std::vector<Color> colors = colors_.of_shades(dc.theme);
-    const bool ring = is_ring();
+    const double length = map.radius(panel.lines_->particle(line)), radius = length * v.scale;
+    if (radius < 0.2 * u) return;
     for (std::size_t k = 1; k < bends.size(); ++k) {
-        const Color color = mix(dc.theme.ground, colors[bends[k].shade % colors.size()], 0.3);
-        const double left = std::min(bends[k - 1].place, bends[k].place);
-        const double right = std::max(bends[k - 1].place, bends[k].place);
-        const double r = map_->radius(lines_->particle(line)), whole = map_->length();
-        const double first = ring ? std::floor((left - r) / whole) : 0.0;
-        const double last = ring ? std::floor((right + r) / whole) : 0.0;
-        for (double turn = first; turn <= last; turn += 1.0) {
-            const double from = v.x(bends[k - 1].place - turn * whole);
-            const double to = v.x(bends[k].place - turn * whole);
-            // Whole pixels: half-covered rows would show as seams.
-            const double low = std::round(v.time(now.time - bends[k - 1].time));
-            const double high = std::round(v.time(now.time - bends[k].time));
+        const WorldLines::Bend &before = bends[k - 1], &bend = bends[k];
+        const Color tint = mix(dc.theme.ground, color_of(bend.shade), 0.3);
+        const auto [left, right] = std::minmax(before.place, bend.place);
+        // Whole pixels: half-covered rows would show as seams.
+        const double low = std::round(v.time(now.time - before.time));
+        const double high = std::round(v.time(now.time - bend.time));
+        for_each_turn(left - length, right + length, [&](double back) {
+            const double from = v.x(before.place - back), to = v.x(bend.place - back);
             canvas.fill_polygon(std::array{Point{from - radius, low}, Point{from + radius, low},
                                            Point{to + radius, high}, Point{to - radius, high}},
-                                color);
-        }
+                                tint);
+        });
     }
 }
 
-// In one colour, or in those of the speeds. Drawn again wherever a turn round a ring brings it into
-// view.
-void WirePanel::draw_line(Canvas& canvas, const DrawContext& dc, const PanelState& state,
-                          std::size_t line, std::optional<Color> color, double width) const {
-    const auto& now = static_cast<const WireState&>(state);
+// In one colour, or in those of the speeds.
+void LinePanel::Drawing::draw_line(std::size_t line, std::optional<Color> one, double width) const {
     const std::vector<WorldLines::Bend>& bends = now.lines[line];
-    const View v = view(dc);
-    const std::vector<Color> colors = colors_.of_shades(dc.theme);
-    const auto own = [&](std::uint8_t shade) {
-        return edge_of(colors[shade % colors.size()], dc.theme);
-    };
-    const auto [least, most] = std::minmax_element(
-        bends.begin(), bends.end(),
-        [](const WorldLines::Bend& a, const WorldLines::Bend& b) { return a.place < b.place; });
-    const bool ring = is_ring();
-    const double first = ring ? std::floor(least->place / map_->length()) : 0.0;
-    const double last = ring ? std::floor(most->place / map_->length()) : 0.0;
-    for (double turn = first; turn <= last; turn += 1.0) {
+    const auto own = [&](std::uint8_t shade) { return edge_of(color_of(shade), dc.theme); };
+    const auto [least, most] = std::ranges::minmax(bends, {}, &WorldLines::Bend::place);
+    for_each_turn(least.place, most.place, [&](double back) {
         std::vector<Point> path;
         for (std::size_t k = 0; k < bends.size(); ++k) {
-            const Point at{v.x(bends[k].place - turn * map_->length()),
-                           v.time(now.time - bends[k].time)};
-            const bool other = !color && k > 1 && bends[k].shade != bends[k - 1].shade;
-            if (other) {
+            if (!one && k > 1 && bends[k].shade != bends[k - 1].shade) {
                 canvas.stroke_path(path, width, own(bends[k - 1].shade));
                 path = {path.back()};
             }
-            path.push_back(at);
+            path.push_back({v.x(bends[k].place - back), v.time(now.time - bends[k].time)});
         }
-        canvas.stroke_path(path, width, color ? *color : own(bends.back().shade));
-    }
+        canvas.stroke_path(path, width, one ? *one : own(bends.back().shade));
+    });
 }
 
-void WirePanel::draw_reversals(Canvas& canvas, const DrawContext& dc,
-                               const PanelState& state) const {
-    const auto& now = static_cast<const WireState&>(state);
-    const View v = view(dc);
+void LinePanel::Drawing::draw_reversals() const {
+    TextStyle style = label_style(dc);
+    style.align = Align::right;
     for (const double time : now.reversals) {
         const double y = v.time(now.time - time);
-        canvas.stroke_line({v.plot.x, y}, {v.plot.right(), y}, 0.1 * dc.unit, dc.theme.muted);
-        TextStyle style = label_style(dc);
-        style.align = Align::right;
-        const double width = measure_text("reversed", style).width + dc.unit;
+        canvas.stroke_line({v.plot.x, y}, {v.plot.right(), y}, 0.1 * u, dc.theme.muted);
+        const double width = measure_text("reversed", style).width + u;
         // Under the line: there the word is whole as soon as the line is seen.
-        canvas.fill({v.plot.right() - width, y + 0.05 * dc.unit, width, 1.35 * dc.unit},
+        canvas.fill({v.plot.right() - width, y + 0.05 * u, width, 1.35 * u},
                     with_alpha(dc.theme.ground, plate_alpha));
-        draw_text(canvas, {v.plot.right() - 0.5 * dc.unit, y + 1.05 * dc.unit}, "reversed", style);
+        draw_text(canvas, {v.plot.right() - 0.5 * u, y + 1.05 * u}, "reversed", style);
     }
 }
 
-void WirePanel::draw_beads(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const WireState&>(state);
-    const View v = view(dc);
-    const double u = dc.unit;
-    const std::vector<Color> colors = colors_.of_shades(dc.theme);
+void LinePanel::Drawing::draw_beads() const {
+    const double line = std::max(1.5, ring_line * u);
     std::vector<Disk> disks;
-    std::vector<std::pair<Point, double>> rings;
-    for (std::size_t i = 0; i < now.places.size(); ++i) {
-        const auto particle = static_cast<Eigen::Index>(i);
-        const double radius = shown_radius(particle, v);
-        const Color color = colors[now.shades[i] % colors.size()];
-        const Color edge = edge_of(color, dc.theme);
-        for (const Point& at : seen_at(double(now.places[i]), radius, v)) {
-            if (stands_out(context_, particle)) rings.push_back({at, radius});
-            if (is_rod(particle, v))
-                draw_rod(canvas, dc, at, radius, color, is_filled(particle));
-            else
-                disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
-                                 static_cast<float>(radius), to_pixel(edge) & 0xFFFFFF});
-            const double line = std::max(1.5, ring_line * u);
-            const Color inside = is_filled(particle) ? color : dc.theme.page;
-            if (!is_rod(particle, v) && radius > 2.0 * line && to_pixel(inside) != to_pixel(edge))
-                disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
-                                 static_cast<float>(radius - line), to_pixel(inside) & 0xFFFFFF});
+    const auto add = [&](const Point& at, double radius, Color color) {
+        disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
+                         static_cast<float>(radius), to_pixel(color) & 0xFFFFFF});
+    };
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const double radius = shown_radius(i);
+        const Color edge = edge_of(color(i), dc.theme);
+        const Color inside = panel.is_filled(i) ? color(i) : dc.theme.page;
+        for (const Point& at : seen_at(place(i), radius)) {
+            if (is_rod(i)) {
+                draw_rod(canvas, dc, at, radius, color(i), panel.is_filled(i));
+                continue;
+            }
+            add(at, radius, edge);
+            if (radius > 2.0 * line && to_pixel(inside) != to_pixel(edge))
+                add(at, radius - line, inside);
         }
     }
     dc.disks.draw(canvas, disks, {v.plot.x, dc.area.y, v.plot.width, v.plot.y - dc.area.y});
 }
 
-void WirePanel::draw_flashes(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const View v = view(dc);
-    for (const Flash& flash : static_cast<const WireState&>(state).flashes)
-        for (const Point& at : seen_at(flash.place.x, flash_reach * dc.unit, v))
+void LinePanel::Drawing::draw_flashes() const {
+    for (const Flash& flash : now.flashes)
+        for (const Point& at : seen_at(flash.place.x, flash_reach * u))
             draw_flash(canvas, dc, at, flash.share);
 }
 
-// Under the beads, those to the right above those to the left: on the wire, or in one row, those of
+// Under the beads, those to the right above those to the left: on the line, or in one row, those of
 // neighbours would lie upon one another.
-void WirePanel::draw_arrows(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const WireState&>(state);
-    if (now.velocities.empty()) return;
-    const View v = view(dc);
+void LinePanel::Drawing::draw_arrows() const {
+    if (now.velocity.size() == 0) return;
     double half = 0.0;
-    for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
-        half = std::max(half, half_height(i, v));
-    }
-    const double y = v.wire_y + half + arrows_below * v.unit;
-    const ArrowField field{
-        {v.plot.x, y - v.unit, v.plot.width, 2.0 * v.unit}, v.scale, {is_ring(), false}};
+    for (Eigen::Index i = 0; i < count(); ++i) half = std::max(half, half_height(i));
+    const double y = v.line_y + half + arrows_below * u;
+    const ArrowField field{{v.plot.x, y - u, v.plot.width, 2.0 * u}, v.scale, {is_ring, false}};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
-    for (std::size_t i = 0; i < now.places.size(); ++i) {
-        double x = static_cast<double>(now.places[i]) * v.scale;
-        if (is_ring()) x -= v.plot.width * std::floor(x / v.plot.width);
-        const double row = (now.velocities[i] > 0.0F ? -0.5 : 0.5) * arrows_apart * v.unit;
-        arrows_.draw(canvas, dc, field, {v.plot.x + x, y + row}, 0.0,
-                     {double(now.velocities[i]), 0.0}, dc.theme.page);
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const auto velocity = static_cast<double>(now.velocity(i, 0));
+        const double row = (velocity > 0.0 ? -0.5 : 0.5) * arrows_apart * u;
+        panel.arrows_.draw(canvas, dc, field, {v.plot.x + around_once(place(i) * v.scale), y + row},
+                           0.0, {velocity, 0.0}, dc.theme.page);
     }
     canvas.release_clip();
 }
 
-void WirePanel::draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const {
-    const Rect left = arrows_.draw_key(canvas, dc, view(own).scale);
-    colors_.draw_key(canvas, {left, dc.unit, dc.theme, dc.disks});
-}
-
-void WirePanel::draw_name(Canvas& canvas, const DrawContext& dc, Eigen::Index particle,
-                          double place, double alpha) const {
-    const std::string name = single_name(context_, particle);
+void LinePanel::Drawing::draw_name(Eigen::Index particle, double place) const {
+    const std::string name = escape_markup(single_name(context, particle));
     if (name.empty()) return;
-    const View v = view(dc);
     TextStyle style = title_style(dc);
     style.align = Align::center;
-    style.color = with_alpha(dc.theme.ink, alpha);
-    style.max_width = v.plot.width - 0.8 * dc.unit;
-    const double half = measure_text(escape_markup(name), style).width / 2.0 + 0.4 * dc.unit;
+    style.color = with_alpha(dc.theme.ink, now.label_alpha);
+    style.max_width = v.plot.width - 0.8 * u;
+    const double half = measure_text(name, style).width / 2.0 + 0.4 * u;
     const double x = std::clamp(v.x(place), v.plot.x + half, v.plot.right() - half);
-    const double top = v.wire_y - half_height(particle, v);
-    draw_text(canvas, {x, top - 0.7 * dc.unit}, escape_markup(name), style);
+    const double top = v.line_y - half_height(particle);
+    draw_text(canvas, {x, top - 0.7 * u}, name, style);
 }
 
-bool WirePanel::is_filled(Eigen::Index particle) const {
-    return context_.scene.looks[static_cast<std::size_t>(context_.particles.species[particle])]
-        .fill;
-}
-
-bool WirePanel::words_fit(const DrawContext& dc, Labels labels, const View& v) const {
-    for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
-        const std::string words = words_on(context_, i, labels);
-        if (!words.empty() && !fitting_words(dc, map_->radius(i) * v.scale, words)) return false;
+bool LinePanel::Drawing::words_fit(Labels labels) const {
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const std::string words = words_on(context, i, labels);
+        if (!words.empty() && !fitting_words(dc, map.radius(i) * v.scale, words)) return false;
     }
     return true;
 }
 
 // Words on all beads if all are large enough; the names of chosen beads, at the start.
-void WirePanel::draw_words(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const WireState&>(state);
-    const View v = view(dc);
-    const std::vector<Color> colors = colors_.of_shades(dc.theme);
-    const Labels labels = words_fit(dc, shown_labels(), v) ? shown_labels() : Labels::none;
-    for (std::size_t i = 0; i < now.places.size(); ++i) {
-        const auto particle = static_cast<Eigen::Index>(i);
-        double place = static_cast<double>(now.places[i]);
-        place -= map_->length() * std::floor(place / map_->length());
-        const Color color =
-            is_filled(particle) ? colors[now.shades[i] % colors.size()] : dc.theme.page;
-        draw_words_on(canvas, dc, {v.x(place), v.wire_y}, map_->radius(particle) * v.scale,
-                      words_on(context_, particle, labels), color);
-        if (now.label_alpha > 0.0 && stands_out(context_, particle))
-            draw_name(canvas, dc, particle, place, now.label_alpha);
+void LinePanel::Drawing::draw_words() const {
+    const Labels labels = words_fit(panel.shown_labels()) ? panel.shown_labels() : Labels::none;
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const double at = place(i) - map.length() * std::floor(place(i) / map.length());
+        draw_words_on(canvas, dc, {v.x(at), v.line_y}, map.radius(i) * v.scale,
+                      words_on(context, i, labels), panel.is_filled(i) ? color(i) : dc.theme.page);
+        if (now.label_alpha > 0.0 && stands_out(context, i)) draw_name(i, at);
     }
 }
 

@@ -20,7 +20,7 @@ double drawn_radius(const PanelContext& context, Eigen::Index i) {
 
 }  // namespace
 
-WireMap::WireMap(const PanelContext& context, const Sample& start)
+LineMap::LineMap(const PanelContext& context, const Sample& start)
     : true_length_(context.scene.gas.box.size[0]),
       ring_(context.scene.gas.box.is_periodic(0)),
       order_(static_cast<std::size_t>(context.particles.count())),
@@ -41,7 +41,7 @@ WireMap::WireMap(const PanelContext& context, const Sample& start)
     }
 }
 
-double WireMap::place(Eigen::Index i, double x, double last) const {
+double LineMap::place(Eigen::Index i, double x, double last) const {
     if (!ring_) return x + push_[i];
     const double turns = std::round((last - push_[i] - x) / true_length_);
     return x + turns * true_length_ + push_[i];
@@ -49,7 +49,7 @@ double WireMap::place(Eigen::Index i, double x, double last) const {
 
 // On a ring the first bead is near its last place; each further one is the next to the right, or at
 // the same place but for round-off.
-Eigen::ArrayXd WireMap::places(const Sample& sample, const Eigen::ArrayXd& last) const {
+Eigen::ArrayXd LineMap::places(const Sample& sample, const Eigen::ArrayXd& last) const {
     Eigen::ArrayXd places(static_cast<Eigen::Index>(order_.size()));
     double before = 0.0;
     for (std::size_t k = 0; k < order_.size(); ++k) {

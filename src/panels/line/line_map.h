@@ -1,4 +1,4 @@
-// Where the beads of a wire are drawn. Beads are drawn larger than they are where the dynamics is
+// Where the beads of a line are drawn. Beads are drawn larger than they are where the dynamics is
 // of points, and pushed apart by as much, so that neighbours seem to touch when they meet, and so
 // do a bead and a wall. Knows no canvas: lengths are of the scene.
 #pragma once
@@ -10,18 +10,18 @@
 
 namespace carom {
 
-class WireMap {
+class LineMap {
   public:
-    WireMap() = default;  ///< to be read into
+    LineMap() = default;  ///< to be read into
 
     /// `start` gives the order of the beads, which never changes.
-    WireMap(const PanelContext& context, const Sample& start);
+    LineMap(const PanelContext& context, const Sample& start);
 
     /// The particles from left to right.
     const std::vector<Eigen::Index>& order() const { return order_; }
 
     double radius(Eigen::Index i) const { return radius_[i]; }  ///< as drawn
-    double length() const { return length_; }                   ///< of the wire as drawn
+    double length() const { return length_; }                   ///< of the line as drawn
     bool is_true(Eigen::Index i) const { return true_[i]; }     ///< drawn as long as it is
 
     /// Places as drawn. On a ring they go on beyond its length, without jumps, and are told apart

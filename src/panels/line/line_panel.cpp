@@ -6,7 +6,6 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
-#include "panels/line/line_state.h"
 #include "stats/histogram.h"
 
 namespace carom {
@@ -22,9 +21,7 @@ double film_seconds_of(const Scene& scene) {
 
 }  // namespace
 
-bool WirePanel::is_ring() const { return context_.scene.gas.box.is_periodic(0); }
-
-void WirePanel::survey(const FrameInput& input) {
+void LinePanel::survey(const FrameInput& input) {
     if (!map_) map_.emplace(context_, input.sample);
     colors_.survey(input);
     arrows_.survey(input);
@@ -35,7 +32,7 @@ void WirePanel::survey(const FrameInput& input) {
 }
 
 // Between the two beads as they are drawn.
-void WirePanel::survey_flashes(const FrameInput& input) {
+void LinePanel::survey_flashes(const FrameInput& input) {
     if (!flashes_.asked()) return;
     if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(input.sample, {});
     flashes_.survey(input, [this](const Collision& collision) {
@@ -50,7 +47,7 @@ void WirePanel::survey_flashes(const FrameInput& input) {
 }
 
 // The median over parts of the run, so that a short burst does not count.
-double WirePanel::usual_rate() const {
+double LinePanel::usual_rate() const {
     constexpr std::size_t parts = 20;
     std::vector<double> rates;
     for (std::size_t part = 0; part < parts; ++part) {
@@ -64,7 +61,7 @@ double WirePanel::usual_rate() const {
 
 // So long that each bead has a few collisions in it most of the time, as far as that is neither too
 // fast nor too slow to be followed.
-void WirePanel::fix_axes() {
+void LinePanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
     const double length = map_->length();
@@ -80,42 +77,30 @@ void WirePanel::fix_axes() {
     lines_.emplace(context_, *map_, colors_, memory_);
 }
 
-void WirePanel::archive(Archive& archive) {
+void LinePanel::archive(Archive& archive) {
     archive(colors_, arrows_, flashes_, map_, memory_);
     if (archive.is_reading()) lines_.emplace(context_, *map_, colors_, memory_);
 }
 
-std::shared_ptr<const PanelState> WirePanel::state(const FrameInput& input) {
-    auto state = std::make_shared<WireState>();
-    const double now = input.tick.time;
-    const double mean_speed = input.speed.mean();
+std::shared_ptr<const PanelState> LinePanel::state(const FrameInput& input) {
+    auto state = std::make_shared<State>();
+    state->time = input.tick.time;
     if (last_places_.size() == 0) last_places_ = map_->places(input.sample, {});
     const Eigen::ArrayXd places = map_->places(input.sample, last_places_);
+    see(input, places, *state);
     lines_->see(input, places, last_places_);
     last_places_ = places;
-    state->time = now;
-    for (Eigen::Index i = 0; i < places.size(); ++i) {
-        state->places.push_back(static_cast<float>(places[i]));
-        state->shades.push_back(colors_.shade(i, input.speed[i], mean_speed));
-        if (arrows_.shown())
-            state->velocities.push_back(static_cast<float>(input.sample.velocity(i, 0)));
-    }
     for (std::size_t line = 0; line < lines_->count(); ++line) {
         const Eigen::Index i = lines_->particle(line);
-        state->lines.push_back(
-            lines_->line(line, {now, places[i], state->shades[static_cast<std::size_t>(i)]}));
+        state->lines.push_back(lines_->line(
+            line, {state->time, places[i], state->shades[static_cast<std::size_t>(i)]}));
     }
-    ghosts_.see(input.tick, places);
-    state->ghosts = ghosts_.present();
-    state->ghost_words = ghosts_.words_alpha(input.tick);
-    state->flashes = flashes_.at(input.tick);
-    state->reversals = lines_->reversals(now);
-    state->label_alpha = name_alpha(context_, input.tick);
+    state->reversals = lines_->reversals(state->time);
     return state;
 }
 
 // Masses that differ are shown unasked.
-Labels WirePanel::shown_labels() const {
+Labels LinePanel::shown_labels() const {
     const Labels asked = context_.scene.film.labels;
     const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
     const bool differ = (inverse_mass != inverse_mass[0]).any();
@@ -124,40 +109,32 @@ Labels WirePanel::shown_labels() const {
 
 // Places are as drawn: beads pushed apart where they are drawn larger than they are, and on a ring
 // going on beyond its length without jumps.
-Table WirePanel::table(const PanelState& state, const Theme& theme) const {
-    const auto& now = static_cast<const WireState&>(state);
+Table LinePanel::table(const PanelState& state, const Theme& theme) const {
+    const auto& now = static_cast<const State&>(state);
     Table table{{"part", "particle", "species", column_name("x as drawn", reduced::length),
                  column_name("time", reduced::time),
                  column_name("radius as drawn", reduced::length), "colour", "label"}};
     if (arrows_.shown()) table.columns.push_back(column_name("velocity", reduced::speed));
     const std::vector<Color> colors = colors_.of_shades(theme);
-    const auto add = [&](const char* part, Eigen::Index i, Cell x, double time, Cell radius,
-                         Cell color, Cell label) {
-        const auto species = static_cast<std::size_t>(context_.particles.species[i]);
-        table.rows.push_back({part, std::int64_t{i}, context_.scene.gas.species[species].name,
-                              std::move(x), time, std::move(radius), std::move(color),
-                              std::move(label)});
-        table.rows.back().resize(table.columns.size());
-    };
     const auto color = [&](std::uint8_t shade) { return hex_of(colors[shade % colors.size()]); };
-    for (std::size_t k = 0; k < now.places.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
+    for (Eigen::Index i = 0; i < now.place.rows(); ++i) {
         std::string label = words_on(context_, i, shown_labels());
         if (label.empty() && now.label_alpha > 0.0 && stands_out(context_, i))
             label = single_name(context_, i);
-        add("bead", i, now.places[k], now.time, map_->radius(i), color(now.shades[k]), label);
-        if (!now.velocities.empty()) table.rows.back()[8] = now.velocities[k];
+        add_row(table, "bead", i,
+                {now.place(i, 0), now.time, map_->radius(i),
+                 color(now.shades[static_cast<std::size_t>(i)]), label},
+                now.velocity);
     }
     for (std::size_t line = 0; line < now.lines.size(); ++line)
         for (const WorldLines::Bend& bend : now.lines[line])
-            add("world line", lines_->particle(line), bend.place, bend.time, {}, color(bend.shade),
-                {});
+            add_row(table, "world line", lines_->particle(line),
+                    {bend.place, bend.time, {}, color(bend.shade)});
     if (now.ghosts)
-        for (std::size_t k = 0; k < now.ghosts->x.size(); ++k) {
-            const auto i = static_cast<Eigen::Index>(k);
-            add("mark", i, now.ghosts->x[k], now.time, map_->radius(i), hex_of(theme.muted),
-                now.ghosts->words);
-        }
+        for (Eigen::Index i = 0; i < now.ghosts->place.rows(); ++i)
+            add_row(table, "mark", i,
+                    {now.ghosts->place(i, 0), now.time, map_->radius(i), hex_of(theme.muted),
+                     now.ghosts->words});
     return table;
 }
 

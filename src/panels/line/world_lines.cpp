@@ -20,14 +20,14 @@ bool stands_out(const PanelContext& context, Eigen::Index i) {
            (context.scene.gas.species[species].count == 1 && context.particles.count() > 4);
 }
 
-WorldLines::WorldLines(const PanelContext& context, const WireMap& map, const GasColors& colors,
+WorldLines::WorldLines(const PanelContext& context, const LineMap& map, const GasColors& colors,
                        double memory)
     : context_(context), map_(map), colors_(colors), memory_(memory) {
     choose(map);
 }
 
-// Evenly along the wire, and those that the film is about.
-void WorldLines::choose(const WireMap& map) {
+// Evenly along the line, and those that the film is about.
+void WorldLines::choose(const LineMap& map) {
     const std::size_t beads = map.order().size();
     const std::size_t stride = (beads + most_lines - 1) / most_lines;
     line_of_.assign(beads, -1);

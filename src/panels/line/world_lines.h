@@ -1,4 +1,4 @@
-// World lines: where beads of a wire were during the last while, as the places and times at which
+// World lines: where beads of a line were during the last while, as the places and times at which
 // their velocities changed. Knows no canvas.
 #pragma once
 
@@ -21,7 +21,7 @@ class WorldLines {
     };
 
     /// Of the last `memory` units of simulated time. Refers to the map and the colours.
-    WorldLines(const PanelContext& context, const WireMap& map, const GasColors& colors,
+    WorldLines(const PanelContext& context, const LineMap& map, const GasColors& colors,
                double memory);
 
     /// Every frame in order, with the places of all beads as drawn, now and one frame before.
@@ -38,11 +38,11 @@ class WorldLines {
     std::vector<double> reversals(double now) const;
 
   private:
-    void choose(const WireMap& map);
+    void choose(const LineMap& map);
     void bend(std::size_t line, double time, double place, double mean_speed);
 
     PanelContext context_;
-    const WireMap& map_;
+    const LineMap& map_;
     const GasColors& colors_;
     double memory_;
     std::vector<Eigen::Index> particles_;  ///< of each line

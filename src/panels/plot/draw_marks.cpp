@@ -29,6 +29,7 @@ struct Place {
     Point baseline;
     Align align;
     Rect rect;
+    bool has_sample;
     std::string words = {};
     bool is_free = true;
 };
@@ -43,7 +44,7 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
                                 double width) {
     for (const Anchor& anchor : anchors) {
         const bool steps = anchor.step.x != 0.0 || anchor.step.y != 0.0;
-        Place place{place_of(frame, anchor), anchor.align, {}};
+        Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
         for (;;) {
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
             if (steps && !frame.placer.is_inside(place.rect)) break;
@@ -78,13 +79,17 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
     if (label.may_be_left_out || label.anchors.empty()) return {};
     const Anchor& first = label.anchors.front();
     const Point at = place_of(frame, first);
-    return Place{at, first.align, rect_of(frame, at, first.align, width), words, false};
+    return Place{at,    first.align, rect_of(frame, at, first.align, width), first.has_sample,
+                 words, false};
 }
 
 }  // namespace
 
-void keep_clear_of(const Frame& frame, const Label& label) {
-    if (const auto place = place_of(frame, label)) frame.placer.keep_clear(place->rect);
+std::optional<Rect> rect_of(const Frame& frame, const Label& label) {
+    const std::optional<Place> place = place_of(frame, label);
+    if (!place) return {};
+    frame.placer.keep_clear(place->rect);
+    return place->rect;
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
@@ -101,7 +106,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
     style.align = place->align;
     draw_text(canvas, place->baseline, place->words, style);
     frame.placer.keep_clear(rect);
-    if (!label.sample) return;
+    if (!place->has_sample || !label.sample) return;
     const double y = place->baseline.y - frame.pixels(0.35);
     draw_straight(canvas, dc, {rect.x + frame.pixels(sample_from), y},
                   {rect.x + frame.pixels(sample_to), y}, *label.sample);

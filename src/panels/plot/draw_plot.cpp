@@ -364,13 +364,27 @@ std::vector<const AnyLayer*> layers_of(const Plot& plot, bool still) {
     return layers;
 }
 
-// What the labels of a part must not lie on; those that change, not on those that stand still.
+// Whether a frame shows nothing of a line yet.
+bool is_hidden(const AnyLayer& layer) {
+    const auto* line = std::get_if<Line>(&layer);
+    return line != nullptr && line->shown.end == 0;
+}
+
+// What the labels of a part must not lie on: those that stand still, on nothing that is shown in
+// the film; those that change, on nothing that is shown now, nor on those that stand still.
 void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
     if (!has_labels(plot, still)) return;
-    for (const AnyLayer& layer : plot.layers) std::visit(Obstacles{frame}, layer);
+    LabelPlacer placer(frame.area);
+    const Frame of_all{frame.dc,      frame.area,   frame.x_scale,
+                       frame.y_scale, frame.y_kind, still ? frame.placer : placer};
+    for (const AnyLayer& layer : plot.layers) {
+        std::visit(Obstacles{of_all}, layer);
+        if (!still && !is_hidden(layer)) std::visit(Obstacles{frame}, layer);
+    }
     if (still) return;
     for (const AnyLayer* layer : layers_of(plot, true))
-        if (const Label* label = label_of(*layer)) keep_clear_of(frame, *label);
+        if (const Label* label = label_of(*layer))
+            if (const auto rect = rect_of(of_all, *label)) frame.placer.keep_clear(*rect);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
 void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow);
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
-/// Keeps other labels off where this one goes.
-void keep_clear_of(const Frame& frame, const Label& label);
+/// Where a label goes, and keeps other labels off there; nothing where it is left out.
+std::optional<Rect> rect_of(const Frame& frame, const Label& label);
 
 /// A role's colour on the theme, and that of a stroke, with its shade and its fading.
 Color color_of(const Role& role, const Theme& theme);

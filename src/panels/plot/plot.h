@@ -97,7 +97,8 @@ struct Anchor {
     bool x_is_share = false, y_is_share = false;
     Point offset = {};  ///< of the baseline from there, units
     Align align = Align::left;
-    Point step = {};  ///< units; none: this place only
+    Point step = {};          ///< units; none: this place only
+    bool has_sample = false;  ///< there the label's sample stands before the words
 };
 
 // ----------------------------------------------------------------------------------------- layers

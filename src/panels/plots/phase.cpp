@@ -25,8 +25,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     const std::string along = box.dimension == 1 ? "" : axis == 1 ? " along y" : " along x";
     const std::vector<Chosen> chosen = choices(spec);
-    std::vector<std::vector<Eigen::Index>> lists;
-    for (const Chosen& one : chosen) lists.push_back(members(context, one));
+    const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     std::vector<Flights> flights;  // of the first of each: of several there is no path
     for (const std::vector<Eigen::Index>& list : lists)
         flights.emplace_back(box, axis, std::vector<Eigen::Index>{list.front()});

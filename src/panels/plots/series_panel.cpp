@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "draw/axis.h"
+#include "panels/chosen.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 
@@ -21,6 +22,19 @@ const Role muted{.of = Role::Of::muted};
 std::string time_column() { return column_name("time", reduced::time); }
 
 }  // namespace
+
+SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec,
+                                 const std::string& title) {
+    const std::vector<Chosen> chosen = choices(spec);
+    SeriesSubject subject{.titles = {title}};
+    if (spec.title)
+        subject.titles = {escape_markup(*spec.title)};
+    else if (!spec.of.empty())
+        subject.titles = {title + " of " + names_of(context, chosen, plot::Sample::line)};
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        subject.lines.push_back({name_of(context, chosen[k]), role_among(context, chosen, k)});
+    return subject;
+}
 
 SeriesPanel::SeriesPanel(const PanelContext& context, SeriesSubject subject)
     : context_(context), subject_(std::move(subject)) {
@@ -194,8 +208,11 @@ void SeriesPanel::add_levels() {
         plot::Level level = level_of(*common);
         plot::Label label;
         label.words = {common->name + " " + three_digits(common->value)};
-        label.anchors = {
-            {.at = {1.0, 0.0}, .x_is_share = true, .y_is_share = true, .offset = {-9.7, 0.8}}};
+        label.anchors = {{.at = {1.0, 0.0},
+                          .x_is_share = true,
+                          .y_is_share = true,
+                          .offset = {-9.7, 0.8},
+                          .has_sample = true}};
         label.sample = level.stroke;
         level.label = std::move(label);
         whole_.layers.emplace_back(std::move(level));

@@ -18,21 +18,26 @@ struct SeriesSubject {
         std::string name;  ///< in a table
         plot::Role role = {.of = plot::Role::Of::bar};
     };
-    std::function<std::vector<double>(const FrameInput&)>
-        measure;  ///< one number for each line, every frame of the first pass in order; NaN: none
-    std::vector<Line> lines;
-    std::vector<plot::Text> titles;       ///< from the longest on
+    std::function<std::vector<double>(const FrameInput&)> measure =
+        {};  ///< one number for each line, every frame of the first pass in order; NaN: none
+    std::vector<Line> lines = {};
+    std::vector<plot::Text> titles = {};  ///< from the longest on
     std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
-    std::optional<double> top = {};  ///< of the axis; none: as the run shows
-    bool spreads = false;            ///< over powers of ten, if need be
-    std::string quantity, unit;      ///< "entropy", "1"
-    std::size_t compared = 0;        ///< the line that stands for a run beside others
+    std::optional<double> top = {};        ///< of the axis; none: as the run shows
+    bool spreads = false;                  ///< over powers of ten, if need be
+    std::string quantity = {}, unit = {};  ///< "entropy", "1"
+    std::size_t compared = 0;              ///< the line that stands for a run beside others
     std::optional<plot::Text> compared_title = {};  ///< of that line; none: the title
     bool needs_collisions = false;                  ///< to measure
     std::function<void(const SeriesRecord&, plot::Plot& whole)> add =
         {};  ///< layers, notes and words that come from the whole record
 };
+
+/// A line for each choice of particles that the panel shows, and the title that names them: what
+/// is measured of each is for the caller to add.
+SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec,
+                                 const std::string& title);
 
 class SeriesPanel : public RecordPanel<SeriesRecord> {
   public:

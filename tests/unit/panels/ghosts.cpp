@@ -110,5 +110,5 @@ TEST_CASE("a mark at time 0 is there from the first frame on") {
     keeper.see(film.frames.front().tick, Eigen::ArrayXXd::Constant(1, 2, 7.0));
     REQUIRE(keeper.present());
     CHECK(keeper.present()->words == "start");
-    CHECK(keeper.present()->x == std::vector<float>{7.0F});
+    CHECK((keeper.present()->place == 7.0F).all());
 }

@@ -43,7 +43,7 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
         const Particles& particles = simulation.particles();
         const std::optional<EquilibriumGas> none;
         const PanelContext context{scene, particles, 30, none};
-        const WireMap map(context, simulation.sample());
+        const LineMap map(context, simulation.sample());
         Eigen::ArrayXd last = map.places(simulation.sample(), {});
         int meetings = 0;
         for (double time = 0.02; time < 8.0; time += 0.02) {
@@ -79,7 +79,7 @@ TEST_CASE("beads are drawn with their own radius, the wanted one, or 0.4 of the 
     Simulation simulation(scene.gas, scene.run);
     const std::optional<EquilibriumGas> none;
     const Particles& particles = simulation.particles();
-    const WireMap map({scene, particles, 30, none}, simulation.sample());
+    const LineMap map({scene, particles, 30, none}, simulation.sample());
     CHECK(map.radius(0) == relative(0.4, 1e-12));
     CHECK(map.radius(9) == relative(0.6, 1e-12));
     CHECK(map.radius(10) == relative(0.3, 1e-12));
@@ -122,7 +122,7 @@ TEST_CASE("the world lines of a busy wire reach back less far than those of a ca
     const auto memory = [](const std::string& speed) {
         const Shot film(scene_of("length: 10", "{count: 10, speed: " + speed + "}",
                                  "seconds: 40, fps: 60, size: [320, 180]", "until: 40"));
-        return dynamic_cast<const WirePanel&>(film.panels->gas()).memory();
+        return dynamic_cast<const LinePanel&>(film.panels->gas()).memory();
     };
     // A round number above 12 seconds of film at most, above 2.5 at least; the pace is nearly 1.
     // Most frames of a film hold no collision: that makes no calm wire.

@@ -1,0 +1,65 @@
+// What the box of a plane and the line have in common: the colours of particles, the arrows of
+// their velocities, marks and flashes, and the rows of their table.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "panels/gas/flashes.h"
+#include "panels/gas/gas_colors.h"
+#include "panels/gas/ghosts.h"
+#include "panels/gas/velocity_arrows.h"
+#include "panels/panel.h"
+
+namespace carom {
+
+/// What such a panel shows in one frame, in single precision.
+struct ParticleState : PanelState {
+    Eigen::ArrayXXf place;             ///< of all particles, a column for each axis, as drawn
+    Eigen::ArrayXXf velocity;          ///< empty: not shown
+    std::vector<std::uint8_t> shades;  ///< index into the film's colours
+    double label_alpha = 0.0;
+    std::shared_ptr<const Ghosts> ghosts;  ///< may be null
+    double ghost_words = 0.0;
+    std::vector<Flash> flashes;
+
+    std::size_t bytes() const override {
+        return static_cast<std::size_t>(place.size() + velocity.size()) * sizeof(float) +
+               shades.size();
+    }
+};
+
+class ParticlePanel : public Panel {
+  public:
+    bool surveys_collisions() const override { return flashes_.asked(); }
+    void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
+
+  protected:
+    explicit ParticlePanel(const PanelContext& context)
+        : context_(context),
+          colors_(context),
+          arrows_(context),
+          ghosts_(context.scene),
+          flashes_(context) {}
+
+    /// Pixels of a length.
+    virtual double scale_in(const DrawContext& own) const = 0;
+
+    /// Fills what all states have; `places` as they are drawn. Second pass, every frame in order.
+    void see(const FrameInput& input, const Eigen::ArrayXXd& places, ParticleState& state);
+
+    bool is_filled(Eigen::Index particle) const;
+
+    /// A row of the table: the part, the number and the species of a particle, then the cells, and
+    /// its velocity where that is shown.
+    void add_row(Table& table, const char* part, Eigen::Index particle, std::vector<Cell> cells,
+                 const Eigen::ArrayXXf& velocity = {}) const;
+
+    PanelContext context_;
+    GasColors colors_;
+    VelocityArrows arrows_;
+    GhostKeeper ghosts_;
+    Flashes flashes_;
+};
+
+}  // namespace carom

@@ -101,7 +101,7 @@ TEST_CASE("pages show what there is of each figure, and say what is missing") {
     CHECK(has(missing.err, "needs figures as pdf or png, and `start` has neither"));
     CHECK(has(
         figures(folder, {"scene.yaml", "-o", "c", "--page", "markdown", "--formats", "pdf"}).err,
-        "shows figures as svg or png"));
+        "needs figures as svg or png"));
     // Before the work.
     CHECK_FALSE(fs::exists(folder.path() / "b"));
     CHECK_FALSE(fs::exists(folder.path() / "c"));

@@ -70,6 +70,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"overlap", several_places},
     {"overlap_around", several_places},
     {"packing", several_places},
+    {"panels_displacement", several_places},  // times against `until`
     {"panels_range", several_places},
     {"precision", "53 bits are a double, those between 53 and 64 are nothing"},
     {"reversal_no_way_home", several_places},  // `at` against `until`

@@ -112,12 +112,15 @@ std::vector<PlacedEntry> places_beside(const Note& note, const DrawContext& dc, 
     return placed;
 }
 
-// The height of a note under the title, in units.
+}  // namespace
+
 double height_of(const Note& note, const DrawContext& dc) {
     if (note.entries.empty()) return note.changes ? note_height : 0.0;
     const std::vector<PlacedEntry> placed = places(note, dc);
     return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
 }
+
+namespace {
 
 double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_beside) {
     double sum = 0.0;

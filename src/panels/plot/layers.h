@@ -67,6 +67,9 @@ ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, dou
 /// Draws an arrow between two points of the canvas.
 void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, const Arrow& arrow);
 
+/// The height of a note under the title, in units.
+double height_of(const Note& note, const DrawContext& dc);
+
 /// A text as markup in a theme's colours.
 std::string markup_of(const Text& text, const Theme& theme);
 

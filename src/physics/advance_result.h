@@ -17,23 +17,32 @@ namespace carom {
 /// The sides of the box; a line has the first two.
 enum class Side : std::int8_t { left, right, bottom, top };
 
-/// What a particle has collided with: another particle or a side of the box.
+/// What a particle has collided with: another particle, a side of the box or another surface.
 class Partner {
   public:
     constexpr Partner(std::int32_t particle = 0) : code_(particle) {}  // as Eigen's indices convert
     constexpr Partner(Side side) : code_(-1 - static_cast<std::int32_t>(side)) {}
 
-    constexpr bool is_side() const { return code_ < 0; }
+    /// The surface of this number: a side of the box, a partition or an obstacle (surface.h).
+    static constexpr Partner of_surface(std::int32_t surface) { return Partner(-1 - surface); }
+
+    constexpr bool is_side() const { return code_ < 0 && code_ >= -4; }
+    constexpr bool is_surface() const { return code_ < 0; }
     constexpr bool is_particle() const { return code_ >= 0; }
 
-    /// Its number. Throws std::logic_error if it is a side.
+    /// Its number. Throws std::logic_error if it is a surface.
     constexpr std::int32_t particle() const {
-        if (is_side()) throw std::logic_error("the partner of this collision is a side of the box");
+        if (is_surface()) throw std::logic_error("the partner of this collision is a surface");
         return code_;
     }
-    /// Throws std::logic_error if it is a particle.
-    constexpr Side side() const {
+    /// Its number among the surfaces. Throws std::logic_error if it is a particle.
+    constexpr std::int32_t surface() const {
         if (is_particle()) throw std::logic_error("the partner of this collision is a particle");
+        return -1 - code_;
+    }
+    /// Throws std::logic_error if it is not a side.
+    constexpr Side side() const {
+        if (!is_side()) throw std::logic_error("the partner of this collision is no side");
         return static_cast<Side>(-1 - code_);
     }
 

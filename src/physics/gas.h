@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "physics/surface.h"
+
 namespace carom {
 
 enum class Wall { solid, periodic };
@@ -23,6 +25,7 @@ struct Box {
     int dimension = 2;
     Eigen::Array2d size{0.0, 0.0};
     std::array<Wall, 2> walls{Wall::solid, Wall::solid};  ///< of the sides across x, across y
+    Surfaces surfaces = {};                               ///< that act, and what they act on
 
     bool is_periodic(std::integral auto axis) const {
         return walls[static_cast<std::size_t>(axis)] == Wall::periodic;

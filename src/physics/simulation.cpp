@@ -21,7 +21,8 @@
 namespace carom {
 namespace {
 
-using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>>;
+using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>,
+                          EventLoop<2, double, true>>;
 
 bool beads_are_apart(const Box& box, const Particles& particles, const Sample& state) {
     const double tolerance = touching_tolerance * box.size[0];
@@ -71,6 +72,30 @@ void check_events(const std::vector<RunEvent>& events, double present, Eigen::In
     }
 }
 
+bool forgets(const Behaviour& behaviour) {
+    return std::holds_alternative<Bath>(behaviour) || std::holds_alternative<Membrane>(behaviour);
+}
+
+bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
+    const std::vector<Barrier> barriers = barriers_of(box, box.size.maxCoeff());
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        if (surface_in_the_way(box, barriers, start.position.row(i), particles.radius[i]))
+            return false;
+    return true;
+}
+
+// Surfaces that act are known to doubles in a plane.
+void check_surfaces(const Box& box, const Particles& particles, const Sample& start,
+                    const Run& run) {
+    if (box.surfaces.are_plain()) return;
+    require(box.dimension == 2 && run.bits == bits_of_double,
+            "surfaces that act, obstacles and gravity are known in two dimensions and in doubles");
+    const std::vector<Behaviour> behaviours = behaviours_of(box);
+    require(reversal_times(run).empty() || std::ranges::none_of(behaviours, forgets),
+            "a run with a heat bath or a membrane cannot be reversed: these have no memory");
+    require(is_clear_of_surfaces(box, particles, start), "particles lie clear of all surfaces");
+}
+
 // Returns the bits.
 int check_run(const Run& run, Eigen::Index particles) {
     require(run.bits.has_value(),
@@ -112,7 +137,7 @@ struct Simulation::Implementation {
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
-          bits(check_run(run, particles.count())),
+          bits((check_surfaces(its_box, particles, start, run), check_run(run, particles.count()))),
           loop(loop_for(its_box, particles, bits)),
           present(start) {
         present.time = -run.equilibrate;
@@ -127,6 +152,8 @@ struct Simulation::Implementation {
 
     static Loop loop_for(const Box& box, const Particles& particles, int bits) {
         const Arithmetic arithmetic{.bits = bits};
+        if (!box.surfaces.are_plain())
+            return Loop(std::in_place_type<EventLoop<2, double, true>>, box, particles, arithmetic);
         if (bits > bits_of_double) {
             if (box.dimension == 1)
                 return Loop(std::in_place_type<EventLoop<1, Real>>, box, particles, arithmetic);
@@ -189,10 +216,10 @@ struct Simulation::Implementation {
         if (!obstacle) return;
         throw PerturbationError(
             event,
-            fmt::format(
-                "the nudge at time {:g} would push particle {} into {}", present.time,
-                perturbation.particle,
-                obstacle->is_side() ? "a wall" : fmt::format("particle {}", obstacle->particle())));
+            fmt::format("the nudge at time {:g} would push particle {} into {}", present.time,
+                        perturbation.particle,
+                        obstacle->is_surface() ? "a wall"
+                                               : fmt::format("particle {}", obstacle->particle())));
     }
 
     void apply(std::size_t event) {
@@ -288,5 +315,10 @@ void Simulation::record_collisions(bool on) { implementation_->recording = on; }
 const Box& Simulation::box() const { return implementation_->box; }
 
 const Particles& Simulation::particles() const { return implementation_->particles; }
+
+std::vector<SurfaceState> Simulation::surfaces() const {
+    const Implementation& its = *implementation_;
+    return std::visit([&](const auto& loop) { return loop.surfaces(its.present.time); }, its.loop);
+}
 
 }  // namespace carom

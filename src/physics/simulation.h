@@ -83,6 +83,11 @@ class Simulation {
     /// Bits of the significands of its numbers.
     int bits() const;
 
+    /// What each surface has done since t = 0, and where those are that move: the four sides, the
+    /// partitions, the obstacles of the box, in this order. None where there are only walls that
+    /// reflect.
+    std::vector<SurfaceState> surfaces() const;
+
     const Box& box() const;
     const Particles& particles() const;
 

@@ -95,6 +95,12 @@ Scalar position_at(const Body& b, std::size_t axis, const Scalar& now) {
     return b.x[axis] + b.v[axis] * (now - b.time);
 }
 
+/// How fast it moves then.
+template <typename Body, typename Scalar>
+const Scalar& velocity_at(const Body& b, std::size_t axis, const Scalar&) {
+    return b.v[axis];
+}
+
 /// Moves a body on to a time.
 template <typename Body, typename Scalar>
 inline void advance_body(Body& b, const Scalar& now) {

@@ -32,15 +32,23 @@ std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x)
     return values;
 }
 
+template <typename Geometry>
+std::int32_t movers_of(const Geometry& geometry) {
+    if constexpr (std::is_same_v<Geometry, OpenPlane>)
+        return static_cast<std::int32_t>(geometry.movers().size());
+    else
+        return 0;
+}
+
 }  // namespace
 
-template <int Dimension, typename Scalar>
-EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particles,
-                                        const Arithmetic& arithmetic)
+template <int Dimension, typename Scalar, bool has_surfaces>
+EventLoop<Dimension, Scalar, has_surfaces>::EventLoop(const Box& box, const Particles& particles,
+                                                      const Arithmetic& arithmetic)
     : box_(box),
       bodies_(Geometry::bodies_of(particles)),
       geometry_(box, particles, arithmetic),
-      queue_(static_cast<std::int32_t>(particles.count())),
+      queue_(static_cast<std::int32_t>(particles.count()) + movers_of(geometry_)),
       bits_(arithmetic.bits) {
     if constexpr (!of_doubles) clock_ = MpClock(arithmetic.bits);
     number_.reserve(bodies_.size());
@@ -48,14 +56,15 @@ EventLoop<Dimension, Scalar>::EventLoop(const Box& box, const Particles& particl
         number_.push_back(static_cast<std::int32_t>(i));
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::forget() {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::forget() {
     counts_ = {};
     impulses_ = {};
+    if constexpr (has_surfaces) geometry_.forget();
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::start(const Sample& state) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::start(const Sample& state) {
     now_ = clock_.start(state.time);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         Body& b = bodies_[k];
@@ -68,13 +77,14 @@ void EventLoop<Dimension, Scalar>::start(const Sample& state) {
         body_has_changed(b);
     }
     put_in_order();
+    if constexpr (has_surfaces) geometry_.begin(state.time);
     geometry_.enter(bodies_);
     predict_all();
 }
 
 // Tells where each body was before.
-template <int Dimension, typename Scalar>
-std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::vector<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::put_in_order() {
     cycles_since_sorted_ = 0;
     std::vector<std::int32_t> order = geometry_.order(bodies_);
     typename Geometry::Bodies bodies(bodies_.size());
@@ -89,9 +99,9 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar>::put_in_order() {
 }
 
 // The same at any time, with the events already predicted.
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::resort() {
-    if constexpr (Dimension == 2 && of_doubles) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::resort() {
+    if constexpr (std::is_same_v<Geometry, Plane>) {
         const std::vector<std::int32_t> before = put_in_order();
         queue_.renumber(before);
         geometry_.renumber(bodies_, before);
@@ -100,8 +110,8 @@ void EventLoop<Dimension, Scalar>::resort() {
 }
 
 // All bodies are at the present.
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::predict_all() {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::predict_all() {
     last_collision_ = -1.0;
     at_one_instant_ = 0;
     for (Body& b : bodies_) b.collisions = 0;
@@ -114,14 +124,18 @@ void EventLoop<Dimension, Scalar>::predict_all() {
         predictions.push_back(std::exchange(bodies_[k].prediction, {}));
     }
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].prediction = predictions[k];
+    if constexpr (has_surfaces)
+        for (std::size_t k = 0; k < geometry_.movers().size(); ++k)
+            times.push_back(geometry_.mover_event(k));
     queue_.reset(std::move(times));
 }
 
 // Advances all bodies to a local time, which becomes the epoch.
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::move_epoch_to(const Scalar& local_time) {
     now_ = local_time;
     for (Body& b : bodies_) advance_body(b, now_);
+    if constexpr (has_surfaces) geometry_.move_epoch_to(now_);
     now_ = clock_.move_epoch_to(now_);
     for (Body& b : bodies_) {
         b.time = now_;
@@ -129,20 +143,20 @@ void EventLoop<Dimension, Scalar>::move_epoch_to(const Scalar& local_time) {
     }
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::reverse(double time) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::reverse(double time) {
     move_epoch_to(clock_.local(time));
     for (Body& b : bodies_) {
         for (Scalar& v : b.v) v = -v;
         body_has_changed(b);
     }
+    if constexpr (has_surfaces) geometry_.reverse();
     predict_all();
 }
 
-template <int Dimension, typename Scalar>
-std::optional<Partner> EventLoop<Dimension, Scalar>::displace(std::int64_t particle,
-                                                              const std::array<std::string, 2>& by,
-                                                              double time) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::displace(
+    std::int64_t particle, const std::array<std::string, 2>& by, double time) {
     move_epoch_to(clock_.local(time));
     const auto moved = static_cast<std::size_t>(
         std::find(number_.begin(), number_.end(), static_cast<std::int32_t>(particle)) -
@@ -170,10 +184,14 @@ std::optional<Partner> EventLoop<Dimension, Scalar>::displace(std::int64_t parti
 }
 
 // Contact is no overlap, and with doubles a little more is not either: it comes of round-off.
-template <int Dimension, typename Scalar>
-std::optional<Partner> EventLoop<Dimension, Scalar>::overlapped(std::size_t moved) const {
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::overlapped(
+    std::size_t moved) const {
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
+    if constexpr (has_surfaces)
+        if (const auto surface = geometry_.overlapped(b, now_))
+            return Partner::of_surface(*surface);
     const double radius = geometry_.properties(bodies_, moved).radius;
     for (std::size_t a = 0; a < Dimension; ++a) {
         if (box_.is_periodic(a)) continue;
@@ -190,16 +208,18 @@ std::optional<Partner> EventLoop<Dimension, Scalar>::overlapped(std::size_t move
     }
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* record,
-                                           const TimeCallback& on_progress) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
+                                                         std::vector<Collision>* record,
+                                                         const TimeCallback& on_progress) {
     constexpr int events_between_looks = 4096;
     int until_look = events_between_looks;
     Collision collision;
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
-        if constexpr (Dimension == 2 && of_doubles) fetch_ahead_.step(bodies_, geometry_, queue_);
+        if constexpr (std::is_same_v<Geometry, Plane>)
+            fetch_ahead_.step(bodies_, geometry_, queue_);
         if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
         if (--until_look == 0) {
             throw_if_interrupted();
@@ -209,8 +229,8 @@ void EventLoop<Dimension, Scalar>::advance(double time, std::vector<Collision>* 
     }
 }
 
-template <int Dimension, typename Scalar>
-bool EventLoop<Dimension, Scalar>::advance_one(double time, Collision& collision) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::advance_one(double time, Collision& collision) {
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) return false;
@@ -218,8 +238,8 @@ bool EventLoop<Dimension, Scalar>::advance_one(double time, Collision& collision
     }
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::sample(double time, Sample& state) const {
     const auto count = static_cast<Eigen::Index>(bodies_.size());
     state.time = time;
     state.position.resize(count, Dimension);
@@ -231,13 +251,13 @@ void EventLoop<Dimension, Scalar>::sample(double time, Sample& state) const {
             const auto axis = static_cast<Eigen::Index>(a);
             const auto x = static_cast<double>(position_at(b, a, local));
             state.position(number_[k], axis) = box_.wrapped(a, x);
-            state.velocity(number_[k], axis) = static_cast<double>(b.v[a]);
+            state.velocity(number_[k], axis) = static_cast<double>(velocity_at(b, a, local));
         }
     }
 }
 
-template <int Dimension, typename Scalar>
-std::vector<Scalar> EventLoop<Dimension, Scalar>::positions(double time) const {
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::vector<Scalar> EventLoop<Dimension, Scalar, has_surfaces>::positions(double time) const {
     std::vector<Scalar> all(bodies_.size() * Dimension);
     const Scalar local = clock_.local(time);
     for (std::size_t k = 0; k < bodies_.size(); ++k)
@@ -250,8 +270,8 @@ std::vector<Scalar> EventLoop<Dimension, Scalar>::positions(double time) const {
 // The particle with the earliest event, -1 when nothing will ever happen. At the end of a cycle of
 // the queue all times are counted from a new epoch, so that they stay small (the shift is a whole
 // number of cycles: exact).
-template <int Dimension, typename Scalar>
-std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
     if constexpr (!of_doubles) return queue_.earliest();
     while (true) {
         const std::int32_t i = queue_.earliest();
@@ -267,6 +287,7 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
                 b.time -= shift;
                 b.prediction.contact_time -= shift;
             }
+            if constexpr (has_surfaces) geometry_.shift_epoch(shift);
             if (!Geometry::is_resorted(bodies_.size()) ||
                 ++cycles_since_sorted_ < cycles_between_sorts)
                 continue;
@@ -276,8 +297,14 @@ std::int32_t EventLoop<Dimension, Scalar>::next_particle() {
 }
 
 // True if it was a collision, which is then written to `collision` unless that is null.
-template <int Dimension, typename Scalar>
-bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collision* collision) {
+    if constexpr (has_surfaces) {
+        if (static_cast<std::size_t>(i) >= bodies_.size()) {
+            process_mover(static_cast<std::size_t>(i) - bodies_.size());
+            return false;
+        }
+    }
     const Prediction event = body(i).prediction;
     const auto& exact_time = queue_.time(i);
     const auto time = static_cast<double>(exact_time);
@@ -287,10 +314,12 @@ bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision)
         refuse_to_stall();
     now_ = exact_time;
     if (event.contact_time <= time) {
+        if constexpr (has_surfaces)
+            if (event.partner < 0) return hit(i, event, collision);
         const std::int32_t j = event.partner;
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);
-        if constexpr (Dimension == 2 && of_doubles) {
+        if constexpr (std::is_same_v<Geometry, Plane>) {
             std::array<double, 2> when;
             if (met && geometry_.predict_both(bodies_, i, j, now_, when)) {
                 queue_.schedule(i, when[0]);
@@ -315,8 +344,8 @@ bool EventLoop<Dimension, Scalar>::process(std::int32_t i, Collision* collision)
 
 // Touching starts take some events at time 0, but far fewer than this. An instant is a double's:
 // with many bits the events of disks that are crushed could go on ever faster for ages.
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::refuse_to_stall() {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall() {
     const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
     if (++at_one_instant_ <= bound) return;
     throw std::runtime_error(
@@ -325,9 +354,9 @@ void EventLoop<Dimension, Scalar>::refuse_to_stall() {
                     Dimension == 1 ? "beads" : "disks", clock_.absolute(now_)));
 }
 
-template <int Dimension, typename Scalar>
-bool EventLoop<Dimension, Scalar>::collide(std::int32_t first, std::int32_t second,
-                                           Collision* collision) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std::int32_t second,
+                                                         Collision* collision) {
     Body& a = body(first);
     Body& b = body(second);
     advance_body(a, now_);
@@ -356,8 +385,9 @@ bool EventLoop<Dimension, Scalar>::collide(std::int32_t first, std::int32_t seco
     return true;
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::count_tie(std::int32_t first, std::int32_t second) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::count_tie(std::int32_t first,
+                                                           std::int32_t second) {
     const auto was_in_last = [this](std::int32_t i) {
         return i == last_pair_[0] || i == last_pair_[1];
     };
@@ -367,8 +397,9 @@ void EventLoop<Dimension, Scalar>::count_tie(std::int32_t first, std::int32_t se
     last_pair_[1] = second;
 }
 
-template <int Dimension, typename Scalar>
-void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* collision) {
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side,
+                                                        Collision* collision) {
     Body& b = body(i);
     advance_body(b, now_);
     Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
@@ -395,8 +426,70 @@ void EventLoop<Dimension, Scalar>::bounce(std::int32_t i, int side, Collision* c
                   Eigen::Array2d::Zero()};
 }
 
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::process_mover(std::size_t k) {
+    if constexpr (has_surfaces) {
+        const double time = queue_.time(static_cast<std::int32_t>(bodies_.size() + k));
+        if (time > now_)
+            at_one_instant_ = 0;
+        else
+            refuse_to_stall();
+        now_ = time;
+        const auto other = geometry_.process_mover(k, now_);
+        look_for_hits(k);
+        if (other) look_for_hits(*other);
+    }
+}
+
+// A mover's motion has changed: which disks it reaches, and when it changes again.
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::look_for_hits(std::size_t k) {
+    if constexpr (has_surfaces) {
+        geometry_.look_for_hits(
+            bodies_, k, now_, [&](std::int32_t i) { return queue_.time(i); },
+            [&](std::int32_t i, double time) { queue_.schedule(i, time); });
+        queue_.schedule(static_cast<std::int32_t>(bodies_.size() + k), geometry_.mover_event(k));
+    }
+}
+
+// True if the disk was reflected. A mover may have changed its motion since this was predicted.
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Prediction& event,
+                                                     Collision* collision) {
+    bool reflected = false;
+    if constexpr (has_surfaces) {
+        const std::int32_t which = -1 - event.partner;
+        const Barrier& barrier = geometry_.barrier(which);
+        Body& b = body(i);
+        if (geometry_.changes_of(barrier) == event.partner_collisions) {
+            advance_body(b, now_);
+            const auto before = in_doubles(b.v);
+            const auto surface_before = geometry_.velocity_of(barrier, now_);
+            reflected = geometry_.hit(b, which, now_);
+            if (reflected && collision)
+                *collision = {clock_.absolute(now_),
+                              number_of(i),
+                              Partner::of_surface(barrier.surface),
+                              in_plane(b.x),
+                              in_plane(geometry_.contact_point(b, barrier, now_)),
+                              in_plane(before),
+                              in_plane(surface_before),
+                              in_plane(b.v),
+                              in_plane(geometry_.velocity_of(barrier, now_))};
+        }
+        if (reflected) {
+            ++b.collisions;
+            ++counts_.wall;
+        }
+        predict_next(i);
+        if (reflected && barrier.mover >= 0) look_for_hits(static_cast<std::size_t>(barrier.mover));
+    }
+    return reflected;
+}
+
 template class EventLoop<1>;
 template class EventLoop<2>;
+template class EventLoop<2, double, true>;
 template class EventLoop<1, Real>;
 template class EventLoop<2, Real>;
 

@@ -29,10 +29,12 @@
 #include "physics/multiprecision/mp_plane.h"
 #include "physics/particles.h"
 #include "physics/plane/plane.h"
+#include "physics/surfaces/open_plane.h"
 
 namespace carom {
 
-template <int Dimension, typename Scalar = double>
+/// `has_surfaces`: the box has surfaces that act, obstacles or gravity.
+template <int Dimension, typename Scalar = double, bool has_surfaces = false>
 class EventLoop {
   public:
     /// Particles without state: start() gives it.
@@ -73,10 +75,20 @@ class EventLoop {
     const ImpulseTotals& impulses() const { return impulses_; }
     void forget();
 
+    /// What each surface has done since then, and where it is at `time`, which is as for sample();
+    /// none where there are only walls.
+    std::vector<SurfaceState> surfaces(double time) const {
+        if constexpr (has_surfaces)
+            return geometry_.states(clock_.local(time));
+        else
+            return {};
+    }
+
   private:
     static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
-    using Geometry = std::conditional_t<Dimension == 1, Line<Scalar>,
-                                        std::conditional_t<of_doubles, Plane, MpPlane>>;
+    using Disks =
+        std::conditional_t<has_surfaces, OpenPlane, std::conditional_t<of_doubles, Plane, MpPlane>>;
+    using Geometry = std::conditional_t<Dimension == 1, Line<Scalar>, Disks>;
     using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
     using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
     using Body = typename Geometry::Body;
@@ -102,6 +114,9 @@ class EventLoop {
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
+    bool hit(std::int32_t i, const Prediction& event, Collision* collision);
+    void process_mover(std::size_t k);
+    void look_for_hits(std::size_t k);
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
 
@@ -124,6 +139,7 @@ class EventLoop {
 
 extern template class EventLoop<1>;
 extern template class EventLoop<2>;
+extern template class EventLoop<2, double, true>;
 extern template class EventLoop<1, Real>;
 extern template class EventLoop<2, Real>;
 

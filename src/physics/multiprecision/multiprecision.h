@@ -149,6 +149,12 @@ class Real {
         mpfr_abs(a.value_, a.value_, MPFR_RNDN);
         return a;
     }
+    /// a b + c, rounded once.
+    friend Real fma(const Real& a, const Real& b, const Real& c) {
+        Real result(Unset{}, std::max({a.bits(), b.bits(), c.bits()}));
+        mpfr_fma(result.value_, a.value_, b.value_, c.value_, MPFR_RNDN);
+        return result;
+    }
     /// Of a number that is not negative, also where no double is so small or so large; -infinity of
     /// 0.
     friend double log10(const Real& a) {

@@ -14,6 +14,7 @@ PlacedDisks::PlacedDisks(const Box& box, const Eigen::ArrayXd& radii) : box_(box
     cells_ = (box.size / cell).floor().cwiseMax(1.0).cwiseMin(1e8).cast<int>();
     cell_size_ = box.size / cells_.cast<double>();
     heads_.assign(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]), -1);
+    if (!box.surfaces.are_plain()) barriers_ = barriers_of(box, box.size.maxCoeff());
 }
 
 template <typename Function>
@@ -73,6 +74,7 @@ std::optional<std::int32_t> PlacedDisks::overlapped(const Eigen::Array2d& centre
 }
 
 bool PlacedDisks::is_free(const Eigen::Array2d& centre, double radius) const {
+    if (surface_in_the_way(box_, barriers_, centre, radius)) return false;
     bool is = true;
     for_each_overlapping(centre, radius, [&](std::int32_t) { return is = false; });
     return is;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/gas.h"
+#include "physics/surfaces/barrier.h"
 
 namespace carom {
 
@@ -23,7 +24,7 @@ class PlacedDisks {
     /// The particle of the lowest number that overlaps a disk at `centre`, if any does.
     std::optional<std::int32_t> overlapped(const Eigen::Array2d& centre, double radius) const;
 
-    /// Whether a disk at `centre` overlaps none.
+    /// Whether a disk at `centre` overlaps none, and no surface of the box.
     bool is_free(const Eigen::Array2d& centre, double radius) const;
 
     /// How deep a disk at `centre` would lie in another: the largest 1 - distance / (sum of radii),
@@ -58,6 +59,7 @@ class PlacedDisks {
     std::vector<std::int32_t> heads_;
     std::vector<Entry> entries_;
     std::vector<Disk> disks_;
+    std::vector<Barrier> barriers_;  ///< none in a box with plain walls, which have no disk beyond
     mutable std::int64_t compared_ = 0;
 };
 

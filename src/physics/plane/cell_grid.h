@@ -103,6 +103,11 @@ class CellGrid {
     template <typename Function>
     void for_each_newly_near(double radius, Cell cell, int side, Function&& f) const;
 
+    /// Calls f(slots) for every cell with disks whose centres may lie between two places on an
+    /// axis.
+    template <typename Function>
+    void for_each_in_band(std::size_t axis, double low, double high, Function&& f) const;
+
     /// Appends the particles of a cell to `list`, of which `size` entries are used; there is always
     /// room for `spare` more.
     static constexpr std::size_t spare = 64;
@@ -325,6 +330,23 @@ void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&
         const Wrapped y = wrap(cell[1] + (side < 2 ? across : ahead), fine_[1]);
         if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, fine_stride(), x, y, f);
     }
+}
+
+template <typename Function>
+void CellGrid::for_each_in_band(std::size_t axis, double low, double high, Function&& f) const {
+    const auto cell = [&](double place) {
+        return static_cast<int>(
+            std::clamp(std::floor(place / cell_size_[axis]), 0.0, double(last_cell_[axis])));
+    };
+    for (int k = cell(low); k <= cell(high); ++k) {
+        for (int l = 0; l <= last_cell_[1 - axis]; ++l) {
+            Cell in_band{};
+            in_band[axis] = static_cast<std::uint16_t>(k);
+            in_band[1 - axis] = static_cast<std::uint16_t>(l);
+            f(fine_slots_[fine_index(in_band)]);
+        }
+    }
+    for (const Slots& slots : coarse_slots_) f(slots);
 }
 
 }  // namespace carom

@@ -129,7 +129,7 @@ double packing_fraction(const Box& box, const Particles& particles) {
 
 std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
                                               const Sample& sample) {
-    if (infinite_mass_moves(particles, sample)) return std::nullopt;
+    if (infinite_mass_moves(particles, sample) || !box.surfaces.are_plain()) return std::nullopt;
     if (particles.count() < 2 || !(particles.inverse_mass > 0.0).any()) return 0.0;
     constexpr double rounding = 1e-12;
     if (packing_fraction(box, particles) >= 1.0 - rounding) return std::nullopt;

@@ -74,6 +74,7 @@ bool drifts(const Eigen::ArrayXd& masses, const Sample& sample, double energy) {
 
 std::optional<NoEquilibrium> why_not(const Box& box, const Particles& particles,
                                      const Sample& sample) {
+    if (!box.surfaces.are_plain()) return NoEquilibrium{.why = Why::surfaces};
     const auto finite = particles.inverse_mass > 0.0;
     const Eigen::ArrayXd square_speed = sample.velocity.square().rowwise().sum();
     for (Eigen::Index i = 0; i < particles.count(); ++i)
@@ -169,6 +170,8 @@ std::string to_text(const NoEquilibrium& reason, const Gas& gas) {
                                  : fmt::format("`{}` has infinite mass and", name)) +
                    " moves, so that energy is not conserved";
         }
+        case Why::surfaces:
+            return "surfaces that act, obstacles and gravity change it";
         case Why::momentum_along_x:
         case Why::momentum_along_y:
             return fmt::format(

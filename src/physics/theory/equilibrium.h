@@ -12,6 +12,7 @@ namespace carom {
 /// Why a gas has no equilibrium that is known.
 struct NoEquilibrium {
     enum class Why {
+        surfaces,              ///< act, or stand in the box, or it has gravity
         moving_infinite_mass,  ///< of `species`: energy is not conserved
         momentum_along_x,      ///< is conserved, and not along y
         momentum_along_y,

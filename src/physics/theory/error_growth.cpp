@@ -12,7 +12,8 @@ double bits_lost_per_collision(double packing) {
 }
 
 std::optional<double> bits_lost_per_collision(const Box& box, const Particles& particles) {
-    if (box.dimension != 2 || particles.count() < 2) return std::nullopt;
+    if (box.dimension != 2 || particles.count() < 2 || !box.surfaces.are_plain())
+        return std::nullopt;
     if (!particles.are_equal() || !(particles.radius[0] > 0.0) ||
         !(particles.inverse_mass[0] > 0.0))
         return std::nullopt;

@@ -40,9 +40,9 @@ struct Parts {
 
 const std::map<std::string, Parts> parts_of_module{
     {"physics",
-     {{"collision", "plane", "multiprecision", "line", "placement", "theory", "events", "physics",
-       "reversal"},
-      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h"}}},
+     {{"collision", "plane", "surfaces", "multiprecision", "line", "placement", "theory", "events",
+       "physics", "reversal"},
+      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h", "surface.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},

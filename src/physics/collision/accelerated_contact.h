@@ -1,0 +1,122 @@
+// When a point on a parabola comes within a distance of a point at rest: contact of a falling disk
+// with a fixed disk or a corner, or of two disks of which only one falls. Free functions on
+// numbers, for any scalar with sqrt and abs. Times are counted from the present. No contact is
+// missed, however short, down to the rounding of positions.
+//
+// The gap c(t) = |r(t)|^2 - sigma^2 of r(t) = r + v t + a t^2 / 2 is a quartic. Its derivative is
+// 2 h(t) with h = r(t) . v(t), and h' = (v^2 + r . a) + 3 (v . a) t + (3/2) a^2 t^2 is quadratic.
+// So the roots of h' are known; between them h is monotone and has one root at most, and between
+// the roots of h the same holds for c. Each root is bracketed, then refined by Newton steps that
+// stay in the bracket. c and h are calculated from r(t) and v(t): their coefficients would cancel.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "physics/collision/pair_collision.h"
+
+namespace carom {
+
+/// Position, velocity and constant acceleration of the second as seen from the first.
+template <typename Scalar>
+struct AcceleratedMotion {
+    Scalar x, y, vx, vy, ax, ay;
+
+    RelativeMotion<Scalar> at(const Scalar& t) const {
+        const Scalar half = t * 0.5;
+        return {x + t * (vx + ax * half), y + t * (vy + ay * half), vx + ax * t, vy + ay * t};
+    }
+};
+
+/// A root of a function that is monotone in [low, high] and has different signs, or 0, at its ends.
+/// `value_and_slope(t)` gives a pair; `steps`: somewhat more than a scalar has bits.
+template <typename Scalar, typename Function>
+Scalar bracketed_root(Scalar low, Scalar high, int steps, const Function& value_and_slope) {
+    const bool falls = value_and_slope(low).first > 0;
+    Scalar t = (low + high) * 0.5;
+    // A double root costs a Newton step for each bit; nothing costs more.
+    for (int step = 0; t > low && t < high; ++step) {
+        const auto [value, slope] = value_and_slope(t);
+        if ((value > 0) == falls)
+            low = t;
+        else
+            high = t;
+        const Scalar newton = t - value / slope;
+        if (step < steps && newton == t) return t;
+        t = step < steps && newton > low && newton < high ? newton : (low + high) * 0.5;
+    }
+    return low;
+}
+
+/// The roots after 0 of a + b t + c t^2 with c > 0, in ascending order.
+template <typename Scalar>
+struct PositiveRoots {
+    std::array<Scalar, 2> root{};
+    int count = 0;
+
+    PositiveRoots(const Scalar& a, const Scalar& b, const Scalar& c) {
+        using std::sqrt;
+        const Scalar square = difference_of_products(b, b, 4 * a, c);
+        if (!(square > 0)) return;
+        const Scalar q = (b > 0 ? -(b + sqrt(square)) : sqrt(square) - b) * 0.5;
+        std::array<Scalar, 2> both{q / c, q == 0 ? q : a / q};
+        if (both[1] < both[0]) std::swap(both[0], both[1]);
+        for (Scalar& one : both)
+            if (one > 0) root[static_cast<std::size_t>(count++)] = std::move(one);
+    }
+};
+
+/// The first time at which the distance falls to `sigma`: 0 when it is no larger now and falls by
+/// more than `round_off` in r . v, `never` when it does not fall to that. `bits` of the scalar.
+/// The acceleration is not 0.
+template <typename Scalar>
+Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar& sigma,
+                                const Scalar& round_off, int bits = 53) {
+    const int steps = bits + 64;
+    const auto gap = [&](const Scalar& t) { return contact_gap(m.at(t), sigma); };
+    const auto approach = [&](const Scalar& t) {
+        const RelativeMotion<Scalar> now = m.at(t);
+        return now.x * now.vx + now.y * now.vy;
+    };
+    const auto gap_and_slope = [&](const Scalar& t) {
+        return std::pair<Scalar, Scalar>(gap(t), 2 * approach(t));
+    };
+    const Scalar va = m.vx * m.ax + m.vy * m.ay, aa = m.ax * m.ax + m.ay * m.ay;
+    const Scalar bend = (m.vx * m.vx + m.vy * m.vy) + (m.x * m.ax + m.y * m.ay);
+    const auto approach_and_slope = [&](const Scalar& t) {
+        return std::pair<Scalar, Scalar>(approach(t), bend + t * (3 * va + (1.5 * aa) * t));
+    };
+    using std::abs;
+    using std::sqrt;
+    const Scalar zero = m.x - m.x;
+    const Scalar now = m.x * m.vx + m.y * m.vy;
+    const bool touches = !(gap(zero) > 0);
+    if (touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
+    const PositiveRoots<Scalar> turns(bend, 3 * va, 1.5 * aa);
+    bool falls = now < 0 && !touches;  // the distance, from `start` to the next root of h
+    Scalar start = zero, low = zero;
+    for (int piece = 0; piece <= turns.count; ++piece) {
+        Scalar high = low;
+        if (piece < turns.count) {
+            high = turns.root[static_cast<std::size_t>(piece)];
+        } else {  // h grows without end
+            Scalar step = sqrt((m.x * m.x + m.y * m.y) / aa) + abs(va) / aa;
+            if (!(step > 0)) step = zero + 1.0;
+            for (; !(approach(high) > 0); step = 2 * step) high = high + step;
+        }
+        const bool falls_at_end = approach(high) < 0;
+        if (falls_at_end != falls) {
+            const bool turns_here = falls != (approach(low) < 0);
+            Scalar turn = turns_here ? low : bracketed_root(low, high, steps, approach_and_slope);
+            if (falls && !(gap(turn) > 0))
+                return gap(start) > 0 ? bracketed_root(start, turn, steps, gap_and_slope) : start;
+            start = std::move(turn);
+            falls = falls_at_end;
+        }
+        low = std::move(high);
+    }
+    return zero + never<double>;
+}
+
+}  // namespace carom

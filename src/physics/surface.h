@@ -1,0 +1,115 @@
+// What particles meet in a box besides one another, as plain values: the sides of the box,
+// partitions across it and obstacles in it, and what each does to a particle that reaches it. The
+// simulation numbers them in one list: the sides left, right, bottom, top, then partitions, then
+// obstacles.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace carom {
+
+/// Reverses the velocity along its normal.
+struct Reflecting {};
+
+/// A heat bath. A particle leaves it as from a gas of this temperature: the velocity along the
+/// normal has the distribution of the flux, (v m / T) exp(-m v^2 / 2T), the other is normal.
+struct Bath {
+    double temperature = 1.0;
+};
+
+/// Moves along its normal at a given velocity, whatever hits it; after `until` it stands still.
+struct Driven {
+    double velocity = 0.0;
+    double until = std::numeric_limits<double>::infinity();
+};
+
+/// Moves freely along its normal, pushed by a constant force besides what hits it.
+struct Piston {
+    double mass = 1.0;
+    double force = 0.0;     ///< along x or y
+    double velocity = 0.0;  ///< at the start
+};
+
+/// Lets particles through, or reflects them: those of some species always; the others to one side
+/// where their speed lies between two bounds.
+struct Membrane {
+    struct Speeds {
+        double faster_than = std::numeric_limits<double>::infinity();
+        double slower_than = std::numeric_limits<double>::infinity();
+        bool admits(double speed) const { return speed > faster_than && speed < slower_than; }
+    };
+    std::vector<std::int32_t> species = {};  ///< indices into Gas::species
+    Speeds upward = {};                      ///< of those that move to larger x, or y
+    Speeds downward = {};
+};
+
+using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane>;
+
+/// A straight line across the box, perpendicular to an axis. It has two sides and no thickness.
+struct Partition {
+    std::string name;
+    int axis = 0;     ///< that it is perpendicular to: 0 for x, 1 for y
+    double at = 0.0;  ///< its place on that axis
+    std::vector<std::pair<double, double>> gaps = {};  ///< along the other axis, from and to
+    Behaviour behaviour = Reflecting{};
+    bool is_open = false;  ///< not there
+};
+
+/// A fixed body: a disk, or straight lines from corner to corner, each of which has two sides.
+struct Obstacle {
+    struct Disk {
+        Eigen::Array2d center;
+        double radius;
+    };
+    struct Lines {
+        std::vector<Eigen::Array2d> corners;
+        bool is_closed = false;  ///< the last is joined to the first
+    };
+    std::string name;
+    std::variant<Disk, Lines> shape;
+};
+
+/// All surfaces of a box, and the acceleration of all that can move in it.
+struct Surfaces {
+    std::array<Behaviour, 4> sides{};  ///< left, right, bottom, top; where the box is not periodic
+    std::vector<Partition> partitions = {};
+    std::vector<Obstacle> obstacles = {};
+    Eigen::Array2d gravity{0.0, 0.0};
+    std::uint64_t seed = 1;  ///< of the velocities that baths give
+
+    /// Whether there is nothing but reflecting sides.
+    bool are_plain() const {
+        return std::ranges::all_of(sides,
+                                   [](const Behaviour& side) {
+                                       return std::holds_alternative<Reflecting>(side);
+                                   }) &&
+               partitions.empty() && obstacles.empty() && (gravity == 0.0).all();
+    }
+};
+
+/// What a surface has done since t = 0.
+struct SurfaceTotals {
+    std::int64_t hits = 0;
+    Eigen::Array2d impulse{0.0, 0.0};  ///< given to it
+    double work = 0.0;                 ///< that it did on particles as it moved
+    double heat = 0.0;                 ///< that it gave to particles
+};
+
+/// The same, and where a surface is that can move.
+struct SurfaceState : SurfaceTotals {
+    struct Motion {
+        double place, velocity;  ///< along its normal
+    };
+    std::optional<Motion> motion = {};
+};
+
+}  // namespace carom

@@ -1,0 +1,172 @@
+#include "physics/surfaces/barrier.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+// From wall to wall, but for the gaps, whose ends are corners.
+void add_partition(const Box& box, const Partition& partition, std::int32_t surface,
+                   std::int32_t mover, std::vector<Barrier>& barriers) {
+    const auto axis = static_cast<std::size_t>(partition.axis), along = 1 - axis;
+    Barrier line{.surface = surface, .mover = mover};
+    line.normal[axis] = axis == 0 ? -1.0 : 1.0;  // the line goes up, or to the right
+    line.place[axis] = partition.at;
+    if (partition.gaps.empty()) {
+        barriers.push_back(line);
+        return;
+    }
+    const double end = box.length(along);
+    double from = 0.0;
+    const auto add_corner = [&](double where) {
+        if (!(where > 0.0 && where < end)) return;
+        Barrier corner{.kind = Barrier::Kind::circle, .surface = surface, .mover = mover};
+        corner.place[axis] = partition.at;
+        corner.place[along] = where;
+        barriers.push_back(corner);
+    };
+    const auto add_piece = [&](double to) {
+        if (!(to > from)) return;
+        line.place[along] = from;
+        line.length = to - from;
+        barriers.push_back(line);
+    };
+    for (const auto& [gap_from, gap_to] : partition.gaps) {
+        add_piece(gap_from);
+        add_corner(gap_from);
+        add_corner(gap_to);
+        from = gap_to;
+    }
+    add_piece(end);
+}
+
+Barrier circle_at(const Eigen::Array2d& center, double radius, std::int32_t surface) {
+    return {.kind = Barrier::Kind::circle,
+            .place = {center[0], center[1]},
+            .radius = radius,
+            .surface = surface};
+}
+
+void add_obstacle(const Obstacle& obstacle, std::int32_t surface, std::vector<Barrier>& barriers) {
+    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+        barriers.push_back(circle_at(disk->center, disk->radius, surface));
+        return;
+    }
+    const auto& lines = std::get<Obstacle::Lines>(obstacle.shape);
+    const std::size_t count = lines.corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        barriers.push_back(circle_at(lines.corners[k], 0.0, surface));
+        if (k + 1 == count && !lines.is_closed) break;
+        const Eigen::Array2d step = lines.corners[(k + 1) % count] - lines.corners[k];
+        const double length = std::hypot(step[0], step[1]);
+        barriers.push_back({.place = {lines.corners[k][0], lines.corners[k][1]},
+                            .normal = {-step[1] / length, step[0] / length},
+                            .length = length,
+                            .surface = surface});
+    }
+}
+
+// The images of barriers that a disk near a periodic side may touch.
+void add_images(const Box& box, std::size_t axis, double reach, std::vector<Barrier>& barriers) {
+    const double size = box.length(axis);
+    for (std::size_t k = 0, count = barriers.size(); k < count; ++k) {
+        const Barrier barrier = barriers[k];
+        if (barrier.is_endless()) continue;
+        for (const double shift : {-size, size}) {
+            if (!(barrier.low(axis) + shift < size + reach) ||
+                !(barrier.high(axis) + shift > -reach))
+                continue;
+            barriers.push_back(barrier);
+            barriers.back().place[axis] += shift;
+        }
+    }
+}
+
+// The distance of a point from a barrier, without sign.
+double distance_from(const Barrier& barrier, const Eigen::Array2d& point) {
+    const double x = point[0] - barrier.place[0], y = point[1] - barrier.place[1];
+    if (barrier.kind == Barrier::Kind::circle) return std::hypot(x, y) - barrier.radius;
+    const double along = x * barrier.normal[1] - y * barrier.normal[0];
+    if (!barrier.is_endless() && (along < 0.0 || along > barrier.length)) return never<double>;
+    return std::abs(x * barrier.normal[0] + y * barrier.normal[1]);
+}
+
+// By the number of sides to its right.
+bool is_inside(const Obstacle::Lines& lines, const Eigen::Array2d& point) {
+    bool inside = false;
+    const std::size_t count = lines.corners.size();
+    for (std::size_t k = 0; lines.is_closed && k < count; ++k) {
+        const Eigen::Array2d &a = lines.corners[k], &b = lines.corners[(k + 1) % count];
+        if ((a[1] > point[1]) == (b[1] > point[1])) continue;
+        if (point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+    }
+    return inside;
+}
+
+}  // namespace
+
+double Barrier::end_along(std::size_t axis, bool high) const {
+    const double extent = kind == Kind::circle ? (high ? radius : -radius)
+                          : is_endless()       ? (high ? never<double> : -never<double>)
+                                               : length;
+    if (kind == Kind::circle) return place[axis] + extent;
+    const double step = axis == 0 ? normal[1] : -normal[0];
+    if (step == 0.0) return place[axis];
+    if (is_endless()) return extent;
+    const double end = place[axis] + step * extent;
+    return high ? std::max(place[axis], end) : std::min(place[axis], end);
+}
+
+bool moves(const Behaviour& behaviour) {
+    return std::holds_alternative<Driven>(behaviour) || std::holds_alternative<Piston>(behaviour);
+}
+
+std::vector<Behaviour> behaviours_of(const Box& box) {
+    const Surfaces& surfaces = box.surfaces;
+    std::vector<Behaviour> behaviours(surfaces.sides.begin(), surfaces.sides.end());
+    for (const Partition& partition : surfaces.partitions)
+        behaviours.push_back(partition.behaviour);
+    behaviours.resize(behaviours.size() + surfaces.obstacles.size());
+    return behaviours;
+}
+
+std::vector<Barrier> barriers_of(const Box& box, double reach) {
+    const Surfaces& surfaces = box.surfaces;
+    std::vector<Barrier> barriers;
+    std::int32_t surface = 0, mover = 0;
+    for (; surface < 4; ++surface) {
+        const int axis = surface / 2;
+        if (box.is_periodic(axis)) continue;
+        const Behaviour& behaviour = surfaces.sides[static_cast<std::size_t>(surface)];
+        const double at = surface % 2 == 0 ? 0.0 : box.length(axis);
+        add_partition(box, {.name = "", .axis = axis, .at = at}, surface,
+                      moves(behaviour) ? mover++ : -1, barriers);
+    }
+    for (const Partition& partition : surfaces.partitions) {
+        const std::int32_t its = moves(partition.behaviour) ? mover++ : -1;
+        if (!partition.is_open) add_partition(box, partition, surface, its, barriers);
+        ++surface;
+    }
+    for (const Obstacle& obstacle : surfaces.obstacles) add_obstacle(obstacle, surface++, barriers);
+    for (const std::size_t axis : {0U, 1U})
+        if (box.is_periodic(axis)) add_images(box, axis, reach, barriers);
+    return barriers;
+}
+
+std::optional<std::int32_t> surface_in_the_way(const Box& box, const std::vector<Barrier>& barriers,
+                                               const Eigen::Array2d& center, double radius) {
+    const double slack = 1e-12 * box.size.maxCoeff();
+    for (const Barrier& barrier : barriers)
+        if (distance_from(barrier, center) < radius - slack) return barrier.surface;
+    if (barriers.empty()) return std::nullopt;
+    const std::size_t before = 4 + box.surfaces.partitions.size();
+    for (std::size_t k = 0; k < box.surfaces.obstacles.size(); ++k) {
+        const auto* lines = std::get_if<Obstacle::Lines>(&box.surfaces.obstacles[k].shape);
+        if (lines != nullptr && is_inside(*lines, center))
+            return static_cast<std::int32_t>(before + k);
+    }
+    return std::nullopt;
+}
+
+}  // namespace carom

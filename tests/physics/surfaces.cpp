@@ -1,0 +1,360 @@
+// Known truths of boxes whose walls act, of obstacles and of gravity. Each bound on a mean is five
+// standard errors, taken from blocks of the same run, so that chance fails one run of a test in
+// about two million.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "physics/placement/placement.h"
+#include "physics/simulation.h"
+#include "physics/surface.h"
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/equilibrium.h"
+#include "physics/theory/theory.h"
+#include "support/relative.h"
+#include "util/random.h"
+
+using namespace carom;
+using test::relative;
+
+namespace {
+
+// One species of as many particles, each at its place with its velocity.
+struct Start {
+    Box box;
+    double radius = 0.0;
+    std::vector<Eigen::Array2d> places = {}, velocities = {};
+    double mass = 1.0;
+
+    Simulation simulation(const Run& run = {}) const {
+        const auto count = static_cast<Eigen::Index>(places.size());
+        Particles particles{Eigen::ArrayXd::Constant(count, radius),
+                            Eigen::ArrayXd::Constant(count, 1.0 / mass),
+                            Eigen::ArrayXi::Zero(count)};
+        Sample start{0.0, Eigen::ArrayXXd(count, 2), Eigen::ArrayXXd(count, 2)};
+        for (Eigen::Index i = 0; i < count; ++i) {
+            start.position.row(i) = places[static_cast<std::size_t>(i)];
+            start.velocity.row(i) = velocities[static_cast<std::size_t>(i)];
+        }
+        return {box, particles, start, run};
+    }
+};
+
+// Mean of blocks, and its standard error.
+struct Mean {
+    double value, error;
+};
+Mean mean_of(const std::vector<double>& blocks) {
+    double sum = 0.0, squares = 0.0;
+    for (const double x : blocks) sum += x;
+    const auto count = static_cast<double>(blocks.size());
+    const double mean = sum / count;
+    for (const double x : blocks) squares += (x - mean) * (x - mean);
+    return {mean, std::sqrt(squares / (count - 1.0) / count)};
+}
+void check_mean(const std::vector<double>& blocks, double expected) {
+    const Mean mean = mean_of(blocks);
+    CAPTURE(mean.value);
+    CAPTURE(mean.error);
+    CAPTURE(expected);
+    CHECK(std::abs(mean.value - expected) < 5.0 * mean.error);
+    CHECK(mean.error < 0.02 * std::abs(expected));
+}
+
+std::int64_t all_hits(const Simulation& simulation) {
+    std::int64_t hits = 0;
+    for (const SurfaceState& surface : simulation.surfaces()) hits += surface.hits;
+    return hits;
+}
+
+// The path of a point between two hits, in blocks.
+std::vector<double> free_paths(Simulation simulation, double speed) {
+    constexpr int blocks = 40;
+    constexpr double time = 2000.0;
+    std::vector<double> paths;
+    std::int64_t before = 0;
+    for (int k = 1; k <= blocks; ++k) {
+        simulation.advance_to(k * time);
+        const std::int64_t hits = all_hits(simulation);
+        paths.push_back(speed * time / static_cast<double>(hits - before));
+        before = hits;
+    }
+    return paths;
+}
+
+}  // namespace
+
+TEST_CASE("a disk that falls on a floor bounces to its height for ever") {
+    // From height h it needs sqrt(2h/g) to the floor: here 2.
+    Start start{.box = {.size = {4.0, 20.0}}, .radius = 0.5};
+    start.box.surfaces.gravity = {0.0, -1.0};
+    start.places = {{2.0, 2.5}};
+    start.velocities = {{0.0, 0.0}};
+    Simulation simulation = start.simulation();
+    simulation.advance_to(4.0 * 1000.0);
+    CHECK(simulation.surfaces()[2].hits == 1000);
+    // A rounding of each bounce, of its time 2 or of the speed 2.
+    CHECK(simulation.sample().position(0, 1) == relative(2.5, 1000.0 * 4e-16));
+    simulation.advance_to(4.0 * 1000.0 + 1.0);
+    CHECK(simulation.sample().position(0, 1) == relative(2.0, 1000.0 * 4e-16));
+    CHECK(simulation.surfaces()[2].impulse[1] == relative(-2.0 * 2.0 * 1000.0, 1e-12));
+}
+
+TEST_CASE("a disk at rest on the floor stays there, and slides without falling") {
+    Start start{.box = {.size = {10.0, 10.0}}, .radius = 0.5};
+    start.box.surfaces.gravity = {0.0, -1.0};
+    start.places = {{2.0, 0.5}, {7.0, 0.5}};
+    start.velocities = {{1.0, 0.0}, {0.0, 0.0}};
+    Simulation simulation = start.simulation();
+    simulation.advance_to(5.0);  // the first has met the second and lies where that was
+    const Sample& sample = simulation.sample();
+    CHECK((sample.position.col(1) == 0.5).all());
+    CHECK(sample.position(0, 0) == relative(6.0, 1e-14));
+    CHECK(sample.velocity(1, 0) == relative(1.0, 1e-14));
+}
+
+TEST_CASE("the mean free path of a Sinai billiard is (L^2 - pi R^2) / 2R") {
+    constexpr double length = 3.0, radius = 0.8;
+    Start start{.box = {.size = {length, length}, .walls = {Wall::periodic, Wall::periodic}}};
+    start.box.surfaces.obstacles = {{"disk", Obstacle::Disk{{1.5, 1.5}, radius}}};
+    start.places = {{0.1, 0.2}};
+    start.velocities = {{std::cos(1.0), std::sin(1.0)}};
+    check_mean(free_paths(start.simulation(), 1.0),
+               (length * length - std::numbers::pi * radius * radius) / (2.0 * radius));
+}
+
+TEST_CASE("the mean free path of any billiard is pi area / perimeter") {
+    Start start{.box = {.size = {4.0, 3.0}}};
+    start.box.surfaces.obstacles = {
+        {"wedge", Obstacle::Lines{{{1.0, 1.0}, {3.0, 1.0}, {2.0, 2.0}}, true}},
+        {"peg", Obstacle::Disk{{0.8, 2.2}, 0.3}}};
+    start.places = {{0.5, 0.5}};
+    start.velocities = {{std::cos(0.7), std::sin(0.7)}};
+    const double area = 12.0 - 1.0 - std::numbers::pi * 0.09;
+    const double perimeter = 14.0 + 2.0 + 2.0 * std::numbers::sqrt2 + std::numbers::pi * 0.6;
+    check_mean(free_paths(start.simulation(), 1.0), std::numbers::pi * area / perimeter);
+}
+
+TEST_CASE("a driven wall reflects v to 2u - v, and does the work") {
+    Start start{.box = {.size = {10.0, 4.0}}, .radius = 0.5, .mass = 2.0};
+    start.box.surfaces.sides[1] = Driven{-1.0};
+    start.places = {{5.0, 2.0}};
+    start.velocities = {{3.0, 0.5}};
+    Simulation simulation = start.simulation();
+    simulation.advance_to(2.0);  // meets at (9.5 - 5) / 4 = 1.125
+    CHECK(simulation.sample().velocity(0, 0) == -5.0);
+    CHECK(simulation.sample().velocity(0, 1) == 0.5);
+    const SurfaceState wall = simulation.surfaces()[1];
+    CHECK(wall.hits == 1);
+    CHECK(wall.work == 16.0);  // 2/2 (25 - 9)
+    CHECK(wall.impulse[0] == 16.0);
+    CHECK(wall.motion->place == 8.0);
+}
+
+TEST_CASE("Jarzynski: the mean of exp(-W/T) over starts is the ratio of the volumes") {
+    constexpr double temperature = 1.0, begin = 4.0, end = 2.0, speed = 1.0;
+    Random random(11, "starts of Jarzynski");
+    std::vector<double> blocks;
+    for (int block = 0; block < 40; ++block) {
+        double sum = 0.0;
+        constexpr int starts = 200;
+        for (int k = 0; k < starts; ++k) {
+            Start start{.box = {.size = {begin, 1.0}}};
+            start.box.surfaces.sides[1] = Driven{-speed, (begin - end) / speed};
+            start.places = {{random.uniform(0.0, begin), 0.5}};
+            start.velocities = {{std::sqrt(temperature) * random.normal(), 0.0}};
+            Simulation simulation = start.simulation();
+            simulation.advance_to((begin - end) / speed);
+            sum += std::exp(-simulation.surfaces()[1].work / temperature);
+        }
+        blocks.push_back(sum / starts);
+    }
+    check_mean(blocks, end / begin);
+}
+
+TEST_CASE("a piston on points in a column stands at two thirds of E / F on average") {
+    // Vertical motion alone exchanges energy: p(h) goes as h^N (E - F h)^((N - 1) / 2), of which
+    // the mean is 2 E / 3 F, for any N.
+    constexpr double force = 1.0;
+    Start start{.box = {.size = {1.0, 4.0}}};
+    start.box.surfaces.sides[3] = Piston{.mass = 3.0, .force = -force};
+    double energy = force * 4.0;
+    for (int i = 0; i < 8; ++i) {
+        start.places.emplace_back(0.1 + 0.1 * i, 0.3 + 0.4 * i);
+        start.velocities.emplace_back(0.0, 0.9 + 0.17 * i * (i % 2 == 0 ? 1.0 : -1.0));
+        energy += 0.5 * start.velocities.back()[1] * start.velocities.back()[1];
+    }
+    Simulation simulation = start.simulation();
+    std::vector<double> blocks;
+    double time = 0.0;
+    for (int block = 0; block < 40; ++block) {
+        double sum = 0.0;
+        for (int k = 0; k < 400; ++k) {
+            simulation.advance_to(time += 0.77);
+            sum += simulation.surfaces()[3].motion->place;
+        }
+        blocks.push_back(sum / 400.0);
+    }
+    check_mean(blocks, 2.0 * energy / (3.0 * force));
+    // The account: kinetic energies, and the force times the height.
+    const auto piston = *simulation.surfaces()[3].motion;
+    const double now = 0.5 * simulation.sample().velocity.square().sum() +
+                       1.5 * piston.velocity * piston.velocity + force * piston.place;
+    CHECK(now == relative(energy, 1e-12));
+}
+
+TEST_CASE("particles leave a heat bath with the energies of its flux") {
+    // One point between a bath and a wall: each hit gives a new velocity, of mean square 2 T/m
+    // along the normal and T/m along the wall.
+    constexpr double temperature = 2.5, mass = 2.0;
+    Start start{.box = {.size = {1.0, 1.0}}, .mass = mass};
+    start.box.surfaces.sides[0] = Bath{temperature};
+    start.places = {{0.5, 0.5}};
+    start.velocities = {{-1.0, 0.3}};
+    Simulation simulation = start.simulation();
+    simulation.record_collisions(true);
+    std::vector<double> normal, along;
+    double time = 0.0, normal_sum = 0.0, along_sum = 0.0;
+    int hits = 0;
+    while (normal.size() < 40) {
+        const AdvanceResult result = simulation.advance_to(time += 10.0);
+        for (const Collision& collision : result.collisions) {
+            if (!(collision.second == Partner(Side::left))) continue;
+            normal_sum += collision.first_after[0] * collision.first_after[0];
+            along_sum += collision.first_after[1] * collision.first_after[1];
+            if (++hits % 500 != 0) continue;
+            normal.push_back(normal_sum / 500.0);
+            along.push_back(along_sum / 500.0);
+            normal_sum = along_sum = 0.0;
+        }
+    }
+    const Mean across = mean_of(normal), parallel = mean_of(along);
+    CHECK(std::abs(across.value - 2.0 * temperature / mass) < 5.0 * across.error);
+    CHECK(std::abs(parallel.value - temperature / mass) < 5.0 * parallel.error);
+}
+
+TEST_CASE("one point between two baths carries 1.5 (T1 - T2) G of heat") {
+    constexpr double warm = 3.0, cold = 1.0, length = 2.0;
+    Start start{.box = {.size = {length, 1.0}}};
+    start.box.surfaces.sides[0] = Bath{warm};
+    start.box.surfaces.sides[1] = Bath{cold};
+    start.places = {{1.0, 0.5}};
+    start.velocities = {{1.0, 0.0}};
+    Simulation simulation = start.simulation();
+    std::vector<double> flow;
+    double before = 0.0;
+    constexpr double time = 4000.0;
+    for (int k = 1; k <= 40; ++k) {
+        simulation.advance_to(k * time);
+        const double heat = simulation.surfaces()[0].heat;
+        flow.push_back((heat - before) / time);
+        before = heat;
+    }
+    const double hits = 2.0 / (length * (1.0 / std::sqrt(warm) + 1.0 / std::sqrt(cold)) *
+                               std::sqrt(2.0 * std::numbers::pi));
+    const Mean mean = mean_of(flow);
+    CHECK(std::abs(mean.value - 1.5 * (warm - cold) * hits) < 5.0 * mean.error);
+}
+
+TEST_CASE("a gap lets through what fits, a membrane those it names") {
+    Start start{.box = {.size = {10.0, 10.0}}, .radius = 0.5};
+    start.box.surfaces.partitions = {
+        {.name = "window", .axis = 0, .at = 5.0, .gaps = {{4.0, 6.0}}}};
+    start.places = {{2.0, 5.0}, {2.0, 8.0}};
+    start.velocities = {{1.0, 0.0}, {1.0, 0.0}};
+    Simulation window = start.simulation();
+    window.advance_to(6.0);
+    CHECK(window.sample().position(0, 0) == 8.0);
+    CHECK(window.sample().position(1, 0) == 1.0);
+
+    start.box.surfaces.partitions = {
+        {.name = "demon",
+         .axis = 0,
+         .at = 5.0,
+         .behaviour = Membrane{.upward = {.faster_than = 1.5}, .downward = {}}}};
+    start.velocities = {{2.0, 0.0}, {1.0, 0.0}};
+    Simulation demon = start.simulation();
+    demon.advance_to(6.0);  // the fast one passes, comes back from the wall and is kept
+    CHECK(demon.sample().position(0, 0) == relative(6.0, 1e-14));
+    CHECK(demon.sample().velocity(0, 0) == 2.0);
+    CHECK(demon.sample().velocity(1, 0) == -1.0);
+    start.box.surfaces.partitions[0].behaviour = Membrane{.species = {0}};
+    Simulation membrane = start.simulation();
+    membrane.advance_to(4.0);
+    CHECK(membrane.surfaces()[4].hits == 0);
+    CHECK(membrane.sample().position(1, 0) == 6.0);
+}
+
+TEST_CASE("reversed, disks come home past obstacles, pistons, driven walls and gravity") {
+    Gas gas;
+    gas.box.size = {12.0, 10.0};
+    gas.box.surfaces.gravity = {0.0, -0.5};
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{4.0, 4.0}, 1.0}}};
+    gas.box.surfaces.sides[1] = Driven{-0.2, 2.0};
+    gas.box.surfaces.sides[3] = Piston{.mass = 20.0, .force = -1.0};
+    gas.species = {{.name = "disks", .count = 12, .radius = 0.4, .velocity = Temperature{1.0}}};
+    Run run;
+    run.events = {{3.0, ReverseVelocities{}}};
+    Simulation simulation(gas, run);
+    const Sample start = simulation.sample();
+    CHECK(simulation.advance_to(2.9).counts.particle > 3);
+    simulation.advance_to(6.0);
+    // Differences grow by a factor of about ten with each of the few collisions of a disk.
+    CHECK((simulation.sample().position - start.position).abs().maxCoeff() < 1e-8);
+    CHECK(simulation.surfaces()[1].motion->place == relative(12.0, 1e-14));
+    CHECK(simulation.surfaces()[3].motion->place == relative(10.0, 1e-9));
+}
+
+TEST_CASE("what has no memory is not reversed") {
+    Start start{.box = {.size = {4.0, 4.0}}, .radius = 0.5};
+    start.box.surfaces.sides[0] = Bath{1.0};
+    start.places = {{2.0, 2.0}};
+    start.velocities = {{1.0, 0.0}};
+    Run run;
+    run.events = {{1.0, ReverseVelocities{}}};
+    CHECK_THROWS_AS(start.simulation(run), std::invalid_argument);
+    run.events.clear();
+    run.bits = 128;
+    CHECK_THROWS_AS(start.simulation(run), std::invalid_argument);
+}
+
+TEST_CASE("theory that takes a plain box for granted does not answer for others") {
+    Gas gas;
+    gas.box.size = {10.0, 10.0};
+    gas.species = {{.name = "disks", .count = 10, .radius = 0.4, .velocity = Temperature{1.0}}};
+    CHECK_FALSE(why_no_equilibrium(gas));
+    const auto [particles, start] = place(gas);
+    CHECK(expected_collision_rate(gas.box, particles, start));
+    gas.box.surfaces.gravity = {0.0, -1.0};
+    REQUIRE(why_no_equilibrium(gas));
+    CHECK(why_no_equilibrium(gas)->why == NoEquilibrium::Why::surfaces);
+    CHECK_FALSE(expected_collision_rate(gas.box, particles, start));
+    CHECK_FALSE(equilibrium(gas.box, particles, start));
+}
+
+TEST_CASE("disks are placed clear of every surface") {
+    Gas gas;
+    gas.box.size = {10.0, 10.0};
+    gas.box.surfaces.obstacles = {
+        {"block", Obstacle::Lines{{{3.0, 3.0}, {7.0, 3.0}, {7.0, 7.0}, {3.0, 7.0}}, true}}};
+    gas.box.surfaces.partitions = {{.name = "divider", .axis = 1, .at = 8.5}};
+    gas.species = {{.name = "disks", .count = 40, .radius = 0.4, .velocity = Temperature{1.0}}};
+    Simulation simulation(gas, Run{});
+    for (const double time : {0.0, 50.0}) {
+        simulation.advance_to(time);
+        for (Eigen::Index i = 0; i < 40; ++i) {
+            const double x = simulation.sample().position(i, 0);
+            const double y = simulation.sample().position(i, 1);
+            const double from_block = std::hypot(std::max(0.0, std::abs(x - 5.0) - 2.0),
+                                                 std::max(0.0, std::abs(y - 5.0) - 2.0));
+            CHECK(from_block > 0.4 - 1e-12);
+            CHECK(std::abs(y - 8.5) > 0.4 - 1e-12);
+        }
+    }
+    Start start{.box = gas.box, .radius = 0.4};
+    start.places = {{5.0, 5.0}};
+    start.velocities = {{0.0, 0.0}};
+    CHECK_THROWS_AS(start.simulation(), std::invalid_argument);
+}

@@ -90,6 +90,7 @@ void check_surfaces(const Box& box, const Particles& particles, const Sample& st
     if (box.surfaces.are_plain()) return;
     require(box.dimension == 2 && run.bits == bits_of_double,
             "surfaces that act, obstacles and gravity are known in two dimensions and in doubles");
+    if (const char* wrong = what_is_wrong(box)) throw std::invalid_argument(wrong);
     const std::vector<Behaviour> behaviours = behaviours_of(box);
     require(reversal_times(run).empty() || std::ranges::none_of(behaviours, forgets),
             "a run with a heat bath or a membrane cannot be reversed: these have no memory");

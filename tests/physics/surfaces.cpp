@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -318,6 +319,67 @@ TEST_CASE("what has no memory is not reversed") {
     run.events.clear();
     run.bits = 128;
     CHECK_THROWS_AS(start.simulation(run), std::invalid_argument);
+}
+
+TEST_CASE("surfaces that cannot be are refused") {
+    const auto is_refused = [](const auto& change) {
+        Start start{.box = {.size = {4.0, 4.0}}, .radius = 0.1};
+        start.places = {{2.0, 1.0}};
+        start.velocities = {{1.0, 0.0}};
+        change(start.box);
+        try {
+            start.simulation();
+        } catch (const std::invalid_argument&) {
+            return true;
+        }
+        return false;
+    };
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(is_refused([](Box& box) { box.surfaces.sides[0] = Bath{1.0}; }));
+    CHECK(is_refused([](Box& box) { box.surfaces.sides[0] = Bath{0.0}; }));
+    CHECK(is_refused([](Box& box) { box.surfaces.sides[0] = Bath{std::nan("")}; }));
+    CHECK(is_refused([](Box& box) { box.surfaces.sides[3] = Piston{.mass = -1.0}; }));
+    CHECK(is_refused([&](Box& box) { box.surfaces.sides[3] = Driven{infinity}; }));
+    CHECK(is_refused([&](Box& box) { box.surfaces.gravity[1] = -infinity; }));
+    CHECK(is_refused([](Box& box) {
+        box.walls[0] = Wall::periodic;
+        box.surfaces.sides[0] = Bath{1.0};
+    }));
+    const auto partition = [&](Partition line) {
+        return is_refused([&](Box& box) { box.surfaces.partitions = {line}; });
+    };
+    CHECK_FALSE(partition({.name = "", .at = 3.0, .gaps = {{0.0, 1.0}, {2.0, 4.0}}}));
+    CHECK(partition({.name = "", .at = 5.0}));
+    CHECK(partition({.name = "", .axis = 2, .at = 3.0}));
+    CHECK(partition({.name = "", .at = 3.0, .gaps = {{2.0, 3.0}, {1.0, 2.0}}}));
+    CHECK(partition({.name = "", .at = 3.0, .gaps = {{1.0, 2.0}}, .behaviour = Piston{}}));
+    CHECK(partition({.name = "", .at = 2.0}));  // through the disk
+    CHECK(is_refused([](Box& box) {
+        box.surfaces.obstacles = {{"", Obstacle::Lines{{{1.0, 3.0}, {1.0, 3.0}}}}};
+    }));
+    CHECK(is_refused([](Box& box) { box.surfaces.obstacles = {{"", Obstacle::Lines{}}}; }));
+}
+
+TEST_CASE("a wall that leaves no room for the disks ends the run with the reason") {
+    Start start{.box = {.size = {6.0, 2.0}}, .radius = 0.45};
+    start.box.surfaces.sides[1] = Driven{-1.0};
+    for (int i = 0; i < 5; ++i) {
+        start.places.emplace_back(0.6 + 1.1 * i, 1.0);
+        start.velocities.emplace_back(0.3 - 0.1 * i, 0.05 * i);
+    }
+    Simulation simulation = start.simulation();
+    CHECK_THROWS_AS(simulation.advance_to(10.0), std::runtime_error);
+}
+
+TEST_CASE("a partition near the side of a periodic box stops disks on both sides") {
+    Start start{.box = {.size = {6.0, 4.0}, .walls = {Wall::periodic, Wall::solid}}, .radius = 0.5};
+    start.box.surfaces.partitions = {{.name = "line", .axis = 0, .at = 0.2}};
+    start.places = {{3.0, 2.0}};
+    start.velocities = {{1.0, 0.0}};
+    Simulation simulation = start.simulation();
+    simulation.advance_to(4.0);  // turns back at 6.2 - 0.5
+    CHECK(simulation.sample().position(0, 0) == relative(4.4, 1e-14));
+    CHECK(simulation.surfaces()[4].hits == 1);
 }
 
 TEST_CASE("theory that takes a plain box for granted does not answer for others") {

@@ -72,7 +72,7 @@ void add_images(const Box& box, std::size_t axis, double reach, std::vector<Barr
     const double size = box.length(axis);
     for (std::size_t k = 0, count = barriers.size(); k < count; ++k) {
         const Barrier barrier = barriers[k];
-        if (barrier.is_endless()) continue;
+        if (std::isinf(barrier.low(axis))) continue;
         for (const double shift : {-size, size}) {
             if (!(barrier.low(axis) + shift < size + reach) ||
                 !(barrier.high(axis) + shift > -reach))
@@ -120,6 +120,68 @@ double Barrier::end_along(std::size_t axis, bool high) const {
 
 bool moves(const Behaviour& behaviour) {
     return std::holds_alternative<Driven>(behaviour) || std::holds_alternative<Piston>(behaviour);
+}
+
+namespace {
+
+bool is_valid(const Behaviour& behaviour) {
+    const auto finite = [](auto... values) { return (std::isfinite(values) && ...); };
+    if (const auto* bath = std::get_if<Bath>(&behaviour))
+        return bath->temperature > 0.0 && finite(bath->temperature);
+    if (const auto* driven = std::get_if<Driven>(&behaviour))
+        return finite(driven->velocity) && driven->until >= 0.0;
+    if (const auto* piston = std::get_if<Piston>(&behaviour))
+        return piston->mass > 0.0 && finite(piston->mass, piston->force, piston->velocity);
+    return true;
+}
+
+bool is_valid(const Box& box, const Partition& line) {
+    if (line.axis != 0 && line.axis != 1) return false;
+    double before = 0.0;
+    for (const auto& [from, to] : line.gaps) {
+        if (!(from >= before && to > from && to <= box.length(1 - line.axis))) return false;
+        before = to;
+    }
+    return line.at >= 0.0 && line.at <= box.length(line.axis) && is_valid(line.behaviour);
+}
+
+bool is_valid(const Obstacle& obstacle) {
+    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+        return disk->center.isFinite().all() && disk->radius >= 0.0 && std::isfinite(disk->radius);
+    const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
+    if (corners.size() < (is_closed ? 3 : 2)) return false;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        if (!corners[k].isFinite().all()) return false;
+        const bool ends = k + 1 == corners.size();
+        if ((!ends || is_closed) && (corners[k] == corners[ends ? 0 : k + 1]).all()) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+const char* what_is_wrong(const Box& box) {
+    const Surfaces& surfaces = box.surfaces;
+    const auto valid = [&](const Partition& line) { return is_valid(box, line); };
+    if (!std::ranges::all_of(surfaces.sides, [](const auto& side) { return is_valid(side); }))
+        return "temperatures and masses of walls are positive and finite";
+    if (!std::ranges::all_of(surfaces.partitions, valid))
+        return "partitions lie in the box, their gaps in order, and what they do is finite";
+    if (!std::ranges::all_of(surfaces.obstacles, [](const Obstacle& one) { return is_valid(one); }))
+        return "obstacles are finite, and no two corners in a row are one";
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!box.is_periodic(axis)) continue;
+        for (const int side : {2 * axis, 2 * axis + 1})
+            if (!std::holds_alternative<Reflecting>(surfaces.sides[static_cast<std::size_t>(side)]))
+                return "a periodic side does nothing: there is no wall";
+        for (const Partition& line : surfaces.partitions)
+            if (line.axis == axis && moves(line.behaviour))
+                return "a partition does not move along a periodic axis";
+    }
+    for (const Partition& line : surfaces.partitions)
+        if (std::holds_alternative<Piston>(line.behaviour) && !line.gaps.empty())
+            return "a piston has no gaps";
+    return surfaces.gravity.isFinite().all() ? nullptr : "gravity is finite";
 }
 
 std::vector<Behaviour> behaviours_of(const Box& box) {

@@ -40,6 +40,9 @@ struct Barrier {
 /// Whether such a surface moves.
 bool moves(const Behaviour& behaviour);
 
+/// Why a box cannot have its surfaces; nullptr: it can.
+const char* what_is_wrong(const Box& box);
+
 /// What each surface of a box does: the sides, the partitions, the obstacles.
 std::vector<Behaviour> behaviours_of(const Box& box);
 

@@ -17,6 +17,10 @@ double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1];
 
 auto& at(auto& things, std::integral auto i) { return things[static_cast<std::size_t>(i)]; }
 
+// More work than this, in units of the energy at the start, only a wall does that crushes the gas:
+// in a plane the volume falls as the energy rises. It would hit ever faster, without end.
+constexpr double most_times_energy = 1e8;
+
 // Where a disk is and how fast at a time, from a point.
 BarrierMotion seen_from(const Vector& point, const FallingDisk& d, double now) {
     const double t = now - d.time;
@@ -105,7 +109,16 @@ void OpenPlane::enter(Bodies& bodies) {
         settle_at_rest(body);
         grid_.add(static_cast<std::int32_t>(k), body.radius, body.cell);
     }
-    for (Mover& mover : movers_) register_mover(mover);
+    double fastest = 0.0;
+    for (Mover& mover : movers_) {
+        register_mover(mover);
+        fastest = std::max(fastest, std::abs(mover.velocity));
+    }
+    double energy = 0.0;
+    for (const Body& body : bodies)
+        if (body.inverse_mass > 0.0)
+            energy += (dot(body.v, body.v) + fastest * fastest) / body.inverse_mass;
+    most_work_ = most_times_energy * energy;
 }
 
 // A disk that lies on a wall and does not leave it does not fall: the wall carries it.
@@ -372,6 +385,9 @@ bool OpenPlane::hit(Body& body, std::int32_t k, double now) {
         totals.heat += gain;
     else if (barrier.mover >= 0)
         totals.work += gain;
+    if (totals.work > most_work_)
+        throw std::runtime_error(
+            "a driven wall has given the disks 10^8 times their energy: it leaves them no room");
     return true;
 }
 

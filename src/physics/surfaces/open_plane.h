@@ -78,7 +78,7 @@ class OpenPlane : public PlainBodies<FallingDisk> {
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
     /// A disk is at a barrier, at the present: what the surface does. False if it is let through,
-    /// or does not approach.
+    /// or does not approach. Throws std::runtime_error where a driven wall crushes the gas.
     bool hit(Body& body, std::int32_t barrier, double now);
 
     const Barrier& barrier(std::int32_t k) const { return barriers_[static_cast<std::size_t>(k)]; }
@@ -150,6 +150,7 @@ class OpenPlane : public PlainBodies<FallingDisk> {
     std::vector<Barrier> barriers_;
     std::vector<Mover> movers_;
     std::vector<SurfaceTotals> totals_;
+    double most_work_ = never<double>;
     std::vector<std::int32_t> moving_;        ///< barriers that move
     std::vector<std::int32_t> listed_;        ///< barriers at rest, cell by cell
     std::vector<std::int32_t> first_listed_;  ///< of each cell, and one more

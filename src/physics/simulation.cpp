@@ -249,8 +249,10 @@ Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_pr
     auto [particles, start] = place(gas);
     if (const auto problem = motion_problem(gas.box, particles, start, run))
         throw PlacementError(*problem, gas);
+    Box box = gas.box;
+    box.surfaces.seed = gas.seed;
     implementation_ =
-        std::make_unique<Implementation>(gas.box, std::move(particles), start, run, on_progress);
+        std::make_unique<Implementation>(box, std::move(particles), start, run, on_progress);
 }
 
 Simulation::Simulation(const Box& box, Particles particles, const Sample& start, const Run& run) {

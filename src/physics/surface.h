@@ -84,7 +84,7 @@ struct Surfaces {
     std::vector<Partition> partitions = {};
     std::vector<Obstacle> obstacles = {};
     Eigen::Array2d gravity{0.0, 0.0};
-    std::uint64_t seed = 1;  ///< of the velocities that baths give
+    std::uint64_t seed = 1;  ///< of the velocities that baths give; in a gas, Gas::seed counts
 
     /// Whether there is nothing but reflecting sides.
     bool are_plain() const {

@@ -151,6 +151,7 @@ TEST_CASE("a driven wall reflects v to 2u - v, and does the work") {
     CHECK(wall.hits == 1);
     CHECK(wall.work == 16.0);  // 2/2 (25 - 9)
     CHECK(wall.impulse[0] == 16.0);
+    CHECK(simulation.advance_to(2.0).impulses.wall[1] == 16.0);
     CHECK(wall.motion->place == 8.0);
 }
 
@@ -369,6 +370,23 @@ TEST_CASE("a wall that leaves no room for the disks ends the run with the reason
     }
     Simulation simulation = start.simulation();
     CHECK_THROWS_AS(simulation.advance_to(10.0), std::runtime_error);
+}
+
+TEST_CASE("neither a weight on a gas at rest nor a slow wall in a fall crushes the gas") {
+    Start start{.box = {.size = {4.0, 4.0}}, .radius = 0.5};
+    start.places = {{2.0, 0.5}};
+    start.velocities = {{0.0, 0.0}};
+    start.box.surfaces.sides[3] = Piston{.mass = 1.0, .force = -1.0};
+    Simulation weight = start.simulation();
+    weight.advance_to(20.0);
+    CHECK(weight.surfaces()[3].hits > 0);
+    start.box.surfaces.gravity = {0.0, -1.0};
+    start.box.surfaces.sides = {};
+    start.box.surfaces.sides[2] = Driven{1e-6};
+    start.places = {{2.0, 2.5}};
+    Simulation slow = start.simulation();
+    slow.advance_to(400.0);
+    CHECK(slow.surfaces()[2].hits == 100);
 }
 
 TEST_CASE("a partition near the side of a periodic box stops disks on both sides") {

@@ -38,7 +38,7 @@ PairCollisionWatch::PairCollisionWatch(const PanelContext& context, const PanelS
       last_(static_cast<std::size_t>(context.particles.count()), 0.0) {}
 
 bool PairCollisionWatch::is_wanted(const Collision& collision) const {
-    if (collision.second.is_side()) return false;
+    if (collision.second.is_surface()) return false;
     if (spec_.of.empty()) return true;
     const std::int64_t a = spec_.of[0].particle.value(), b = spec_.of[1].particle.value();
     return (collision.first == a && collision.second == b) ||

@@ -31,7 +31,7 @@ WalkWatch::WalkWatch(const PanelContext& context, const PanelSpec& spec)
 void WalkWatch::survey(const FrameInput& input) {
     if (start_.size() == 0) start_ = input.sample.velocity.col(0);
     for (const Collision& collision : input.advanced.collisions) {
-        if (!pair_ && collision.second.is_side()) {
+        if (!pair_ && collision.second.is_surface()) {
             early_.push_back(collision);
             continue;
         }
@@ -49,7 +49,7 @@ void WalkWatch::see(const Collision& collision) {
     const auto& pair = *pair_;
     const auto place = [&](Eigen::Index i) { return std::ranges::find(pair, i) - pair.begin(); };
     const auto first = place(collision.first);
-    const auto second = collision.second.is_side() ? 2 : place(collision.second.particle());
+    const auto second = collision.second.is_surface() ? 2 : place(collision.second.particle());
     if (first == 2 && second == 2) return;
     const bool of_the_two = first < 2 && second < 2;
     if (!of_the_two && collision.second.is_particle()) {

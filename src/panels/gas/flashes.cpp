@@ -51,7 +51,7 @@ void Flashes::survey(const FrameInput& input, const std::function<Point(const Co
         high_ = leg_high_;
     }
     for (const Collision& collision : input.advanced.collisions) {
-        if (collision.second.is_side()) continue;
+        if (collision.second.is_surface()) continue;
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
         Start start{(last_frame_ + share * (tick.frame - last_frame_)) / scene_.film.fps,

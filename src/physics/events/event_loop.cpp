@@ -461,9 +461,10 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
         const std::int32_t which = -1 - event.partner;
         const Barrier& barrier = geometry_.barrier(which);
         Body& b = body(i);
+        auto before = b.v;
         if (geometry_.changes_of(barrier) == event.partner_collisions) {
             advance_body(b, now_);
-            const auto before = in_doubles(b.v);
+            before = b.v;
             const auto surface_before = geometry_.velocity_of(barrier, now_);
             reflected = geometry_.hit(b, which, now_);
             if (reflected && collision)
@@ -480,6 +481,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
         if (reflected) {
             ++b.collisions;
             ++counts_.wall;
+            if (const auto side = static_cast<std::size_t>(barrier.surface); side < 4)
+                impulses_.wall[side] += std::abs(b.v[side / 2] - before[side / 2]) / b.inverse_mass;
         }
         predict_next(i);
         if (reflected && barrier.mover >= 0) look_for_hits(static_cast<std::size_t>(barrier.mover));

@@ -9,7 +9,7 @@ bool CollisionHistory::record(const Branch& branch, const Collision& collision) 
     const double path = branch.path_at(collision.time);
     const bool first_agrees = record(branch.direction, path, collision.first, collision.second);
     return first_agrees &&
-           (collision.second.is_side() ||
+           (collision.second.is_surface() ||
             record(branch.direction, path, collision.second.particle(), collision.first));
 }
 

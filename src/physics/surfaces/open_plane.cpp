@@ -17,17 +17,17 @@ double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1];
 
 auto& at(auto& things, std::integral auto i) { return things[static_cast<std::size_t>(i)]; }
 
-// More work than this, in units of the energy at the start, only a wall does that crushes the gas:
-// in a plane the volume falls as the energy rises. It would hit ever faster, without end.
+// More work than this, in units of the energy that a box has without it, only a driven wall does
+// that crushes the gas: in a plane the volume falls as the energy rises. It would hit ever faster,
+// without end.
 constexpr double most_times_energy = 1e8;
 
 // Where a disk is and how fast at a time, from a point.
 BarrierMotion seen_from(const Vector& point, const FallingDisk& d, double now) {
-    const double t = now - d.time;
     BarrierMotion m{.x = {}, .v = {}, .a = d.a, .radius = d.radius};
     for (std::size_t k = 0; k < 2; ++k) {
-        m.x[k] = d.x[k] + t * (d.v[k] + 0.5 * t * d.a[k]) - point[k];
-        m.v[k] = d.v[k] + t * d.a[k];
+        m.x[k] = position_at(d, k, now) - point[k];
+        m.v[k] = velocity_at(d, k, now);
     }
     return m;
 }
@@ -69,13 +69,13 @@ void OpenPlane::list_barriers() {
     const std::array cells{grid_.last_cell()[0] + 1, grid_.last_cell()[1] + 1};
     const Vector& size = grid_.cell_size();
     std::vector<std::vector<std::int32_t>> lists(static_cast<std::size_t>(cells[0] * cells[1]));
-    moving_.clear();
     for (std::size_t k = 0; k < barriers_.size(); ++k) {
         const Barrier& barrier = barriers_[k];
         if (barrier.mover >= 0) {
             moving_.push_back(static_cast<std::int32_t>(k));
             continue;
         }
+        if (barrier.is_endless()) floors_.push_back(static_cast<std::int32_t>(k));
         std::array<int, 2> from{}, to{};
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double reach = reach_of(axis);
@@ -90,7 +90,6 @@ void OpenPlane::list_barriers() {
             for (int column = from[0]; column <= to[0]; ++column)
                 at(lists, row * cells[0] + column).push_back(static_cast<std::int32_t>(k));
     }
-    listed_.clear();
     first_listed_.assign(1, 0);
     for (const auto& list : lists) {
         listed_.insert(listed_.end(), list.begin(), list.end());
@@ -109,16 +108,26 @@ void OpenPlane::enter(Bodies& bodies) {
         settle_at_rest(body);
         grid_.add(static_cast<std::int32_t>(k), body.radius, body.cell);
     }
-    double fastest = 0.0;
-    for (Mover& mover : movers_) {
-        register_mover(mover);
+    for (Mover& mover : movers_) register_mover(mover);
+    most_work_ = most_times_energy * energy_of(bodies);
+}
+
+// All that the gas could have without driven walls and baths, but for them: kinetic energies, those
+// of disks as fast as the fastest mover, and what a fall through the box gives.
+double OpenPlane::energy_of(const Bodies& bodies) const {
+    const Eigen::Array2d fall = box_.surfaces.gravity.abs() * box_.size;
+    double energy = 0.0, fastest = 0.0;
+    for (const Mover& mover : movers_) {
         fastest = std::max(fastest, std::abs(mover.velocity));
+        if (!(mover.inverse_mass > 0.0)) continue;
+        const double size = box_.length(mover.axis);
+        energy += (0.5 * mover.velocity * mover.velocity + std::abs(mover.acceleration) * size) /
+                  mover.inverse_mass;
     }
-    double energy = 0.0;
     for (const Body& body : bodies)
         if (body.inverse_mass > 0.0)
-            energy += (dot(body.v, body.v) + fastest * fastest) / body.inverse_mass;
-    most_work_ = most_times_energy * energy;
+            energy += (dot(body.v, body.v) + fastest * fastest + fall.sum()) / body.inverse_mass;
+    return energy;
 }
 
 // A disk that lies on a wall and does not leave it does not fall: the wall carries it.
@@ -126,14 +135,13 @@ void OpenPlane::settle_at_rest(Body& body) const {
     body.a = {box_.surfaces.gravity[0], box_.surfaces.gravity[1]};
     if (body.a[0] == 0.0 && body.a[1] == 0.0) return;
     const double slack = 1e-12 * box_.size.maxCoeff();
-    for (const Barrier& wall : barriers_) {
-        if (wall.kind != Barrier::Kind::line || wall.length != never<double> || wall.mover >= 0 ||
-            dot(wall.normal, body.v) != 0.0)
-            continue;
+    for (const std::int32_t k : floors_) {
+        const Barrier& wall = at(barriers_, k);
+        if (dot(wall.normal, body.v) != 0.0) continue;
         const Vector from{body.x[0] - wall.place[0], body.x[1] - wall.place[1]};
         const double distance = dot(wall.normal, from), pull = dot(wall.normal, body.a);
         if (std::abs(distance) > body.radius + slack || !(distance * pull < 0.0)) continue;
-        for (std::size_t k = 0; k < 2; ++k) body.a[k] -= pull * wall.normal[k];
+        for (std::size_t a = 0; a < 2; ++a) body.a[a] -= pull * wall.normal[a];
     }
 }
 
@@ -269,16 +277,12 @@ double OpenPlane::predict(Bodies& bodies, std::int32_t i, double now) {
 void OpenPlane::cross(Bodies& bodies, std::int32_t i, int side, double now) {
     Body& body = at(bodies, i);
     const Cell from = body.cell;
-    const auto axis = static_cast<std::size_t>(side / 2);
-    const int up = side % 2, last = grid_.last_cell()[axis];
-    int next = from[axis] + 2 * up - 1;
-    if (next < 0 || next > last) {  // leaves a periodic box, and enters at the other side
-        next = up == 1 ? 0 : last;
+    body.cell = grid_.next_cell(from, side);
+    if (grid_.is_last(from, side)) {  // leaves a periodic box, and enters at the other side
+        const auto axis = static_cast<std::size_t>(side / 2);
         advance_body(body, now);
-        const double size = box_.length(axis);
-        body.x[axis] += up == 1 ? -size : size;
+        body.x[axis] += side % 2 == 1 ? -box_.length(axis) : box_.length(axis);
     }
-    body.cell[axis] = static_cast<std::uint16_t>(next);
     grid_.move(i, body.radius, from, body.cell);
 }
 
@@ -381,10 +385,12 @@ bool OpenPlane::hit(Body& body, std::int32_t k, double now) {
     for (std::size_t a = 0; a < 2; ++a)
         totals.impulse[static_cast<Eigen::Index>(a)] += mass * (before[a] - body.v[a]);
     const double gain = 0.5 * mass * (dot(body.v, body.v) - dot(before, before));
-    if (bath != nullptr)
+    if (bath != nullptr) {
         totals.heat += gain;
-    else if (barrier.mover >= 0)
+        most_work_ += most_times_energy * std::abs(gain);
+    } else if (barrier.mover >= 0) {
         totals.work += gain;
+    }
     if (totals.work > most_work_)
         throw std::runtime_error(
             "a driven wall has given the disks 10^8 times their energy: it leaves them no room");

@@ -34,21 +34,19 @@ struct FallingDisk {
     Prediction prediction{};    ///< partner < 0: barrier -1 - partner
 };
 
-inline void advance_body(FallingDisk& d, double now) {
-    const double t = now - d.time;
-    for (std::size_t k = 0; k < 2; ++k) {
-        d.x[k] += t * (d.v[k] + 0.5 * t * d.a[k]);
-        d.v[k] += t * d.a[k];
-    }
-    d.time = now;
-}
-
 inline double position_at(const FallingDisk& d, std::size_t axis, double time) {
     const double t = time - d.time;
     return d.x[axis] + t * (d.v[axis] + 0.5 * t * d.a[axis]);
 }
 inline double velocity_at(const FallingDisk& d, std::size_t axis, double time) {
     return d.v[axis] + d.a[axis] * (time - d.time);
+}
+inline void advance_body(FallingDisk& d, double now) {
+    for (std::size_t k = 0; k < 2; ++k) {
+        d.x[k] = position_at(d, k, now);
+        d.v[k] = velocity_at(d, k, now);
+    }
+    d.time = now;
 }
 
 class OpenPlane : public PlainBodies<FallingDisk> {
@@ -137,6 +135,7 @@ class OpenPlane : public PlainBodies<FallingDisk> {
     void look_at_barriers(const Body& body, double now, Candidate& first) const;
     double border_time(const Body& body, double now, std::uint32_t& side) const;
     void settle_at_rest(Body& body) const;
+    double energy_of(const Bodies& bodies) const;
     void reflect(Body& body, const Barrier& barrier, double now);
     bool goes_through(const Body& body, const Barrier& barrier, const Membrane& membrane) const;
     void leave_bath(Body& body, const Barrier& barrier, double temperature, std::int64_t hit);
@@ -152,6 +151,7 @@ class OpenPlane : public PlainBodies<FallingDisk> {
     std::vector<SurfaceTotals> totals_;
     double most_work_ = never<double>;
     std::vector<std::int32_t> moving_;        ///< barriers that move
+    std::vector<std::int32_t> floors_;        ///< those at rest from wall to wall
     std::vector<std::int32_t> listed_;        ///< barriers at rest, cell by cell
     std::vector<std::int32_t> first_listed_;  ///< of each cell, and one more
     std::vector<std::int32_t> near_ = std::vector<std::int32_t>(4 * CellGrid::spare);

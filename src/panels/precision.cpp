@@ -14,7 +14,7 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
         refuse(scene.precision_place, error.what(), error.hint());
     } catch (const PlacementError& error) {
         throw scene_error(scene, error);
-    } catch (const PerturbationError& error) {
+    } catch (const RunEventError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), "a smaller one may have room");
     }
 }

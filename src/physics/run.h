@@ -8,6 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "physics/gas.h"
+#include "physics/surface.h"
+
 namespace carom {
 
 struct ReverseVelocities {};
@@ -19,9 +22,47 @@ struct Perturbation {
                                               ///< reads with all their digits; y is 0 in 1-D
 };
 
+/// Opens a partition, so that nothing is there, or closes it again.
+struct SetOpen {
+    std::int32_t surface = 0;  ///< its number among all surfaces (surface.h), here and below
+    bool is_open = true;
+};
+
+/// A side or a partition moves at this velocity from now on, whatever hits it.
+struct MoveSurface {
+    std::int32_t surface = 0;
+    double velocity = 0.0;  ///< along x or y
+};
+
+/// A piston stops and stays.
+struct HoldPiston {
+    std::int32_t surface = 0;
+};
+
+/// A piston that was held is free again, at rest.
+struct ReleasePiston {
+    std::int32_t surface = 0;
+};
+
+/// A side or a partition acts otherwise from now on.
+struct ChangeSurface {
+    std::int32_t surface = 0;
+    Behaviour behaviour = Reflecting{};
+};
+
+/// Scales velocities about their mean.
+struct Heat {
+    std::optional<std::int32_t> species;  ///< index into Gas::species; none: of all particles
+    std::variant<double, Temperature> amount{};  ///< energy more or less, or what it comes to
+};
+
 struct RunEvent {
     double at = 0.0;  ///< simulated time
-    std::variant<ReverseVelocities, Perturbation> action;
+    std::variant<ReverseVelocities, Perturbation, SetOpen, MoveSurface, HoldPiston, ReleasePiston,
+                 ChangeSurface, Heat>
+        action;
+    bool is_mirrored = true;  ///< at t, it is undone at 2 r - t after a reversal at r; of those
+                              ///< that can be undone
 };
 
 /// Bits of the significands that a run calculates with: those of a double, or from the least to the

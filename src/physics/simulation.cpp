@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -149,6 +150,7 @@ struct Simulation::Implementation {
         });
         present.time = 0.0;
         sampled = run.equilibrate == 0.0;
+        at_start = energies();
     }
 
     static Loop loop_for(const Box& box, const Particles& particles, int bits) {
@@ -215,7 +217,7 @@ struct Simulation::Implementation {
         });
         sampled = false;
         if (!obstacle) return;
-        throw PerturbationError(
+        throw RunEventError(
             event,
             fmt::format("the nudge at time {:g} would push particle {} into {}", present.time,
                         perturbation.particle,
@@ -224,10 +226,62 @@ struct Simulation::Implementation {
     }
 
     void apply(std::size_t event) {
-        if (const auto* its = std::get_if<Perturbation>(&events[event].action))
+        const auto& action = events[event].action;
+        if (const auto* its = std::get_if<Perturbation>(&action))
             perturb(event, *its);
-        else
+        else if (std::holds_alternative<ReverseVelocities>(action))
             reverse();
+        else
+            throw std::invalid_argument("no run changes surfaces yet");
+    }
+
+    std::vector<SurfaceState> surfaces() const {
+        return std::visit([&](const auto& its) { return its.surfaces(present.time); }, loop);
+    }
+
+    // Without a relative error.
+    EnergyAccount energies() const {
+        Sample now;
+        std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
+        EnergyAccount account;
+        const Eigen::Array2d& gravity = box.surfaces.gravity;
+        const Eigen::ArrayXd each = kinetic_energies(particles, now);
+        for (Eigen::Index i = 0; i < particles.count(); ++i) {
+            if (particles.inverse_mass[i] == 0.0) continue;
+            account.kinetic += each[i];
+            for (Eigen::Index axis = 0; axis < box.dimension; ++axis) {
+                const double g = gravity[axis], r = particles.radius[i];
+                const double lowest = g < 0.0 ? r : box.size[axis] - r;
+                account.potential +=
+                    -g * (now.position(i, axis) - lowest) / particles.inverse_mass[i];
+            }
+        }
+        const auto states = surfaces();
+        for (std::size_t k = 0; k < states.size(); ++k) {
+            const SurfaceState& state = states[k];
+            account.heat += state.heat;
+            if (std::holds_alternative<Driven>(state.behaviour)) account.work += state.work;
+            const auto* piston = std::get_if<Piston>(&state.behaviour);
+            if (piston == nullptr) continue;
+            const auto axis = k < 4 ? static_cast<Eigen::Index>(k / 2)
+                                    : Eigen::Index{box.surfaces.partitions[k - 4].axis};
+            const double force = piston->force + piston->mass * gravity[axis];
+            account.pistons += 0.5 * piston->mass * state.motion->velocity * state.motion->velocity;
+            account.potential -= force * state.motion->place;
+        }
+        return account;
+    }
+
+    EnergyAccount energy_account() const {
+        EnergyAccount account = energies();
+        const auto total = [](const EnergyAccount& its) {
+            return its.kinetic + its.potential + its.pistons;
+        };
+        const double most = std::max({account.kinetic, std::abs(account.potential), account.pistons,
+                                      std::abs(account.work), std::abs(account.heat)});
+        const double error = total(account) - total(at_start) - account.work - account.heat;
+        account.relative_error = most > 0.0 ? std::abs(error) / most : 0.0;
+        return account;
     }
 
     Box box;
@@ -242,6 +296,7 @@ struct Simulation::Implementation {
     std::vector<Collision> collisions;
     std::vector<double> reversed_at;
     EchoMeasurement echo;
+    EnergyAccount at_start;
 };
 
 Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_progress) {
@@ -319,9 +374,8 @@ const Box& Simulation::box() const { return implementation_->box; }
 
 const Particles& Simulation::particles() const { return implementation_->particles; }
 
-std::vector<SurfaceState> Simulation::surfaces() const {
-    const Implementation& its = *implementation_;
-    return std::visit([&](const auto& loop) { return loop.surfaces(its.present.time); }, its.loop);
-}
+std::vector<SurfaceState> Simulation::surfaces() const { return implementation_->surfaces(); }
+
+EnergyAccount Simulation::energy_account() const { return implementation_->energy_account(); }
 
 }  // namespace carom

@@ -21,10 +21,11 @@
 
 namespace carom {
 
-/// A perturbation that would push a particle into another or into a wall.
-class PerturbationError : public std::runtime_error {
+/// An event of the run that cannot happen: a perturbation that would push a particle into another
+/// or into a wall, a partition that would close on a particle.
+class RunEventError : public std::runtime_error {
   public:
-    PerturbationError(std::size_t event, const std::string& what)
+    RunEventError(std::size_t event, const std::string& what)
         : std::runtime_error(what), event_(event) {}
     std::size_t event() const { return event_; }  ///< index in Run::events
 
@@ -52,7 +53,7 @@ class Simulation {
 
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and advances to it;
     /// not limited by `run.until`. Tells `on_progress` now and then how far it is. Throws
-    /// std::invalid_argument if `time` lies in the past or is not finite; PerturbationError;
+    /// std::invalid_argument if `time` lies in the past or is not finite; RunEventError;
     /// Interrupted (util/interrupt.h); std::runtime_error when particles collide without end at one
     /// instant, or two beads of infinite mass meet.
     AdvanceResult advance_to(double time, const TimeCallback& on_progress = {});
@@ -87,6 +88,9 @@ class Simulation {
     /// partitions, the obstacles of the box, in this order. None where there are only walls that
     /// reflect.
     std::vector<SurfaceState> surfaces() const;
+
+    /// Where the energy is at the present time. Infinite masses are not counted.
+    EnergyAccount energy_account() const;
 
     const Box& box() const;
     const Particles& particles() const;

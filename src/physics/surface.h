@@ -86,6 +86,21 @@ struct Surfaces {
     Eigen::Array2d gravity{0.0, 0.0};
     std::uint64_t seed = 1;  ///< of the velocities that baths give; in a gas, Gas::seed counts
 
+    /// The number of the first partition, and of the first obstacle, among all surfaces.
+    static constexpr std::int32_t first_partition = 4;
+    std::int32_t first_obstacle() const {
+        return first_partition + static_cast<std::int32_t>(partitions.size());
+    }
+
+    /// The names of all surfaces, by their numbers; those of the sides are left, right, bottom and
+    /// top.
+    std::vector<std::string> names() const {
+        std::vector<std::string> all{"left", "right", "bottom", "top"};
+        for (const Partition& partition : partitions) all.push_back(partition.name);
+        for (const Obstacle& obstacle : obstacles) all.push_back(obstacle.name);
+        return all;
+    }
+
     /// Whether there is nothing but reflecting sides.
     bool are_plain() const {
         return std::ranges::all_of(sides,
@@ -104,12 +119,26 @@ struct SurfaceTotals {
     double heat = 0.0;                 ///< that it gave to particles
 };
 
-/// The same, and where a surface is that can move.
+/// The same, and what a surface is like at present.
 struct SurfaceState : SurfaceTotals {
     struct Motion {
         double place, velocity;  ///< along its normal
     };
-    std::optional<Motion> motion = {};
+    Behaviour behaviour = Reflecting{};  ///< which events of the run change
+    bool is_open = false;                ///< a partition that is not there
+    std::optional<Motion> motion = {};   ///< of one that moves, or has moved
+};
+
+/// Where the energy of a gas in a box with surfaces is, and what has come in since t = 0. Without
+/// error kinetic + potential + pistons grows by work + heat.
+struct EnergyAccount {
+    double kinetic = 0.0;    ///< of the particles
+    double potential = 0.0;  ///< in gravity, of centres above the lowest that each can reach; and
+                             ///< of the constant forces on pistons, minus force times place
+    double pistons = 0.0;    ///< kinetic energy of pistons
+    double work = 0.0;       ///< of driven surfaces on the gas and on pistons
+    double heat = 0.0;       ///< from baths, and by events that heat
+    double relative_error = 0.0;  ///< of the sum, in units of the largest of its terms
 };
 
 }  // namespace carom

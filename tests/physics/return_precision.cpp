@@ -214,7 +214,7 @@ TEST_CASE("a nudge into another particle or a wall is refused") {
                                         {{1.0, 5.0, 0.0, 0.0}, {18.0, 5.0, 0.0, 0.0}}, run);
                 try {
                     nudged.advance_to(3.0);
-                } catch (const PerturbationError& error) {
+                } catch (const RunEventError& error) {
                     CHECK(error.event() == 1);
                     return std::string(error.what());
                 }

@@ -508,7 +508,9 @@ void OpenPlane::reverse() {
 
 std::vector<SurfaceState> OpenPlane::states(double now) const {
     std::vector<SurfaceState> states;
-    for (const SurfaceTotals& totals : totals_) states.push_back({totals});
+    for (std::size_t k = 0; k < totals_.size(); ++k) states.push_back({totals_[k], behaviours_[k]});
+    for (std::size_t k = 0; k < box_.surfaces.partitions.size(); ++k)
+        states[4 + k].is_open = box_.surfaces.partitions[k].is_open;
     for (const Mover& mover : movers_)
         at(states, mover.surface).motion =
             SurfaceState::Motion{mover.place_at(now), mover.velocity_at(now)};

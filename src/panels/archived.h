@@ -16,10 +16,30 @@ inline void archive_parts(Archive& archive, Collision& its) {
             its.first_before, its.second_before, its.first_after, its.second_after);
 }
 
+inline void archive_parts(Archive&, Reflecting&) {}
+inline void archive_parts(Archive& archive, Bath& its) { archive(its.temperature); }
+inline void archive_parts(Archive& archive, Driven& its) { archive(its.velocity, its.until); }
+inline void archive_parts(Archive& archive, Piston& its) {
+    archive(its.mass, its.force, its.velocity);
+}
+inline void archive_parts(Archive& archive, Membrane::Speeds& its) {
+    archive(its.faster_than, its.slower_than);
+}
+inline void archive_parts(Archive& archive, Membrane& its) {
+    archive(its.species, its.upward, its.downward);
+}
+
+inline void archive_parts(Archive& archive, SurfaceState::Motion& its) {
+    archive(its.place, its.velocity);
+}
+inline void archive_parts(Archive& archive, SurfaceState& its) {
+    archive(its.hits, its.impulse, its.work, its.heat, its.behaviour, its.is_open, its.motion);
+}
+
 /// All but the collisions themselves.
 inline void archive_parts(Archive& archive, AdvanceResult& its) {
     archive(its.counts.particle, its.counts.wall, its.counts.ties, its.impulses.wall,
-            its.impulses.virial, its.impulses.largest_overlap, its.reversals);
+            its.impulses.virial, its.impulses.largest_overlap, its.reversals, its.surfaces);
 }
 
 inline void archive_parts(Archive& archive, Particles& its) {

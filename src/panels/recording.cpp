@@ -42,7 +42,8 @@ bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, std::s
     frames_.push_back(
         {samples_.size() - 1, advanced, {advanced.collisions.begin(), advanced.collisions.end()}});
     frames_.back().advanced.collisions = {};
-    bytes_ += sizeof(Frame) + advanced.collisions.size() * sizeof(Collision);
+    bytes_ += sizeof(Frame) + advanced.collisions.size() * sizeof(Collision) +
+              advanced.surfaces.size() * sizeof(SurfaceState);
     return bytes_ <= most;
 }
 

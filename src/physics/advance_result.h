@@ -9,8 +9,10 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "physics/exact_positions.h"
+#include "physics/surface.h"
 
 namespace carom {
 
@@ -100,6 +102,8 @@ struct AdvanceResult {
     std::optional<ReturnDistance>
         return_distance;  ///< of the present positions from those at the mirror time, if
                           ///< Simulation::measure_return() asks for it at the present time
+    std::vector<SurfaceState> surfaces =
+        {};  ///< at its end, by their numbers; none where there are only walls that reflect
 };
 
 /// Told what time it is in a run, every some thousand events.

@@ -335,8 +335,8 @@ AdvanceResult Simulation::advance_to(double time, const TimeCallback& on_progres
     auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
     const auto reversals = static_cast<int>(its.reversed_at.size());
     return its.with_loop([&](const auto& loop) {
-        return AdvanceResult{loop.counts(), loop.impulses(), reversals, its.collisions,
-                             std::move(distance)};
+        return AdvanceResult{loop.counts(),  loop.impulses(),     reversals,
+                             its.collisions, std::move(distance), its.surfaces()};
     });
 }
 

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace carom {
@@ -171,6 +172,18 @@ class Archive {
         value(there);
         if (reading_) there ? void(its.emplace()) : its.reset();
         if (its) value(*its);
+    }
+
+    template <class... T>
+    void parts(std::variant<T...>& its) {
+        auto index = static_cast<std::int64_t>(its.index());
+        number(index);
+        if (reading_) {
+            std::int64_t k = 0;
+            const bool known = ((k++ == index ? (void(its = T{}), true) : false) || ...);
+            if (!known) refuse("it holds a value of an unknown type");
+        }
+        std::visit([this](auto& alternative) { value(alternative); }, its);
     }
 
     template <class Key, class T>

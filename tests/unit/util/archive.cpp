@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <variant>
 
 #include "util/diagnostics.h"
 
@@ -33,8 +34,10 @@ struct Outer {
     Eigen::ArrayXXd plane;
     Eigen::ArrayXi whole;
     Eigen::Array2d fixed{0.0, 0.0};
+    std::variant<double, Inner> either, other;
     void archive(Archive& archive) {
-        archive(flag, colour, count, small, list, nested, map, pairs, line, plane, whole, fixed);
+        archive(flag, colour, count, small, list, nested, map, pairs, line, plane, whole, fixed,
+                either, other);
     }
 };
 
@@ -52,6 +55,8 @@ Outer example() {
     value.plane = Eigen::ArrayXXd::Constant(3, 2, 0.7);
     value.whole = Eigen::ArrayXi::LinSpaced(4, 0, 3);
     value.fixed = {1.5, 2.5};
+    value.either = 0.6;
+    value.other = Inner{0.7, "another"};
     return value;
 }
 
@@ -90,6 +95,8 @@ TEST_CASE("what an archive holds is read back, bit for bit") {
     CHECK(value.map.at("two") == 2);
     CHECK(value.plane.rows() == 3);
     CHECK(value.fixed[1] == 2.5);
+    CHECK(std::get<double>(value.either) == 0.6);
+    CHECK(std::get<Inner>(value.other).name == "another");
     CHECK(written(value) == bytes);
 }
 
@@ -120,6 +127,13 @@ TEST_CASE("an archive of something else is refused") {
     double number = 1.0;
     shorter(number);
     CHECK(refusal_of(shorter.finished()) == "cannot read film.plan: it ends early");
+    Archive other;
+    std::int64_t index = 2;
+    other(index);
+    Archive wrong(other.finished(), "film.plan");
+    std::variant<double, Inner> either;
+    CHECK_THROWS_WITH_AS(wrong(either),
+                         "cannot read film.plan: it holds a value of an unknown type", SystemError);
     Archive archive(written(example()), "film.plan");
     archive(number);
     CHECK_THROWS_AS(archive.expect_end(), SystemError);

@@ -1,6 +1,7 @@
 #include "panels/precision.h"
 
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "panels/panel.h"
@@ -16,6 +17,8 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
         throw scene_error(scene, error);
     } catch (const RunEventError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), "a smaller one may have room");
+    } catch (const std::invalid_argument& error) {
+        refuse(scene.surfaces_place, error.what(), "");
     }
 }
 

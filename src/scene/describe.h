@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -10,11 +11,19 @@ namespace carom {
 /// What the film shows, in a plain sentence or two.
 std::string describe(const Scene& scene);
 
+/// What surfaces there are and what they do, each in a sentence without its full stop; none if
+/// there are only walls that reflect. Obstacles and gravity come last, a sentence each.
+std::vector<std::string> words_of_surfaces(const Gas& gas);
+
 /// "Particle 3 is moved by 1.00×10⁻²⁰": a whole sentence without its full stop.
 std::string words_of(const Perturbation& nudge);
 
+/// What happens to a surface or to the heat of the gas, as above: "The partition “divider” opens";
+/// empty for other events.
+std::string words_of_surface_event(const RunEvent& event, const Gas& gas);
+
 /// What the events of a run do, in whole sentences; empty if there are none. Of many nudges only
-/// how many they are.
-std::string words_of_events(const Run& run);
+/// how many they are, and so of many events of surfaces.
+std::string words_of_events(const Run& run, const Gas& gas);
 
 }  // namespace carom

@@ -39,6 +39,10 @@ inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exac
 inline constexpr Limit most_particles{2'000'000, "particles in all"};
 inline constexpr Limit most_returning{300'000, "particles whose return distance is measured"};
 inline constexpr Limit most_species{200, "species"};
+inline constexpr Limit most_obstacles{1'000, "obstacles in a box"};
+inline constexpr Limit most_partitions{64, "partitions of a box"};
+inline constexpr Limit most_gaps{100, "gaps of a partition"};
+inline constexpr Limit most_corners{1'000, "corners of an obstacle"};
 inline constexpr Limit most_events{1'000, "events of a run"};
 inline constexpr Limit most_precise{16'384, "bits of a number: 4,900 decimal digits"};
 inline constexpr Limit most_samples{10e6, "samples of a run"};

@@ -9,6 +9,7 @@
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
 #include "scene/overrides.h"
+#include "scene/reading/event_reading.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
@@ -109,23 +110,52 @@ double usual_sample_every(const Scene& scene, bool has_film) {
     return scene.run.until / steps;
 }
 
+// Where the first surface is written that does more than reflect; gravity, if there is none.
+const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) {
+    for (std::size_t k = 0; k < placed.nodes.size(); ++k)
+        if (placed.nodes[k] != nullptr &&
+            (k >= Surfaces::first_partition ||
+             !std::holds_alternative<Reflecting>(placed.surfaces.sides[k])))
+            return *placed.nodes[k];
+    return draft.gravity.node != nullptr ? *draft.gravity.node : *draft.box->node;
+}
+
+// The surfaces of the box from the draft, and the numbers of those that events name.
+void place_surfaces(SceneDraft& draft, Errors& errors) {
+    const BoxDraft box = draft.box.value_or(BoxDraft{});
+    std::vector<std::string> species;
+    for (const SpeciesDraft& one : draft.species) species.push_back(one.name);
+    const PlacedSurfaces placed = surfaces_of(box.sides, draft, species, errors);
+    resolve_names(draft.written_run, placed, species, box.dimension, errors);
+    if (!draft.box) return;
+    draft.box->surfaces = placed.surfaces;
+    draft.gas.box = *draft.box;
+    place_beside_partitions(draft.species, draft.gas.box, placed.others, errors);
+    draft.surface_nodes = placed.nodes;
+    for (const Node* node : placed.nodes)
+        draft.surface_places.push_back(place_of(node != nullptr ? *node : *box.node));
+    draft.surfaces_place = place_of(first_acting(draft, placed));
+}
+
 // The gas and the run from the draft of the scene, which they are checked with.
 void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     draft.gas.seed = draft.seed;
-    draft.run = draft.written_run;
     draft.marks = draft.written_run.marks;
     draft.captions = values_of(draft.written_run.captions);
     const Node* precision = draft.written_run.precision;
     draft.precision_place = place_of(precision != nullptr ? *precision : root);
-    for (const Node* node : draft.written_run.event_nodes)
-        draft.event_places.push_back(place_of(*node));
+    place_surfaces(draft, errors);
     for (const SpeciesDraft& species : draft.species) {
         draft.gas.species.push_back(species);
         draft.looks.push_back(species);
         draft.species_spans.push_back(place_of(*species.node));
     }
+    draft.run = draft.written_run;
+    for (const Node* node : draft.written_run.event_nodes)
+        draft.event_places.push_back(place_of(*node));
     if (!draft.box) return;
-    draft.gas.box = *draft.box;
+    check_surfaces(draft.gas.box, draft.run, {draft.surface_nodes, draft.written_run.event_nodes},
+                   errors);
     check_feasibility(*draft.box, draft.species, draft.seed, draft.run, errors);
     check_nudges(draft.written_run, draft.gas, errors);
 }

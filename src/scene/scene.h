@@ -206,8 +206,11 @@ struct Scene {
     Film film;
     std::vector<FigureSpec> figures;
     SceneSource source;
-    Diagnostic precision_place;             ///< of `precision` (or of the scene) in the file, and
-    std::vector<Diagnostic> event_places;   ///< of each of run.events, as those of the species
+    std::vector<Diagnostic> surface_places;  ///< of each surface of the box; of sides that are not
+                                             ///< written, of the box
+    Diagnostic surfaces_place;               ///< of the first that acts, or of gravity
+    Diagnostic precision_place;              ///< of `precision` (or of the scene) in the file, and
+    std::vector<Diagnostic> event_places;    ///< of each of run.events, as those of the species
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
                                             ///< empty message, for errors found later
 };

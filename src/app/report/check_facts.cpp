@@ -12,6 +12,7 @@
 #include "media/formats.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
+#include "scene/describe.h"
 #include "scene/time/timeline.h"
 #include "scene/words.h"
 #include "util/joined.h"
@@ -90,6 +91,23 @@ std::string run_words(const Run& run) {
     if (!run.events.empty())
         text += ", " + counted(static_cast<long long>(run.events.size()), "event");
     return text;
+}
+
+// A row for each line, the first with a label; for programs a list.
+Facts rows_of(const char* label, const std::vector<std::string>& lines) {
+    Facts rows;
+    if (lines.empty()) return rows;
+    rows.push_back({label, Json(lines), label, lines.front()});
+    for (std::size_t k = 1; k < lines.size(); ++k) rows.push_back(shown(" ", lines[k]));
+    return rows;
+}
+
+Facts event_rows(const Scene& scene) {
+    std::vector<std::string> lines;
+    for (const RunEvent& event : scene.run.events)
+        if (const std::string words = words_of_surface_event(event, scene.gas); !words.empty())
+            lines.push_back(fmt::format("time {}: {}", event.at, words));
+    return rows_of("events", lines);
 }
 
 /// What the film of a scene needs.
@@ -252,13 +270,15 @@ Facts facts_of(const Scene& scene, bool has_film, int cores) {
         {{{"title", scene.title, "title", scene.title},
           {"seed", scene.seed},
           {"dimension", box.dimension},
-          box_fact(box),
-          {"particles", particles},
+          box_fact(box)},
+         rows_of("surfaces", words_of_surfaces(scene.gas)),
+         {{"particles", particles},
           species(scene.gas, particles),
           {"packing_fraction", packing, "packing",
            fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
-          {"time", run.until, "run", run_words(run)},
-          {"equilibrate", run.equilibrate},
+          {"time", run.until, "run", run_words(run)}},
+         event_rows(scene),
+         {{"equilibrate", run.equilibrate},
           collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
          has_film ? film_facts(scene, particles, rate.value_or(0.0) * (run.until + run.equilibrate),
                                cores)

@@ -171,7 +171,7 @@ void part_dimensions(Json& plane, const Json& wire) {
     Json on_wire = Json::object();
     Json in_plane = Json::object();
     for (auto& [name, schema] : plane["properties"].items()) {
-        const Json& other = wire.at("properties").at(name);
+        const Json other = wire.at("properties").value(name, Json(false));
         if (schema == other) continue;
         on_wire[name] = other;
         in_plane[name] = schema;

@@ -123,6 +123,9 @@ class PlacementCheck {
             if (!is_inside(s, i, place, touching_tolerance, 0.0)) return;
             if (placed.compared() > most_compared_) return;
             const double radius = particles_.radius[i];
+            if (const auto surface = placed.overlapped_surface(place, radius))
+                found_.push_back(
+                    {.kind = Kind::in_surface, .species = s, .particle = i, .other = *surface});
             if (const auto other = placed.overlapped(place, radius)) {
                 const Eigen::Array2d apart = place - places[static_cast<std::size_t>(*other)];
                 found_.push_back({.kind = Kind::overlap,

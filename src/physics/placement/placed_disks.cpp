@@ -74,7 +74,7 @@ std::optional<std::int32_t> PlacedDisks::overlapped(const Eigen::Array2d& centre
 }
 
 bool PlacedDisks::is_free(const Eigen::Array2d& centre, double radius) const {
-    if (surface_in_the_way(box_, barriers_, centre, radius)) return false;
+    if (overlapped_surface(centre, radius)) return false;
     bool is = true;
     for_each_overlapping(centre, radius, [&](std::int32_t) { return is = false; });
     return is;

@@ -24,6 +24,12 @@ class PlacedDisks {
     /// The particle of the lowest number that overlaps a disk at `centre`, if any does.
     std::optional<std::int32_t> overlapped(const Eigen::Array2d& centre, double radius) const;
 
+    /// The surface of the box that a disk at `centre` overlaps, or lies in, if any.
+    std::optional<std::int32_t> overlapped_surface(const Eigen::Array2d& centre,
+                                                   double radius) const {
+        return surface_in_the_way(box_, barriers_, centre, radius);
+    }
+
     /// Whether a disk at `centre` overlaps none, and no surface of the box.
     bool is_free(const Eigen::Array2d& centre, double radius) const;
 

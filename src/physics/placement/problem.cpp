@@ -214,6 +214,10 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
             return {fmt::format("{} overlaps {}: {:.6g} apart, at least {:.6g} needed",
                                 called(gas, p.particle), called(gas, p.other), p.value, p.bound),
                     fmt::format("move one of them, or make them {}", nouns(gas).smaller)};
+        case Kind::in_surface:
+            return {fmt::format("{} overlaps `{}`", called(gas, p.particle),
+                                gas.box.surfaces.names().at(static_cast<std::size_t>(p.other))),
+                    "its disk must lie clear of all partitions and obstacles"};
         case Kind::same_place:
             return {fmt::format("{} is at the place of {}", called(gas, p.particle),
                                 called(gas, p.other)),

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "physics/gas.h"
+#include "physics/surfaces/surface_problem.h"
 
 namespace carom {
 
@@ -28,6 +29,7 @@ struct Problem {
         lattice_taken,      ///< disks placed before leave `fitting` sites for `count` disks
         outside,            ///< `particle` of radius `value`
         overlap,            ///< of `particle` and `other`, `value` apart, at least `bound` needed
+        in_surface,         ///< `particle`, with surface `other` (physics/surface.h)
         same_place,         ///< of `particle` and `other`, two points on a line
         no_place,           ///< random: for more than `fitting`; they cover the part `value`
         no_stretch,         ///< of a line for `count` beads, `value` long; free are `bound`, at
@@ -42,11 +44,6 @@ struct Problem {
     std::int64_t count = 0, fitting = 0;
     double value = 0.0, bound = 0.0, widest = 0.0;
     std::string_view quantity = {};
-};
-
-/// What is wrong, in one sentence without a full stop, and a way out.
-struct ProblemText {
-    std::string message, hint;
 };
 
 /// `region`: how the part of the box is called in which a species is to be.

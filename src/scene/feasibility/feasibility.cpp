@@ -59,6 +59,7 @@ const Node& node_of(const Problem& problem, const Gas& gas,
             return at_key(draft, "position");
         case Kind::outside:
         case Kind::overlap:
+        case Kind::in_surface:
         case Kind::same_place:
         case Kind::jam:
         case Kind::jam_alone:
@@ -73,7 +74,44 @@ const Node& node_of(const Problem& problem, const Gas& gas,
     return place_of_particle(draft, gas.box.dimension, static_cast<std::size_t>(index));
 }
 
+const Node& key_or(const Node& item, std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+        if (const Node* node = given(item, key)) return *node;
+    return item;
+}
+
+// Within the surface, or the event, that has the problem.
+const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
+    using Its = SurfaceProblem::Kind;
+    if (problem.event) return *nodes.events.at(*problem.event);
+    const Node& item = *nodes.surfaces.at(static_cast<std::size_t>(problem.surface));
+    switch (problem.kind) {
+        case Its::gap_outside:
+        case Its::gaps_unordered:
+            return given(item, "gaps")->items.at(problem.item);
+        case Its::partition_outside:
+            return key_or(item, {"x", "y"});
+        case Its::along_periodic:
+        case Its::piston_gaps:
+            return key_or(item, {"mass", "velocity"});
+        case Its::same_corner:
+            return key_or(item, {"polygon", "segment"}).items.at(problem.item);
+        case Its::obstacle_outside:
+        case Its::obstacle_too_wide:
+            return key_or(item, {"disk", "rectangle", "polygon", "segment"});
+        default:
+            return item;
+    }
+}
+
 }  // namespace
+
+void check_surfaces(const Box& box, const Run& run, const SurfaceNodes& nodes, Errors& errors) {
+    for (const SurfaceProblem& problem : surface_problems(box, run)) {
+        const auto [message, hint] = to_text(problem, box);
+        errors.add(node_of(problem, nodes), message, hint);
+    }
+}
 
 void check_feasibility(const Box& box, const std::vector<SpeciesDraft>& drafts, std::uint64_t seed,
                        const Run& run, Errors& errors) {
@@ -89,7 +127,8 @@ void check_feasibility(const Box& box, const std::vector<SpeciesDraft>& drafts, 
                                       static_cast<std::int64_t>(most_pairs_compared.value));
     for (const Problem& problem : problems) {
         const Node& node = node_of(problem, gas, drafts);
-        auto [message, hint] = to_text(problem, gas, region);
+        const bool beside = drafts[problem.species].side != nullptr;
+        auto [message, hint] = to_text(problem, gas, beside ? "the side" : region);
         // The letters of a word are moved as a whole.
         if (problem.kind == Kind::overlap && node.is_mapping()) {
             if (!words.insert(&node).second) continue;

@@ -6,9 +6,19 @@
 #include <vector>
 
 #include "physics/placement/problem.h"
+#include "physics/surfaces/surface_problem.h"
 #include "scene/reading/gas_reading.h"
 
 namespace carom {
+
+/// Where surfaces and events are written, by their numbers; null: a side that is not.
+struct SurfaceNodes {
+    const std::vector<const Node*>& surfaces;
+    const std::vector<const Node*>& events;
+};
+
+/// Reports what no surface can be, and what no event can do to it.
+void check_surfaces(const Box& box, const Run& run, const SurfaceNodes& nodes, Errors& errors);
 
 /// Reports what keeps the species from being placed in the box, and where there are no other
 /// errors, what would keep them from moving.

@@ -236,6 +236,14 @@ bool knows_all(const Section& section, const Node& mapping) {
     });
 }
 
+// Those of the names that a mapping has, in its order.
+std::vector<std::string> given_in(const Node& node, const std::vector<std::string>& names) {
+    std::vector<std::string> given;
+    for (const Node& key : node.keys)
+        if (contains(names, key.text)) given.push_back(key.text);
+    return given;
+}
+
 // Where several are given, those of the latest origin count; two of these are one too many.
 void check_choice(Node& node, const Choice& choice, const Section& section, Errors& errors) {
     Node* kept = nullptr;
@@ -250,7 +258,8 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
         } else {
             if (origin == kept->source->origin)
                 errors.add(node.keys[i],
-                           fmt::format("{} cannot be combined", listed(choice.names, "and", "`")),
+                           fmt::format("{} cannot be combined",
+                                       listed(given_in(node, choice.names), "and", "`")),
                            "keep one of them");
             value.valid = false;
         }

@@ -6,70 +6,15 @@
 #include <cmath>
 #include <set>
 
+#include "scene/lettering/word_places.h"
 #include "scene/limits.h"
-#include "scene/reading/word_places.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-/// The walls of a box by their sides.
-struct Sides {
-    Wall left = Wall::solid, right = Wall::solid, bottom = Wall::solid, top = Wall::solid;
-};
-
-void check_opposite(const Node& sides, Wall first, Wall second, const char* names[2],
-                    Errors& errors) {
-    if (first != second)
-        errors.add(sides,
-                   fmt::format("`{}` is {} but `{}` is {}", names[0], word_of(first), names[1],
-                               word_of(second)),
-                   "a periodic wall leads to the opposite one: make both periodic");
-}
-
-KeyTable<Sides> sides_table(int dimension) {
-    const Notation<Wall> side = one_of<Wall>();
-    KeyTable<Sides> table{
-        .name = "`walls`",
-        .keys = {bind_key("left", &Sides::left, side, "The wall at x = 0."),
-                 bind_key("right", &Sides::right, side,
-                          "The wall at the largest x; periodic together with the left one.")},
-        .refused = inelastic_keys(),
-        .rule = [](Sides& sides, const Node& node, Reading& reading) {
-            const char* across[] = {"left", "right"};
-            const char* up[] = {"bottom", "top"};
-            check_opposite(node, sides.left, sides.right, across, reading.errors);
-            check_opposite(node, sides.bottom, sides.top, up, reading.errors);
-        }};
-    const std::vector upright{
-        bind_key("bottom", &Sides::bottom, side, "The wall at y = 0."),
-        bind_key("top", &Sides::top, side,
-                 "The wall at y = height; periodic together with the bottom one.")};
-    for (const Binding<Sides>& one : upright) {
-        const std::string& name = one.key.name;
-        if (dimension == 2) table.keys.push_back(one);
-        if (dimension == 1)
-            table.refused.push_back(
-                {name, "a wire has no `" + name + "`", "its ends are `left` and `right`"});
-    }
-    return table;
-}
-
-using Walls = std::array<Wall, 2>;
-
-Notation<Walls> walls_notation(int dimension) {
-    const auto all = [dimension](Wall wall) {
-        return Walls{wall, dimension == 2 ? wall : Wall::solid};
-    };
-    const auto by_side = [](const Sides& sides) { return Walls{sides.left, sides.bottom}; };
-    Notation<Walls> walls =
-        either(mapped(one_of<Wall>(), all), mapped(mapping(sides_table(dimension)), by_side));
-    walls.write = [](const Walls& both) { return std::string(word_of(both[0])); };
-    return walls;
-}
-
-KeyTable<Box> box_table(int dimension) {
+KeyTable<BoxDraft> box_table(int dimension) {
     const auto of_length = [](double length) { return Eigen::Array2d(length, 0.0); };
     return {.name = "`box`",
             .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
@@ -77,7 +22,7 @@ KeyTable<Box> box_table(int dimension) {
                               "height."),
                      bind_key("length", &Box::size, mapped(number(positive), of_length),
                               "Instead of a size: the length of a wire, x from 0 to the length."),
-                     bind_key("walls", &Box::walls, walls_notation(dimension),
+                     bind_key("walls", &BoxDraft::sides, sides_notation(dimension),
                               "What is at the edges of the box: walls, or the opposite side.")},
             .choices = {{{"size", "length"}, true}},
             .refused = inelastic_keys()};
@@ -87,6 +32,7 @@ KeyTable<Box> box_table(int dimension) {
 struct PositionDraft {
     PositionRule rule;
     const Node* letters = nullptr;  ///< of a word that is written with disks in `within`
+    const Node *side = nullptr, *of = nullptr;  ///< instead of `within`, of a partition
 };
 
 /// A species with what only the rules between its keys need.
@@ -117,21 +63,32 @@ KeyTable<PositionDraft> part_table(int dimension) {
             bind_key("within", &PositionDraft::rule,
                      parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
                             region_in),
-                     "A part of the box, with the particles entirely inside it.")
-                .required()}};
-    if (dimension == 2)
+                     "A part of the box, with the particles entirely inside it.")}};
+    if (dimension == 1) table.keys.front() = table.keys.front().required();
+    if (dimension == 2) {
+        table.choices = {{{"within", "side"}, true}};
+        table.refused = {
+            {"inside", "`inside` is not a key of `position`", "did you mean `within`?"}};
+        table.keys.push_back(
+            bind_key("side", &PositionDraft::side, kept(word({"left", "right", "bottom", "top"})),
+                     "Instead of `within`: the part of the box on this side of a partition."));
+        table.keys.push_back(bind_key("of", &PositionDraft::of, kept(text(1, most_name_letters)),
+                                      "The name of that partition.")
+                                 .default_text("the only one"));
         table.keys.push_back(
             bind_key(
                 "text", &PositionDraft::letters, kept(text(1, most_name_letters)),
                 "A word as a pattern of disks, as large as fits into `within`: capitals, digits, "
                 ". ! ? - + = ♥ ☺. Without `count` there are as many disks as fit well apart.")
                 .default_text("random places"));
+    }
     return table;
 }
 
 Notation<PositionDraft> position_notation(int dimension) {
-    const std::string phrase = fmt::format("{{within: {}}}{}", corners(dimension),
-                                           dimension == 2 ? " (and a `text`)" : "");
+    const std::string phrase =
+        fmt::format("{{within: {}}}{}", corners(dimension),
+                    dimension == 2 ? " (and a `text`) or {side: left, of: NAME}" : "");
     const auto anywhere =
         mapped(one_of<bool>({{"random", false}, {"lattice", true}}), [](bool on_lattice) {
             return on_lattice ? PositionDraft{LatticePlaces{}} : PositionDraft{RandomPlaces{}};
@@ -235,8 +192,14 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Error
 void complete_species(SpeciesReading& draft, const Node& item, int dimension, Errors& errors) {
     draft.node = &item;
     if (draft.written_radius) draft.radius = *draft.written_radius;
-    const auto& [rule, letters] = draft.written_position;
+    const auto& [rule, letters, side, side_of] = draft.written_position;
     const auto* within = std::get_if<WithinRegion>(&rule);
+    draft.side = side;
+    draft.side_of = side_of;
+    if (draft.side != nullptr && letters != nullptr)
+        errors.add(*letters, "a `text` needs `within`, not the side of a partition");
+    if (draft.side == nullptr && draft.side_of != nullptr)
+        errors.add(*draft.side_of, "`of` applies only to a `side`");
     if (letters == nullptr)
         draft.position = rule;
     else if (within != nullptr)
@@ -311,11 +274,18 @@ std::vector<Refused> inelastic_keys() {
     return refused;
 }
 
-Notation<Box> box_notation(int dimension) {
+Notation<BoxDraft> box_notation(int dimension) {
     return parsed(mapping(box_table(dimension)),
-                  [dimension](Box box, const Node&, Reading&) -> std::optional<Box> {
+                  [dimension](BoxDraft box, const Node& node, Reading&) -> std::optional<BoxDraft> {
                       if (!(box.size[0] > 0.0)) return std::nullopt;
                       box.dimension = dimension;
+                      const auto both = [&](std::size_t first) {
+                          return box.sides[first].wall == box.sides[first + 1].wall
+                                     ? box.sides[first].wall
+                                     : Wall::solid;
+                      };
+                      box.walls = {both(0), both(2)};
+                      box.node = &node;
                       return box;
                   });
 }
@@ -349,6 +319,44 @@ void report_no_particle(const Node& place, const std::string& number, std::int64
                fmt::format("particles are numbered from 0 to {}, in the order in which `gas` lists "
                            "them",
                            count - 1));
+}
+
+void place_beside_partitions(std::vector<SpeciesDraft>& drafts, const Box& box,
+                             const std::vector<std::string>& others, Errors& errors) {
+    const std::vector<Partition>& partitions = box.surfaces.partitions;
+    std::vector<std::string> names;
+    for (const Partition& one : partitions) names.push_back(one.name);
+    for (SpeciesDraft& draft : drafts) {
+        if (draft.side == nullptr) continue;
+        const Node& named = draft.side_of != nullptr ? *draft.side_of : *draft.side;
+        auto found = partitions.begin();
+        if (draft.side_of != nullptr)
+            found = partitions.begin() + (std::ranges::find(names, named.text) - names.begin());
+        if (found == partitions.end() || (draft.side_of == nullptr && names.size() > 1)) {
+            if (draft.side_of != nullptr ? std::ranges::find(others, named.text) != others.end()
+                                         : !others.empty())
+                continue;
+            const std::string known = "the partitions are " + listed(names, "and", "`");
+            if (names.empty() || draft.side_of == nullptr)
+                errors.add(named, "`side` needs a partition",
+                           names.empty() ? "the scene has none" : "give its name as `of`");
+            else
+                errors.add(named, fmt::format("there is no partition {}", in_quotes(named.text)),
+                           spelling_hint(named.text, names, known));
+            continue;
+        }
+        const std::string& side = draft.side->text;
+        const bool across = side == "left" || side == "right";
+        if (across != (found->axis == 0)) {
+            errors.add(*draft.side, fmt::format("`{}` has no {} side", found->name, side),
+                       across ? "its sides are bottom and top" : "its sides are left and right");
+            continue;
+        }
+        if (found->at < 0.0 || found->at > box.length(found->axis)) continue;
+        Region region{{0.0, 0.0}, box.size};
+        (side == "left" || side == "bottom" ? region.high : region.low)[found->axis] = found->at;
+        draft.position = WithinRegion{region};
+    }
 }
 
 const Node& at_key(const SpeciesDraft& draft, std::string_view key) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scene/limits.h"
+#include "scene/reading/event_reading.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/time/captions.h"
 #include "scene/yaml/scalar.h"
@@ -14,71 +15,10 @@
 namespace carom {
 namespace {
 
-/// An item of `events`.
-struct EventDraft {
-    double at = 0.0;
-    bool reverses = false;
-    std::optional<Perturbation> nudge;
-    std::optional<std::string> mark, caption;
-    std::optional<double> seconds;
-};
-
 /// A run with what only the rules between its keys need.
 struct RunReading : RunDraft {
     std::vector<Placed<EventDraft>> written_events;
 };
-
-// What is moved is kept as it is written: no double has all its digits.
-Notation<std::array<std::string, 2>> digits(int dimension) {
-    using Digits = std::array<std::string, 2>;
-    if (dimension == 1)
-        return parsed(number(any_number), [](double, const Node& node, Reading&) {
-            return std::optional(Digits{node.text, "0"});
-        });
-    return parsed(pair_of(any_number, "[dx, dy]"),
-                  [](const Eigen::Array2d&, const Node& node, Reading&) {
-                      return std::optional(Digits{node.items[0].text, node.items[1].text});
-                  });
-}
-
-Notation<Perturbation> nudge_notation(int dimension) {
-    const KeyTable<Perturbation> table{
-        .name = "`nudge`",
-        .keys = {bind_key("particle", &Perturbation::particle, whole(0, most_particles),
-                          "The number of the particle, counted from 0 in the order in which `gas` "
-                          "lists them.")
-                     .required(),
-                 bind_key("by", &Perturbation::by, digits(dimension),
-                          "How far it is moved, read with all its digits: as little as 1e-300.")
-                     .required()}};
-    return complete_mapping(
-        table, dimension == 1 ? "{particle: i, by: dx}" : "{particle: i, by: [dx, dy]}");
-}
-
-KeyTable<EventDraft> event_table(int dimension) {
-    return {
-        .name = "an item of `events`",
-        .keys = {bind_key("at", &EventDraft::at, number(not_negative),
-                          "When, in simulated time, before `until`.")
-                     .required(),
-                 bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
-                          "Reverses all velocities; a run with one reversal must last until the "
-                          "gas has returned, at twice its time."),
-                 bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
-                          "Moves one particle by a small amount, which shows how sensitive the "
-                          "return after a reversal is."),
-                 bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
-                          "Shows the places that the particles have at this time as outlines, with "
-                          "these words, until the next mark."),
-                 bind_key(
-                     "caption", &EventDraft::caption, text(0, most_caption_letters),
-                     "A line of text under the gas, shown until the next one; \"\" removes it."),
-                 bind_key("for", &EventDraft::seconds,
-                          number({least_caption_seconds, most_seconds}),
-                          "How long the caption is shown at most, in seconds of film.")
-                     .default_text("until the next caption")},
-        .choices = {{{"reverse", "nudge", "mark", "caption"}, true}}};
-}
 
 Notation<std::optional<int>> bits_notation() {
     using Bits = std::optional<int>;
@@ -99,34 +39,6 @@ Notation<std::optional<int>> bits_notation() {
         either(words,
                mapped(number, [](std::int64_t bits) { return Bits(static_cast<int>(bits)); })),
         check);
-}
-
-void check_time(const EventDraft& event, const Node& place, double until, Errors& errors) {
-    if (until > 0.0 && event.at >= until)
-        errors.add(place,
-                   fmt::format("expected a time {} and below `until` ({}) for `at`, found {}",
-                               event.reverses ? "above 0" : "from 0 on", until, described(place)),
-                   "the film ends at `until`: what happens at this time or later is never shown");
-    else if (event.reverses && event.at == 0.0)
-        errors.add(place, "expected a positive number for `at` of a reversal, found `0`",
-                   "at time 0 there is nothing to reverse");
-}
-
-// One event at its time: of the run, or of the film.
-void add_event(const EventDraft& event, const Node& node, RunDraft& run, Errors& errors) {
-    const auto add = [&](RunEvent one, const char* key) {
-        run.events.push_back(std::move(one));
-        run.event_nodes.push_back(given(node, key));
-    };
-    check_time(event, *given(node, "at"), run.until, errors);
-    if (event.reverses) add({event.at, ReverseVelocities{}}, "reverse");
-    if (event.nudge) add({event.at, *event.nudge}, "nudge");
-    if (event.mark) run.marks.push_back({event.at, *event.mark});
-    if (event.caption)
-        run.captions.push_back({{event.at, *event.caption, event.seconds}, given(node, "caption")});
-    else if (event.seconds && find(node, "caption") == nullptr)
-        errors.add(*given(node, "for"), "`for` applies only to a caption",
-                   "it applies to `caption`");
 }
 
 void check_samples(const Run& run, const Node* node, Errors& errors) {
@@ -193,10 +105,10 @@ KeyTable<RunReading> run_table(int dimension) {
                           "How close to its place `precision: auto` must return every particle, in "
                           "units of the smallest radius; for points on a wire, of the length per "
                           "point."),
-                 bind_key("events", &RunReading::written_events,
-                          list_of(placed(complete_mapping(event_table(dimension))), 0, most_events,
-                                  "a list of events"),
-                          "What happens during the run, a list of {at: time, action}.")
+                 bind_key(
+                     "events", &RunReading::written_events,
+                     list_of(placed(event_notation(dimension)), 0, most_events, "a list of events"),
+                     "What happens during the run, a list of {at: time, action}.")
                      .default_text("none")},
         .refused = inelastic_keys(),
         .rule = complete_run};
@@ -206,35 +118,6 @@ KeyTable<RunReading> run_table(int dimension) {
 
 Notation<RunDraft> run_notation(int dimension) {
     return as<RunDraft>(mapping(run_table(dimension)));
-}
-
-void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
-    const auto count = particles_in(gas);
-    const double size = gas.box.size.maxCoeff();
-    for (std::size_t k = 0; k < run.events.size(); ++k) {
-        const auto* nudge = std::get_if<Perturbation>(&run.events[k].action);
-        if (nudge == nullptr) continue;
-        const Node& node = *run.event_nodes[k];
-        if (count && nudge->particle >= *count)
-            report_no_particle(*find(node, "particle"), std::to_string(nudge->particle), *count,
-                               errors);
-        const double x = parse_number(nudge->by[0]).value_or(0.0);
-        const double y = parse_number(nudge->by[1]).value_or(0.0);
-        const double length = std::hypot(x, y);
-        const Node& by = *find(node, "by");
-        // Ten bits of the nudge itself, at least, are to be seen.
-        const double bits = 10.0 + std::log2(size) - std::log2(length);
-        if (length == 0.0)
-            errors.add(by, "a nudge of 0 moves nothing");
-        else if (length >= size)
-            errors.add(by, fmt::format("a nudge by {:.3g} leads out of the box", length));
-        else if (run.bits && *run.bits < bits)
-            errors.add(
-                by,
-                fmt::format("a nudge by {:.3g} is lost in numbers of {} bits", length, *run.bits),
-                fmt::format("`precision: auto`, or {:.0f} bits and more, have room for it",
-                            std::max<double>(least_bits, std::ceil(bits + 54.0))));
-    }
 }
 
 void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& drafts,

@@ -20,9 +20,6 @@ struct RunDraft : Run {
 /// The run of a box of one or two dimensions.
 Notation<RunDraft> run_notation(int dimension);
 
-/// Whether nudges have their particles, and numbers of so few bits room for them.
-void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors);
-
 /// Whether each of the captions stays long enough to be read, in a complete scene, of which `root`
 /// is the mapping, with a film that is as long as its file says: one that the command line makes
 /// shorter shows what it can.

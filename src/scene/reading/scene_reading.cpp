@@ -1,5 +1,7 @@
 #include "scene/reading/scene_reading.h"
 
+#include <fmt/format.h>
+
 #include "scene/limits.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
@@ -8,7 +10,7 @@ namespace carom {
 
 KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
     const auto format = whole(1, {scene_format, "is the format that this carom reads"});
-    return {
+    KeyTable<SceneDraft> table{
         .name = "a scene",
         .keys = {bind_key("carom", &SceneDraft::format, format, "The version of the scene format."),
                  bind_key("title", &Scene::title, text(1, most_title_letters),
@@ -25,6 +27,15 @@ KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
                  bind_key("box", &SceneDraft::box, box_notation(dimension),
                           "The box that holds the gas.")
                      .required(),
+                 bind_key("gravity", &SurfacesDraft::gravity, placed(gravity_notation(dimension)),
+                          "The acceleration of every particle, and of every piston.")
+                     .default_text("none"),
+                 bind_key("partitions", &SurfacesDraft::partitions, partitions_notation(),
+                          "Straight walls across the box, from side to side: a list.")
+                     .default_text("none"),
+                 bind_key("obstacles", &SurfacesDraft::obstacles, obstacles_notation(),
+                          "Fixed bodies in the box: a list.")
+                     .default_text("none"),
                  bind_key("gas", &SceneDraft::species, gas_notation(dimension),
                           "What is in the box: a list of species.")
                      .required(),
@@ -38,6 +49,14 @@ KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
                           "Pictures of single moments for texts and slides.")
                      .default_text("none")},
         .refused = inelastic_keys()};
+    if (dimension == 2) return table;
+    for (const auto& [name, hint] :
+         {std::pair{"partitions", "a bead of mass `infinite` divides it"},
+          {"obstacles", "a bead of mass `infinite` stands still"}}) {
+        std::erase_if(table.keys, [&](const auto& one) { return one.key.name == name; });
+        table.refused.push_back({name, fmt::format("a wire has no `{}`", name), hint});
+    }
+    return table;
 }
 
 }  // namespace carom

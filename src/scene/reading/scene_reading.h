@@ -8,6 +8,7 @@
 #include "scene/panel_kind.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/run_reading.h"
+#include "scene/reading/surface_reading.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -16,13 +17,14 @@ namespace carom {
 inline constexpr int scene_format = 1;
 
 /// A scene as it is written. Refers to its nodes.
-struct SceneDraft : Scene {
+struct SceneDraft : Scene, SurfacesDraft {
     int format = scene_format;
-    std::optional<Box> box;
+    std::optional<BoxDraft> box;
     std::vector<SpeciesDraft> species;
     RunDraft written_run;
-    const Node* film_node = nullptr;     ///< to be read over its template
-    const Node* figures_node = nullptr;  ///< to be read when the gas and the run are known
+    std::vector<const Node*> surface_nodes;  ///< by the numbers of surfaces; null: not written
+    const Node* film_node = nullptr;         ///< to be read over its template
+    const Node* figures_node = nullptr;      ///< to be read when the gas and the run are known
 };
 
 /// A scene with a box of one dimension or of two.

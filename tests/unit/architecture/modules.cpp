@@ -44,7 +44,7 @@ const std::map<std::string, Parts> parts_of_module{
        "physics", "reversal"},
       {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h", "surface.h"}}},
     {"scene",
-     {{"yaml", "time", "keys", "reading", "feasibility", "scene"},
+     {{"yaml", "time", "keys", "lettering", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
      {{"plot", "gas", "line", "plots", "echo", "collision", "words", "panels"},
@@ -62,6 +62,8 @@ const std::set<std::string> plain_physics{"physics/gas.h",
                                           "physics/placement/feasibility.h",
                                           "physics/placement/problem.h",
                                           "physics/run.h",
+                                          "physics/surface.h",
+                                          "physics/surfaces/surface_problem.h",
                                           "physics/theory/equilibrium.h"};
 
 struct ThirdParty {

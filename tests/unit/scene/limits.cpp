@@ -21,20 +21,28 @@ using namespace carom;
 namespace {
 
 // All of them, in the order of the page.
-constexpr std::array limits{most_file_bytes,     most_nesting,       most_values,
-                            most_letters,        most_title_letters, most_caption_letters,
-                            most_words_letters,  most_name_letters,  most_seconds,
-                            most_trail_seconds,  most_overrides,     most_errors_shown,
-                            largest_quantity,    smallest_quantity,  largest_seed,
-                            most_seeds,          most_particles,     most_returning,
-                            most_species,        most_events,        most_samples,
-                            most_pairs_compared, most_frames,        most_frames_per_second,
-                            smallest_side,       largest_side,       most_panels,
-                            most_slow_spans,     most_monitors,      most_bins,
-                            most_chosen,         largest_grid,       most_figures,
-                            most_set_scenes,     most_strip,         most_compared,
-                            most_changes,        largest_figure,     smallest_figure,
-                            most_precise};
+constexpr std::array limits{most_file_bytes,    most_nesting,
+                            most_values,        most_letters,
+                            most_title_letters, most_caption_letters,
+                            most_words_letters, most_name_letters,
+                            most_seconds,       most_trail_seconds,
+                            most_overrides,     most_errors_shown,
+                            largest_quantity,   smallest_quantity,
+                            largest_seed,       most_seeds,
+                            most_particles,     most_returning,
+                            most_species,       most_events,
+                            most_partitions,    most_gaps,
+                            most_obstacles,     most_corners,
+                            most_samples,       most_pairs_compared,
+                            most_frames,        most_frames_per_second,
+                            smallest_side,      largest_side,
+                            most_panels,        most_slow_spans,
+                            most_monitors,      most_bins,
+                            most_chosen,        largest_grid,
+                            most_figures,       most_set_scenes,
+                            most_strip,         most_compared,
+                            most_changes,       largest_figure,
+                            smallest_figure,    most_precise};
 
 std::string text_of(const std::string& path) {
     return test::contents(carom::test::checkout().string() + path);

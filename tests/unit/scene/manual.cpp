@@ -43,14 +43,16 @@ std::string completed(const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("the scenes of README.md and docs/films.md are valid") {
+TEST_CASE("the scenes of README.md, docs/films.md and docs/walls.md are valid") {
     const std::vector<std::string> first = yaml_blocks("README.md");
     REQUIRE(first.size() == 1);
     CHECK_NOTHROW(test::scene_from(first.front()));
-    const std::vector<std::string> parts = yaml_blocks("docs/films.md");
-    REQUIRE(parts.size() >= 5);
-    for (const std::string& part : parts) {
-        CAPTURE(part);
-        CHECK_NOTHROW(test::scene_from(completed(part)));
+    for (const char* page : {"docs/films.md", "docs/walls.md"}) {
+        const std::vector<std::string> parts = yaml_blocks(page);
+        REQUIRE(parts.size() >= 5);
+        for (const std::string& part : parts) {
+            CAPTURE(part);
+            CHECK_NOTHROW(test::scene_from(completed(part)));
+        }
     }
 }

@@ -1,5 +1,5 @@
 // Words as patterns of disks: whole, apart, inside of their region, as many as asked for.
-#include "scene/reading/word_pattern.h"
+#include "scene/lettering/word_pattern.h"
 
 #include <doctest/doctest.h>
 

@@ -1,12 +1,12 @@
-#include "scene/reading/word_places.h"
+#include "scene/lettering/word_places.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "scene/lettering/word_pattern.h"
 #include "scene/limits.h"
-#include "scene/reading/word_pattern.h"
 #include "util/text.h"
 
 namespace carom {

@@ -1,4 +1,4 @@
-#include "scene/reading/word_pattern.h"
+#include "scene/lettering/word_pattern.h"
 
 #include <algorithm>
 #include <array>

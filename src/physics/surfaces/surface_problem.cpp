@@ -1,0 +1,283 @@
+#include "physics/surfaces/surface_problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/surfaces/barrier.h"
+
+namespace carom {
+namespace {
+
+using Kind = SurfaceProblem::Kind;
+
+bool is_finite(const Behaviour& behaviour) {
+    const auto finite = [](auto... values) { return (std::isfinite(values) && ...); };
+    if (const auto* bath = std::get_if<Bath>(&behaviour))
+        return bath->temperature > 0.0 && finite(bath->temperature);
+    if (const auto* driven = std::get_if<Driven>(&behaviour))
+        return finite(driven->velocity) && driven->until >= 0.0;
+    if (const auto* piston = std::get_if<Piston>(&behaviour))
+        return piston->mass > 0.0 && finite(piston->mass, piston->force, piston->velocity);
+    return true;
+}
+
+bool is_finite(const Obstacle& obstacle) {
+    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+        return disk->center.isFinite().all() && disk->radius >= 0.0 && std::isfinite(disk->radius);
+    const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
+    return corners.size() >= (is_closed ? 3U : 2U) &&
+           std::ranges::all_of(corners, [](const auto& one) { return one.isFinite().all(); });
+}
+
+// Of an obstacle, its least and its largest coordinates.
+std::pair<Eigen::Array2d, Eigen::Array2d> extent_of(const Obstacle& obstacle) {
+    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+        return {disk->center - disk->radius, disk->center + disk->radius};
+    const auto& corners = std::get<Obstacle::Lines>(obstacle.shape).corners;
+    Eigen::Array2d low = corners.front(), high = low;
+    for (const Eigen::Array2d& corner : corners) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    return {low, high};
+}
+
+class Search {
+  public:
+    explicit Search(const Box& box) : box_(box), surfaces_(box.surfaces) {}
+
+    std::vector<SurfaceProblem> found() && { return std::move(found_); }
+
+    void look_at_box() {
+        if (!surfaces_.gravity.isFinite().all()) add(Kind::not_finite, -1);
+        for (std::int32_t side = 0; side < 2 * box_.dimension; ++side)
+            if (const auto kind =
+                    problem_of(side, surfaces_.sides[static_cast<std::size_t>(side)], true))
+                add(*kind, side);
+        std::int32_t surface = Surfaces::first_partition;
+        for (const Partition& partition : surfaces_.partitions)
+            look_at_partition(surface++, partition);
+        for (const Obstacle& obstacle : surfaces_.obstacles) look_at_obstacle(surface++, obstacle);
+    }
+
+    // What the events do, one after another; not what a reversal does to them.
+    void look_at_events(const Run& run) {
+        std::vector<Behaviour> behaviours = behaviours_of(box_);
+        std::vector<bool> held(behaviours.size());
+        for (event_ = 0; *event_ < run.events.size(); ++*event_) {
+            const auto& action = run.events[*event_].action;
+            if (std::holds_alternative<ReverseVelocities>(action)) {
+                const auto first = std::ranges::find_if(behaviours, loses_memory);
+                if (first != behaviours.end())
+                    add(Kind::forgets, static_cast<std::int32_t>(first - behaviours.begin()));
+            }
+            if (const auto* its = std::get_if<SetOpen>(&action);
+                its != nullptr && is_there(its->surface) && !is_partition(its->surface))
+                add(Kind::not_a_partition, its->surface);
+            if (const auto* its = std::get_if<MoveSurface>(&action))
+                change(its->surface, Driven{its->velocity}, behaviours, held);
+            if (const auto* its = std::get_if<ChangeSurface>(&action))
+                change(its->surface, its->behaviour, behaviours, held);
+            if (const auto* its = std::get_if<HoldPiston>(&action))
+                hold(its->surface, true, behaviours, held);
+            if (const auto* its = std::get_if<ReleasePiston>(&action))
+                hold(its->surface, false, behaviours, held);
+        }
+    }
+
+  private:
+    void add(Kind kind, std::int32_t surface, std::size_t item = 0) {
+        found_.push_back({.kind = kind, .surface = surface, .item = item, .event = event_});
+    }
+
+    bool is_partition(std::int32_t surface) const {
+        return surface >= Surfaces::first_partition && surface < surfaces_.first_obstacle();
+    }
+
+    // Why a side or a partition cannot behave so; from the start, or from an event on.
+    std::optional<Kind> problem_of(std::int32_t surface, const Behaviour& behaviour,
+                                   bool from_start) const {
+        const bool side = surface < Surfaces::first_partition;
+        if (!is_finite(behaviour)) return Kind::not_finite;
+        if (side && box_.is_periodic(surface / 2) &&
+            !(from_start && std::holds_alternative<Reflecting>(behaviour)))
+            return Kind::no_wall;
+        if (side) return std::nullopt;
+        const Partition& partition =
+            surfaces_.partitions[static_cast<std::size_t>(surface - Surfaces::first_partition)];
+        if (moves(behaviour) && box_.is_periodic(partition.axis)) return Kind::along_periodic;
+        if (std::holds_alternative<Piston>(behaviour) && !partition.gaps.empty())
+            return Kind::piston_gaps;
+        return std::nullopt;
+    }
+
+    void look_at_partition(std::int32_t surface, const Partition& partition) {
+        if (partition.axis != 0 && partition.axis != 1) return add(Kind::not_finite, surface);
+        if (!(partition.at >= 0.0 && partition.at <= box_.length(partition.axis)))
+            return add(Kind::partition_outside, surface);
+        double before = 0.0;
+        for (std::size_t k = 0; k < partition.gaps.size(); ++k) {
+            const auto [from, to] = partition.gaps[k];
+            if (!(from >= 0.0 && to <= box_.length(1 - partition.axis)))
+                return add(Kind::gap_outside, surface, k);
+            if (!(from >= before && to > from)) return add(Kind::gaps_unordered, surface, k);
+            before = to;
+        }
+        if (const auto kind = problem_of(surface, partition.behaviour, true)) add(*kind, surface);
+    }
+
+    void look_at_obstacle(std::int32_t surface, const Obstacle& obstacle) {
+        if (!is_finite(obstacle)) return add(Kind::not_finite, surface);
+        const auto [low, high] = extent_of(obstacle);
+        if ((high < 0.0).any() || (low > box_.size).any())
+            return add(Kind::obstacle_outside, surface);
+        for (const int axis : {0, 1})
+            if (box_.is_periodic(axis) && high[axis] - low[axis] > box_.length(axis))
+                return add(Kind::obstacle_too_wide, surface);
+        const auto* lines = std::get_if<Obstacle::Lines>(&obstacle.shape);
+        const std::size_t count = lines != nullptr ? lines->corners.size() : 0;
+        for (std::size_t k = 0; k < count; ++k)
+            if ((k + 1 < count || lines->is_closed) &&
+                (lines->corners[k] == lines->corners[(k + 1) % count]).all())
+                return add(Kind::same_corner, surface, k);
+    }
+
+    bool is_there(std::int32_t surface) {
+        const auto count =
+            surfaces_.first_obstacle() + static_cast<std::int32_t>(surfaces_.obstacles.size());
+        const bool is = surface >= 0 && surface < count && (box_.dimension == 2 || surface < 2);
+        if (!is) add(Kind::no_surface, surface);
+        return is;
+    }
+
+    void change(std::int32_t surface, const Behaviour& behaviour,
+                std::vector<Behaviour>& behaviours, std::vector<bool>& held) {
+        if (!is_there(surface)) return;
+        if (surface >= surfaces_.first_obstacle()) return add(Kind::not_movable, surface);
+        if (const auto kind = problem_of(surface, behaviour, false)) return add(*kind, surface);
+        behaviours[static_cast<std::size_t>(surface)] = behaviour;
+        held[static_cast<std::size_t>(surface)] = false;
+    }
+
+    void hold(std::int32_t surface, bool is_held, const std::vector<Behaviour>& behaviours,
+              std::vector<bool>& held) {
+        if (!is_there(surface)) return;
+        const auto k = static_cast<std::size_t>(surface);
+        if (!std::holds_alternative<Piston>(behaviours[k])) return add(Kind::no_piston, surface);
+        if (!is_held && !held[k]) return add(Kind::not_held, surface);
+        held[k] = is_held;
+    }
+
+    const Box& box_;
+    const Surfaces& surfaces_;
+    std::optional<std::size_t> event_;
+    std::vector<SurfaceProblem> found_;
+};
+
+std::string range_text(double size) { return fmt::format("0 to {}", size); }
+
+bool is_demon(std::int32_t surface, const Box& box) {
+    const auto behaviours = behaviours_of(box);
+    return std::holds_alternative<Membrane>(behaviours[static_cast<std::size_t>(surface)]);
+}
+
+ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const Box& box) {
+    const Partition& line =
+        box.surfaces.partitions.at(static_cast<std::size_t>(p.surface - Surfaces::first_partition));
+    const char* along = line.axis == 0 ? "y" : "x";
+    switch (p.kind) {
+        case Kind::partition_outside:
+            return {fmt::format("{} at {} = {} is not in the box", name, line.axis == 0 ? "x" : "y",
+                                line.at),
+                    fmt::format("the box goes from {}", range_text(box.length(line.axis)))};
+        case Kind::gap_outside:
+            return {fmt::format("the gap from {} to {} is not in the box", line.gaps[p.item].first,
+                                line.gaps[p.item].second),
+                    fmt::format("gaps of {} lie between {} = {}", name, along,
+                                fmt::format("0 and {}", box.length(1 - line.axis)))};
+        case Kind::gaps_unordered:
+            return {fmt::format("the gap from {} to {} does not come after what is before it",
+                                line.gaps[p.item].first, line.gaps[p.item].second),
+                    "give gaps as [from, to] in rising order, none over another"};
+        case Kind::piston_gaps:
+            return {fmt::format("{} is a piston, which has no gaps", name),
+                    "leave out `gaps`, or the mass"};
+        default:
+            return {fmt::format("{} cannot move across periodic sides", name),
+                    fmt::format("make the box solid along {}", line.axis == 0 ? "x" : "y")};
+    }
+}
+
+}  // namespace
+
+bool loses_memory(const Behaviour& behaviour) {
+    const auto* membrane = std::get_if<Membrane>(&behaviour);
+    const auto sorts = [](const Membrane::Speeds& speeds) {
+        return std::isfinite(speeds.faster_than);  // otherwise none is admitted
+    };
+    return std::holds_alternative<Bath>(behaviour) ||
+           (membrane != nullptr && (sorts(membrane->upward) || sorts(membrane->downward)));
+}
+
+std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run) {
+    Search search(box);
+    search.look_at_box();
+    search.look_at_events(run);
+    return std::move(search).found();
+}
+
+ProblemText to_text(const SurfaceProblem& p, const Box& box) {
+    const std::vector<std::string> names = box.surfaces.names();
+    const bool is_there = p.surface >= 0 && p.surface < std::ssize(names);
+    const std::string name = is_there ? "`" + names[static_cast<std::size_t>(p.surface)] + "`" : "";
+    switch (p.kind) {
+        case Kind::not_finite:
+            return {fmt::format("a number of {} is not finite, or not positive where it must be",
+                                is_there ? name : "gravity"),
+                    ""};
+        case Kind::no_wall:
+            return {fmt::format("{} is periodic: there is no wall", name),
+                    "make it and the opposite side solid"};
+        case Kind::along_periodic:
+        case Kind::partition_outside:
+        case Kind::gap_outside:
+        case Kind::gaps_unordered:
+        case Kind::piston_gaps:
+            return of_partition(p, name, box);
+        case Kind::obstacle_outside:
+            return {fmt::format("{} lies outside the box", name),
+                    fmt::format("the box goes from x = {} and from y = {}", range_text(box.size[0]),
+                                range_text(box.size[1]))};
+        case Kind::obstacle_too_wide:
+            return {
+                fmt::format("{} is wider than the periodic box, and would overlap itself", name),
+                "make it smaller, or the box solid"};
+        case Kind::same_corner:
+            return {fmt::format("two corners of {} in a row are at one place", name),
+                    "leave one of them out"};
+        case Kind::no_surface:
+            return {fmt::format("there is no surface {}", p.surface), ""};
+        case Kind::not_a_partition:
+            return {fmt::format("{} does not open: only partitions do", name),
+                    "give the name of a partition"};
+        case Kind::not_movable:
+            return {fmt::format("{} is an obstacle, which stands still", name),
+                    "give a side of the box or a partition"};
+        case Kind::no_piston:
+            return {fmt::format("{} is no piston at this time", name),
+                    "a piston is a side or a partition with a mass"};
+        case Kind::not_held:
+            return {fmt::format("{} is not held at this time", name),
+                    "`hold` it before, or leave this out"};
+        case Kind::forgets:
+            return {is_demon(p.surface, box)
+                        ? fmt::format("{} has forgotten what it let through", name)
+                        : fmt::format("{} has forgotten where the heat came from", name),
+                    "what a heat bath or a demon has done cannot be reversed"};
+    }
+    return {};
+}
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+// Why a box cannot have a surface, or an event of a run cannot happen to it: as values, and what
+// they say in words. The one place where that is decided.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/run.h"
+#include "physics/surface.h"
+
+namespace carom {
+
+/// What is wrong, in one sentence without a full stop, and a way out.
+struct ProblemText {
+    std::string message, hint;
+};
+
+/// One thing that cannot be.
+struct SurfaceProblem {
+    enum class Kind {
+        not_finite,         ///< a number of this surface; of gravity where there is none
+        no_wall,            ///< a side that acts, or is to act, in a periodic box
+        along_periodic,     ///< a partition that moves along an axis on which the box is periodic
+        partition_outside,  ///< not between the walls
+        gap_outside,        ///< gap `item`
+        gaps_unordered,     ///< gap `item` begins before the one before ends, or ends as it begins
+        piston_gaps,        ///< a piston with holes
+        obstacle_outside,   ///< no part of it lies in the box
+        obstacle_too_wide,  ///< for a periodic box: it would overlap its own image
+        same_corner,        ///< corner `item` is where the next is
+        no_surface,         ///< the event's surface is not there
+        not_a_partition,    ///< what is to open or to close
+        not_movable,        ///< an obstacle that is to move or to act
+        no_piston,          ///< what is to be held or released
+        not_held,           ///< a piston that is to be released
+        forgets,            ///< velocities are reversed after this surface has acted
+    };
+    Kind kind{};
+    std::int32_t surface = -1;              ///< its number (surface.h)
+    std::size_t item = 0;                   ///< of its gaps or corners
+    std::optional<std::size_t> event = {};  ///< index into Run::events
+};
+
+/// Whether a reversal cannot undo what the surface does.
+bool loses_memory(const Behaviour& behaviour);
+
+/// What is wrong with the surfaces of a box, and with what the events of a run do to them.
+std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run);
+
+ProblemText to_text(const SurfaceProblem& problem, const Box& box);
+
+}  // namespace carom

@@ -1,0 +1,302 @@
+#include "scene/reading/event_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/limits.h"
+#include "scene/reading/gas_reading.h"
+#include "scene/time/captions.h"
+#include "scene/yaml/scalar.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr std::int32_t no_surface = -1;  // as long as its name is not resolved
+
+// What is moved is kept as it is written: no double has all its digits.
+Notation<std::array<std::string, 2>> digits(int dimension) {
+    using Digits = std::array<std::string, 2>;
+    if (dimension == 1)
+        return parsed(number(any_number), [](double, const Node& node, Reading&) {
+            return std::optional(Digits{node.text, "0"});
+        });
+    return parsed(pair_of(any_number, "[dx, dy]"),
+                  [](const Eigen::Array2d&, const Node& node, Reading&) {
+                      return std::optional(Digits{node.items[0].text, node.items[1].text});
+                  });
+}
+
+Notation<Perturbation> nudge_notation(int dimension) {
+    const KeyTable<Perturbation> table{
+        .name = "`nudge`",
+        .keys = {bind_key("particle", &Perturbation::particle, whole(0, most_particles),
+                          "The number of the particle, counted from 0 in the order in which `gas` "
+                          "lists them.")
+                     .required(),
+                 bind_key("by", &Perturbation::by, digits(dimension),
+                          "How far it is moved, read with all its digits: as little as 1e-300.")
+                     .required()}};
+    return complete_mapping(
+        table, dimension == 1 ? "{particle: i, by: dx}" : "{particle: i, by: [dx, dy]}");
+}
+
+/// An item's `heat`.
+struct HeatDraft {
+    const Node* of = nullptr;
+    std::optional<double> by;
+    std::optional<double> to;
+};
+
+Notation<Heat> heat_notation() {
+    struct Target {
+        double temperature = 0.0;
+    };
+    const auto target =
+        mapped(complete_mapping(
+                   KeyTable<Target>{.name = "`to`",
+                                    .keys = {bind_key("temperature", &Target::temperature,
+                                                      number(not_negative), "The temperature.")
+                                                 .required()}},
+                   "{temperature: T}"),
+               [](const Target& its) { return its.temperature; });
+    const KeyTable<HeatDraft> table{
+        .name = "`heat`",
+        .keys = {bind_key("of", &HeatDraft::of, kept(text(1, most_name_letters)),
+                          "A species, or `all` particles.")
+                     .default_text("`all`"),
+                 bind_key("by", &HeatDraft::by, number(any_number),
+                          "How much energy in all; a negative number takes it."),
+                 bind_key("to", &HeatDraft::to, target, "What it comes to instead.")},
+        .choices = {{{"by", "to"}, true}}};
+    return parsed(mapping(table, "{of: all, by: E} or {to: {temperature: T}}"),
+                  [](const HeatDraft& draft, const Node&, Reading&) -> std::optional<Heat> {
+                      if (!draft.by && !draft.to) return std::nullopt;
+                      Heat heat;
+                      if (draft.to) heat.amount = Temperature{*draft.to};
+                      if (draft.by) heat.amount = *draft.by;
+                      return heat;
+                  });
+}
+
+std::vector<Binding<EventDraft>> event_keys(int dimension) {
+    const Notation<const Node*> surface = kept(text(1, most_name_letters));
+    return {bind_key("at", &EventDraft::at, number(not_negative),
+                     "When, in simulated time, before `until`.")
+                .required(),
+            bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
+                     "Reverses all velocities; a run with one reversal must last until the "
+                     "gas has returned, at twice its time."),
+            bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
+                     "Moves one particle by a small amount, which shows how sensitive the "
+                     "return after a reversal is."),
+            bind_key("open", &EventDraft::open, surface,
+                     "Opens this partition: nothing is there from now on."),
+            bind_key("close", &EventDraft::close, surface,
+                     "Puts an open partition back; no particle may be in its way."),
+            bind_key("move", &EventDraft::move, surface,
+                     "This side or partition moves at `velocity` from now on."),
+            bind_key("hold", &EventDraft::hold, surface, "This piston stops and stays."),
+            bind_key("release", &EventDraft::release, surface, "Frees a piston that is held."),
+            bind_key("wall", &EventDraft::wall, surface,
+                     "This side or partition acts otherwise from now on: with `temperature`, "
+                     "`mass` (and `force`) or `velocity`, or `solid`."),
+            bind_key("heat", &EventDraft::heat, heat_notation(),
+                     "Gives energy to particles, or takes it, by scaling their velocities "
+                     "about the mean."),
+            bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
+                     "Shows the places that the particles have at this time as outlines, with "
+                     "these words, until the next mark."),
+            bind_key("caption", &EventDraft::caption, text(0, most_caption_letters),
+                     "A line of text under the gas, shown until the next one; \"\" removes it."),
+            bind_key("for", &EventDraft::seconds, number({least_caption_seconds, most_seconds}),
+                     "How long the caption is shown at most, in seconds of film.")
+                .default_text("until the next caption"),
+            bind_key("mirror", &EventDraft::is_mirrored, flag(),
+                     "Whether it is undone after a reversal of the velocities, as long after "
+                     "it as it was before."),
+            bind_key("solid", &EventDraft::solid, one_of<bool>({{"true", true}}),
+                     "Of a `wall` event: the wall only reflects from now on.")};
+}
+
+KeyTable<EventDraft> event_table(int dimension) {
+    std::vector<Choice> choices = acting_choices();
+    choices.insert(choices.begin(), {{"reverse", "nudge", "open", "close", "move", "hold",
+                                      "release", "wall", "heat", "mark", "caption"},
+                                     true});
+    for (const char* key : {"temperature", "mass", "velocity"}) choices.push_back({{"solid", key}});
+    return {.name = "an item of `events`",
+            .keys = joined<EventDraft>(event_keys(dimension), acting_keys()),
+            .choices = std::move(choices)};
+}
+
+void check_time(const EventDraft& event, const Node& place, double until, Errors& errors) {
+    if (until > 0.0 && event.at >= until)
+        errors.add(place,
+                   fmt::format("expected a time {} and below `until` ({}) for `at`, found {}",
+                               event.reverses ? "above 0" : "from 0 on", until, described(place)),
+                   "the film ends at `until`: what happens at this time or later is never shown");
+    else if (event.reverses && event.at == 0.0)
+        errors.add(place, "expected a positive number for `at` of a reversal, found `0`",
+                   "at time 0 there is nothing to reverse");
+}
+
+// The one of these keys that is given, with its value.
+std::pair<const char*, const Node*> given_of(const Node& node,
+                                             std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+        if (const Node* value = given(node, key)) return {key, value};
+    return {nullptr, nullptr};
+}
+
+// Keys of what surfaces do stand only beside the events that make them do so.
+void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
+    const auto refuse = [&](const char* key, const char* applies) {
+        if (const Node* its = given(node, key))
+            errors.add(*its, fmt::format("`{}` does not apply to this event", key),
+                       fmt::format("it applies to {}", applies));
+    };
+    if (event.wall == nullptr) {
+        for (const char* key : {"temperature", "mass", "force", "until", "solid"})
+            refuse(key, "`wall`");
+        if (event.move == nullptr) refuse("velocity", "`move` and `wall`");
+    }
+    const auto [action, its] =
+        given_of(node, {"open", "close", "move", "hold", "release", "wall", "heat"});
+    if (action == nullptr)
+        refuse("mirror", "`open`, `close`, `move`, `hold`, `release`, `wall` and `heat`");
+    if (event.seconds && find(node, "caption") == nullptr)
+        errors.add(*given(node, "for"), "`for` applies only to a caption",
+                   "it applies to `caption`");
+}
+
+// What a wall becomes; nothing if there is a mistake.
+std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Errors& errors) {
+    const auto behaviour = behaviour_of(event, node, errors);
+    if (!behaviour || event.solid || !std::holds_alternative<Reflecting>(*behaviour))
+        return behaviour;
+    if (find(node, "solid") == nullptr)
+        errors.add(node, "a `wall` event needs `temperature`, `mass`, `velocity` or `solid`",
+                   "`solid: true` makes it a wall that only reflects");
+    return std::nullopt;
+}
+
+}  // namespace
+
+Notation<EventDraft> event_notation(int dimension) {
+    return complete_mapping(event_table(dimension));
+}
+
+void add_event(const EventDraft& event, const Node& node, RunDraft& run, Errors& errors) {
+    const auto add = [&](auto action, const Node* key) {
+        run.events.push_back({event.at, std::move(action), event.is_mirrored});
+        run.event_nodes.push_back(key);
+    };
+    check_time(event, *given(node, "at"), run.until, errors);
+    check_beside(event, node, errors);
+    if (event.reverses) add(ReverseVelocities{}, given(node, "reverse"));
+    if (event.nudge) add(*event.nudge, given(node, "nudge"));
+    if (event.open != nullptr) add(SetOpen{no_surface, true}, event.open);
+    if (event.close != nullptr) add(SetOpen{no_surface, false}, event.close);
+    if (event.hold != nullptr) add(HoldPiston{no_surface}, event.hold);
+    if (event.release != nullptr) add(ReleasePiston{no_surface}, event.release);
+    if (event.heat) add(*event.heat, given(node, "heat"));
+    if (event.move != nullptr && event.velocity)
+        add(MoveSurface{no_surface, *event.velocity}, event.move);
+    if (event.move != nullptr && find(node, "velocity") == nullptr)
+        errors.add(node, "a `move` event needs `velocity`", "`velocity: 0` stops it");
+    if (event.wall != nullptr)
+        if (const auto behaviour = change_of(event, node, errors))
+            add(ChangeSurface{no_surface, *behaviour}, event.wall);
+    if (event.mark) run.marks.push_back({event.at, *event.mark});
+    if (event.caption)
+        run.captions.push_back({{event.at, *event.caption, event.seconds}, given(node, "caption")});
+}
+
+namespace {
+
+// The surface that an event names, where it says it; nothing for one that has none.
+std::int32_t* surface_in(RunEvent& event) {
+    return std::visit(
+        [](auto& action) -> std::int32_t* {
+            if constexpr (requires { action.surface; }) return &action.surface;
+            return nullptr;
+        },
+        event.action);
+}
+
+// False where nothing is found.
+bool resolve(RunEvent& event, const Node& node, const PlacedSurfaces& surfaces,
+             const std::vector<std::string>& species, int dimension, Errors& errors) {
+    if (auto* heat = std::get_if<Heat>(&event.action)) {
+        const Node* of = given(node, "of");
+        if (of == nullptr || of->text == "all") return true;
+        heat->species = species_named(*of, species, errors);
+        return heat->species.has_value();
+    }
+    std::int32_t* surface = surface_in(event);
+    if (surface == nullptr) return true;
+    std::vector<std::string> names = surfaces.surfaces.names();
+    if (dimension == 1) names.erase(names.begin() + 2, names.begin() + 4);
+    const auto found = std::ranges::find(names, node.text);
+    *surface = static_cast<std::int32_t>(found - names.begin());
+    if (found != names.end()) return true;
+    if (std::ranges::find(surfaces.others, node.text) != surfaces.others.end()) return false;
+    names.insert(names.end(), surfaces.others.begin(), surfaces.others.end());
+    constexpr std::size_t most_listed = 12;
+    errors.add(
+        node, fmt::format("there is no wall, partition or obstacle {}", in_quotes(node.text)),
+        spelling_hint(node.text, names,
+                      names.size() > most_listed ? "give the `name` of one"
+                                                 : "there are " + listed(names, "and", "`")));
+    return false;
+}
+
+}  // namespace
+
+void resolve_names(RunDraft& run, const PlacedSurfaces& surfaces,
+                   const std::vector<std::string>& species, int dimension, Errors& errors) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < run.events.size(); ++k) {
+        if (!resolve(run.events[k], *run.event_nodes[k], surfaces, species, dimension, errors))
+            continue;
+        std::swap(run.events[kept], run.events[k]);
+        std::swap(run.event_nodes[kept++], run.event_nodes[k]);
+    }
+    run.events.resize(kept);
+    run.event_nodes.resize(kept);
+}
+
+void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
+    const auto count = particles_in(gas);
+    const double size = gas.box.size.maxCoeff();
+    for (std::size_t k = 0; k < run.events.size(); ++k) {
+        const auto* nudge = std::get_if<Perturbation>(&run.events[k].action);
+        if (nudge == nullptr) continue;
+        const Node& node = *run.event_nodes[k];
+        if (count && nudge->particle >= *count)
+            report_no_particle(*find(node, "particle"), std::to_string(nudge->particle), *count,
+                               errors);
+        const double x = parse_number(nudge->by[0]).value_or(0.0);
+        const double y = parse_number(nudge->by[1]).value_or(0.0);
+        const double length = std::hypot(x, y);
+        const Node& by = *find(node, "by");
+        // Ten bits of the nudge itself, at least, are to be seen.
+        const double bits = 10.0 + std::log2(size) - std::log2(length);
+        if (length == 0.0)
+            errors.add(by, "a nudge of 0 moves nothing");
+        else if (length >= size)
+            errors.add(by, fmt::format("a nudge by {:.3g} leads out of the box", length));
+        else if (run.bits && *run.bits < bits)
+            errors.add(
+                by,
+                fmt::format("a nudge by {:.3g} is lost in numbers of {} bits", length, *run.bits),
+                fmt::format("`precision: auto`, or {:.0f} bits and more, have room for it",
+                            std::max<double>(least_bits, std::ceil(bits + 54.0))));
+    }
+}
+
+}  // namespace carom

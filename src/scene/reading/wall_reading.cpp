@@ -1,0 +1,147 @@
+#include "scene/reading/wall_reading.h"
+
+#include <fmt/format.h>
+
+#include "scene/limits.h"
+#include "scene/reading/gas_reading.h"
+
+namespace carom {
+namespace {
+
+/// The walls of a box by their sides.
+struct SidesByName {
+    SideDraft left, right, bottom, top;
+};
+
+std::string_view kind_of(const SideDraft& side) {
+    return std::holds_alternative<Reflecting>(side.behaviour) ? word_of(side.wall) : "a wall";
+}
+
+void check_opposite(const Node& sides, const SideDraft& first, const SideDraft& second,
+                    const char* names[2], Errors& errors) {
+    if (first.wall != second.wall)
+        errors.add(sides,
+                   fmt::format("`{}` is {} but `{}` is {}", names[0], kind_of(first), names[1],
+                               kind_of(second)),
+                   "a periodic wall leads to the opposite one: make both periodic");
+}
+
+Notation<SideDraft> side_notation() {
+    const KeyTable<ActingDraft> table{.name = "a wall that acts",
+                                      .keys = acting_keys(),
+                                      .choices = acting_choices(),
+                                      .refused = inelastic_keys()};
+    const auto acting =
+        parsed(mapping(table, "{temperature: T}, {mass: m, force: F} or {velocity: u}"),
+               [](const ActingDraft& draft, const Node& node, Reading& reading) {
+                   std::optional<SideDraft> side;
+                   const auto behaviour = behaviour_of(draft, node, reading.errors);
+                   if (behaviour) side = SideDraft{Wall::solid, *behaviour, &node};
+                   if (behaviour && std::holds_alternative<Reflecting>(*behaviour)) {
+                       reading.errors.add(
+                           node, "a wall that acts needs `temperature`, `mass` or `velocity`",
+                           "a wall that only reflects is `solid`");
+                       side.reset();
+                   }
+                   return side;
+               });
+    const auto plain = parsed(one_of<Wall>(), [](Wall wall, const Node& node, Reading&) {
+        return std::optional(SideDraft{wall, Reflecting{}, &node});
+    });
+    return either(plain, acting);
+}
+
+KeyTable<SidesByName> sides_table(int dimension) {
+    const Notation<SideDraft> side = side_notation();
+    KeyTable<SidesByName> table{
+        .name = "`walls`",
+        .keys = {bind_key("left", &SidesByName::left, side, "The wall at x = 0.")
+                     .default_text("`solid`"),
+                 bind_key("right", &SidesByName::right, side,
+                          "The wall at the largest x; periodic together with the left one.")
+                     .default_text("`solid`")},
+        .refused = inelastic_keys(),
+        .rule = [](SidesByName& sides, const Node& node, Reading& reading) {
+            const char* across[] = {"left", "right"};
+            const char* up[] = {"bottom", "top"};
+            check_opposite(node, sides.left, sides.right, across, reading.errors);
+            check_opposite(node, sides.bottom, sides.top, up, reading.errors);
+        }};
+    const std::vector upright{
+        bind_key("bottom", &SidesByName::bottom, side, "The wall at y = 0.")
+            .default_text("`solid`"),
+        bind_key("top", &SidesByName::top, side,
+                 "The wall at y = height; periodic together with the bottom one.")
+            .default_text("`solid`")};
+    for (const Binding<SidesByName>& one : upright) {
+        const std::string& name = one.key.name;
+        if (dimension == 2) table.keys.push_back(one);
+        if (dimension == 1)
+            table.refused.push_back(
+                {name, "a wire has no `" + name + "`", "its ends are `left` and `right`"});
+    }
+    return table;
+}
+
+}  // namespace
+
+std::vector<Binding<ActingDraft>> acting_keys() {
+    return {bind_key("temperature", &ActingDraft::temperature, number(positive),
+                     "A heat bath: particles leave it as from a gas of this temperature."),
+            bind_key("mass", &ActingDraft::mass, number(positive),
+                     "A piston of this mass: it moves freely along its normal."),
+            bind_key("force", &ActingDraft::force, number(any_number),
+                     "A constant force on a piston, along x or y.")
+                .default_text("0"),
+            bind_key("velocity", &ActingDraft::velocity, number(any_number),
+                     "It moves at this velocity along x or y, whatever hits it; of a piston, at "
+                     "the start."),
+            bind_key("until", &ActingDraft::until, number(positive),
+                     "When a surface with a given velocity stops.")
+                .default_text("never")};
+}
+
+std::vector<Choice> acting_choices() {
+    return {{{"temperature", "mass"}}, {{"temperature", "velocity"}}};
+}
+
+std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node, Errors& errors) {
+    for (const char* key : {"temperature", "mass", "force", "velocity", "until"})
+        if (find(node, key) != nullptr && given(node, key) == nullptr) return std::nullopt;
+    if (draft.force && !draft.mass) {
+        errors.add(*given(node, "force"), "`force` applies only to a piston",
+                   "give its `mass` as well");
+        return std::nullopt;
+    }
+    if (draft.until && (!draft.velocity || draft.mass)) {
+        errors.add(*given(node, "until"),
+                   draft.mass ? "`until` does not apply to a piston, which moves freely"
+                              : "`until` needs a `velocity`",
+                   draft.mass ? "an event `hold` stops it" : "");
+        return std::nullopt;
+    }
+    if (draft.temperature) return Bath{*draft.temperature};
+    if (draft.mass)
+        return Piston{*draft.mass, draft.force.value_or(0.0), draft.velocity.value_or(0.0)};
+    Driven driven{draft.velocity.value_or(0.0)};
+    if (draft.until) driven.until = *draft.until;
+    return draft.velocity ? Behaviour(driven) : Behaviour(Reflecting{});
+}
+
+Notation<SidesDraft> sides_notation(int dimension) {
+    const auto all = [dimension](Wall wall, const Node& node, Reading&) {
+        SidesDraft sides;
+        for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(dimension); ++k)
+            sides[k] = {wall, Reflecting{}, &node};
+        return std::optional(sides);
+    };
+    const auto by_side = [](const SidesByName& sides) {
+        return SidesDraft{sides.left, sides.right, sides.bottom, sides.top};
+    };
+    Notation<SidesDraft> sides =
+        either(parsed(one_of<Wall>(), all), mapped(mapping(sides_table(dimension)), by_side));
+    sides.write = [](const SidesDraft& four) { return std::string(word_of(four[0].wall)); };
+    return sides;
+}
+
+}  // namespace carom

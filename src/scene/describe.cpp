@@ -212,6 +212,25 @@ std::string words_of_surface_event(const RunEvent& event, const Gas& gas) {
     return "";
 }
 
+std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run, const Gas& gas) {
+    const RunEvent& event = run.events.at(mirrored.event);
+    if (!mirrored.is_undone) return words_of_surface_event(event, gas);
+    RunEvent undone = event;
+    if (auto* set = std::get_if<SetOpen>(&undone.action))
+        set->is_open = !set->is_open;
+    else if (const auto* hold = std::get_if<HoldPiston>(&event.action))
+        undone.action = ReleasePiston{hold->surface};
+    else if (const auto* release = std::get_if<ReleasePiston>(&event.action))
+        undone.action = HoldPiston{release->surface};
+    else if (std::holds_alternative<Heat>(event.action))
+        return "The energy goes back that the gas had been given or had lost";
+    else if (const auto* move = std::get_if<MoveSurface>(&event.action))
+        return event_subject(move->surface, gas) + " does again what it did before";
+    else if (const auto* change = std::get_if<ChangeSurface>(&event.action))
+        return event_subject(change->surface, gas) + " does again what it did before";
+    return words_of_surface_event(undone, gas);
+}
+
 std::string words_of_events(const Run& run, const Gas& gas) {
     constexpr std::size_t most_told = 3, most_of_surfaces = 8;
     std::string text;
@@ -231,6 +250,9 @@ std::string words_of_events(const Run& run, const Gas& gas) {
     for (const RunEvent& event : run.events)
         if (const std::string words = words_of_surface_event(event, gas); !words.empty())
             changes.push_back(fmt::format(" At time {}: {}.", event.at, words));
+    for (const MirroredEvent& mirrored : mirrored_events(run))
+        changes.push_back(fmt::format(" At time {}, on the way back: {}.", mirrored.at,
+                                      words_of_surface_event(mirrored, run, gas)));
     if (changes.size() > most_of_surfaces)
         text += fmt::format(" {} times a wall, a partition or the heat of the gas is changed.",
                             changes.size());

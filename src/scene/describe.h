@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/reversal/mirrored_events.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -22,8 +23,12 @@ std::string words_of(const Perturbation& nudge);
 /// empty for other events.
 std::string words_of_surface_event(const RunEvent& event, const Gas& gas);
 
+/// The same of one that comes again after a reversal.
+std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run, const Gas& gas);
+
 /// What the events of a run do, in whole sentences; empty if there are none. Of many nudges only
-/// how many they are, and so of many events of surfaces.
+/// how many they are, and so of many events of surfaces; those that come again after a reversal are
+/// last.
 std::string words_of_events(const Run& run, const Gas& gas);
 
 }  // namespace carom

@@ -33,17 +33,27 @@ std::string about(double value) {
     return grouped(static_cast<long long>(unit * std::round(value / unit)));
 }
 
+std::string_view side_word(const Box& box, std::size_t side) {
+    const Behaviour& behaviour = box.surfaces.sides[side];
+    if (std::holds_alternative<Bath>(behaviour)) return "bath";
+    if (std::holds_alternative<Piston>(behaviour)) return "piston";
+    if (std::holds_alternative<Driven>(behaviour)) return "driven";
+    return word_of(box.walls[side / 2]);
+}
+
 Fact box_fact(const Box& box) {
     const bool across = box.is_periodic(0), up = box.is_periodic(1);
-    const std::string_view beside = word_of(box.walls[0]), below = word_of(box.walls[1]);
-    Json walls{{"left", beside}, {"right", beside}};
+    Json walls{{"left", side_word(box, 0)}, {"right", side_word(box, 1)}};
     if (box.dimension == 1)
         return {"box", Json{{"length", box.size[0]}, {"walls", walls}}, "box",
                 fmt::format("one dimension, length {}, {}", box.size[0],
                             across ? "ends joined" : "between walls")};
-    walls["bottom"] = below;
-    walls["top"] = below;
-    std::string words = across ? "periodic" : "solid walls";
+    walls["bottom"] = side_word(box, 2);
+    walls["top"] = side_word(box, 3);
+    const bool walls_act = std::ranges::any_of(box.surfaces.sides, [](const Behaviour& side) {
+        return !std::holds_alternative<Reflecting>(side);
+    });
+    std::string words = across ? "periodic" : walls_act ? "walls that act" : "solid walls";
     if (across != up)
         words = across ? "periodic across, solid below and above"
                        : "periodic up and down, solid left and right";
@@ -96,17 +106,21 @@ std::string run_words(const Run& run) {
 // A row for each line, the first with a label; for programs a list.
 Facts rows_of(const char* label, const std::vector<std::string>& lines) {
     Facts rows;
-    if (lines.empty()) return rows;
+    if (lines.empty()) return {{label, Json::array()}};
     rows.push_back({label, Json(lines), label, lines.front()});
     for (std::size_t k = 1; k < lines.size(); ++k) rows.push_back(shown(" ", lines[k]));
     return rows;
 }
 
+// What happens to surfaces and to the energy, mirrored events last.
 Facts event_rows(const Scene& scene) {
     std::vector<std::string> lines;
     for (const RunEvent& event : scene.run.events)
         if (const std::string words = words_of_surface_event(event, scene.gas); !words.empty())
             lines.push_back(fmt::format("time {}: {}", event.at, words));
+    for (const MirroredEvent& mirrored : mirrored_events(scene.run))
+        lines.push_back(fmt::format("time {}, on the way back: {}", mirrored.at,
+                                    words_of_surface_event(mirrored, scene.run, scene.gas)));
     return rows_of("events", lines);
 }
 

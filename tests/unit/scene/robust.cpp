@@ -24,6 +24,17 @@ const std::string good =
     "film: {seconds: 30, size: 720p, panels: [speed-histogram, {kind: energy-histogram, bins: "
     "9}]}\n";
 
+const std::string surfaces =
+    "title: S\nbox: {size: [64, 48], walls: {left: {temperature: 2}, top: {mass: 20, force: -3}}}\n"
+    "gravity: [0, -1]\npartitions:\n  - {name: p, x: 32, gaps: [[1, 2]]}\n  - {x: 40, passes: "
+    "[a]}\n"
+    "  - {y: 30, passes: {to_top: {faster_than: 1}}}\n  - {name: m, x: 20, mass: 3}\n"
+    "obstacles: [{disk: [50, 20], radius: 2}, {polygon: [[1, 1], [2, 2], [1, 3]]}]\n"
+    "gas:\n  - {name: a, count: 9, speed: 1, radius: 0.3, position: {side: right, of: p}}\n"
+    "run:\n  until: 60\n  events: [{at: 3, open: p}, {at: 4, hold: m}, {at: 5, release: m}, {at: "
+    "6, "
+    "move: right, velocity: 2}, {at: 7, wall: left, mass: 3}, {at: 8, heat: {of: a, by: 2}}]\n";
+
 // True when it loads; a SceneError is the only other end.
 bool loads(const std::string& text) {
     try {
@@ -36,13 +47,13 @@ bool loads(const std::string& text) {
     }
 }
 
-std::string mutated(Random& random) {
+std::string mutated(const std::string& scene, Random& random) {
     static const std::vector<std::string> pieces{
         "[",    "]",    "{",  "}",    ":",       "-",  ",", "\n",      " ",   "\t",
         "'",    "\"",   "#",  "*a",   "&a ",     "!",  "|", ">",       "? ",  "---\n",
         "...",  "<<",   "~",  ".nan", "1e308",   "-1", "0", "\xFF",    "\\x", "%",
         "null", "true", "[]", "{}",   "2000000", "@",  "`", "\\u0000", "ä",   "1e-308"};
-    std::string text = good;
+    std::string text = scene;
     const auto edits = 1 + random.below(4);
     for (std::uint64_t i = 0; i < edits; ++i) {
         const auto at = static_cast<std::size_t>(random.below(text.size() + 1));
@@ -56,16 +67,21 @@ std::string mutated(Random& random) {
 }  // namespace
 
 TEST_CASE("a scene cut off anywhere loads or is refused") {
-    CHECK(loads(good));
-    for (std::size_t length = 0; length < good.size(); ++length) loads(good.substr(0, length));
+    for (const std::string& scene : {good, surfaces}) {
+        CHECK(loads(scene));
+        for (std::size_t length = 0; length < scene.size(); ++length)
+            loads(scene.substr(0, length));
+    }
 }
 
 TEST_CASE("a scene with random errors loads or is refused") {
     Random random(1, "mutations");
-    int loaded = 0;
-    for (int i = 0; i < 4000; ++i) loaded += loads(mutated(random)) ? 1 : 0;
-    CHECK(loaded > 0);
-    CHECK(loaded < 4000);
+    for (const std::string& scene : {good, surfaces}) {
+        int loaded = 0;
+        for (int i = 0; i < 4000; ++i) loaded += loads(mutated(scene, random)) ? 1 : 0;
+        CHECK(loaded > 0);
+        CHECK(loaded < 4000);
+    }
 }
 
 TEST_CASE("large hostile files are refused within seconds") {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "physics/reversal/mirrored_events.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -242,4 +243,47 @@ TEST_CASE("the description says what surfaces there are and what happens to them
         CAPTURE(part);
         CHECK(said.find(part) != std::string::npos);
     }
+}
+
+TEST_CASE("events come again after a reversal, as far as the run lasts and they are mirrored") {
+    Run run;
+    run.until = 50;
+    run.events = {{2, SetOpen{4, true}},
+                  {5, HoldPiston{5}},
+                  {8, ReleasePiston{5}, false},
+                  {20, ReverseVelocities{}},
+                  {37, SetOpen{4, true}}};
+    const auto mirrored = mirrored_events(run);
+    REQUIRE(mirrored.size() == 2);
+    CHECK(mirrored[0].at == 35.0);
+    CHECK(mirrored[0].event == 1);
+    CHECK(mirrored[0].is_undone);
+    CHECK(mirrored[1].at == 38.0);
+    CHECK(mirrored[1].event == 0);
+
+    // A second reversal: what was undone is done again, and what was still ahead is past.
+    run.events = {{2, SetOpen{4, true}},
+                  {5, HoldPiston{5}},
+                  {20, ReverseVelocities{}},
+                  {36, ReverseVelocities{}}};
+    const auto again = mirrored_events(run);
+    REQUIRE(again.size() == 2);
+    CHECK(again[0].at == 35.0);
+    CHECK(again[0].is_undone);
+    CHECK(again[1].at == 37.0);
+    CHECK(again[1].event == 1);
+    CHECK_FALSE(again[1].is_undone);
+}
+
+TEST_CASE("the description says what happens on the way back") {
+    const std::string said =
+        scene_of(
+            "partitions: [{name: divider, x: 32}, {name: lid, y: 20, mass: 3}]\n"
+            "run: {until: 40, events: [{at: 2, open: divider}, {at: 5, hold: lid}, {at: 6, "
+            "heat: {by: 3}, mirror: false}, {at: 20, reverse: velocities}]}\n")
+            .description;
+    CAPTURE(said);
+    CHECK(said.find("At time 35, on the way back: The partition “lid” is released. At time 38, on "
+                    "the way back: The partition “divider” closes.") != std::string::npos);
+    CHECK(said.find("The energy goes back") == std::string::npos);
 }

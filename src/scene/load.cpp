@@ -154,9 +154,9 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     for (const Node* node : draft.written_run.event_nodes)
         draft.event_places.push_back(place_of(*node));
     if (!draft.box) return;
-    check_surfaces(draft.gas.box, draft.run, {draft.surface_nodes, draft.written_run.event_nodes},
-                   errors);
     check_feasibility(*draft.box, draft.species, draft.seed, draft.run, errors);
+    check_surfaces(draft.gas, {draft.run, draft.surface_nodes, draft.written_run.event_nodes},
+                   errors);
     check_nudges(draft.written_run, draft.gas, errors);
 }
 

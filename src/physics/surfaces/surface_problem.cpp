@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "physics/surfaces/barrier.h"
+#include "physics/surfaces/driven_path.h"
 
 namespace carom {
 namespace {
@@ -221,11 +222,18 @@ bool loses_memory(const Behaviour& behaviour) {
            (membrane != nullptr && (sorts(membrane->upward) || sorts(membrane->downward)));
 }
 
-std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run) {
+std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area) {
     Search search(box);
     search.look_at_box();
     search.look_at_events(run);
-    return std::move(search).found();
+    auto found = std::move(search).found();
+    if (const auto end = found.empty() ? driven_end(box, run, area) : std::nullopt)
+        found.push_back({.kind = end->other ? Kind::reaches : Kind::leaves_no_room,
+                         .surface = end->surface,
+                         .other = end->other.value_or(-1),
+                         .value = end->time,
+                         .room = end->room});
+    return found;
 }
 
 ProblemText to_text(const SurfaceProblem& p, const Box& box) {
@@ -271,6 +279,15 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::not_held:
             return {fmt::format("{} is not held at this time", name),
                     "`hold` it before, or leave this out"};
+        case Kind::reaches:
+            return {fmt::format("{} reaches `{}` at time {:.4g}", name,
+                                names.at(static_cast<std::size_t>(p.other)), p.value),
+                    "stop it before (`until`, or an event), or end the run"};
+        case Kind::leaves_no_room:
+            return {fmt::format("{} crushes the gas at time {:.4g}, when there are {:.3g} left "
+                                "between the walls",
+                                name, p.value, p.room),
+                    "stop it before (`until`, or an event), or end the run"};
         case Kind::forgets:
             return {is_demon(p.surface, box)
                         ? fmt::format("{} has forgotten what it let through", name)

@@ -37,19 +37,24 @@ struct SurfaceProblem {
         not_movable,        ///< an obstacle that is to move or to act
         no_piston,          ///< what is to be held or released
         not_held,           ///< a piston that is to be released
+        reaches,            ///< surface `other` at time `value`, moving at a given velocity
+        leaves_no_room,     ///< for the disks at time `value`, where `room` is left
         forgets,            ///< velocities are reversed after this surface has acted
     };
     Kind kind{};
     std::int32_t surface = -1;              ///< its number (surface.h)
     std::size_t item = 0;                   ///< of its gaps or corners
     std::optional<std::size_t> event = {};  ///< index into Run::events
+    std::int32_t other = -1;
+    double value = 0.0, room = 0.0;
 };
 
 /// Whether a reversal cannot undo what the surface does.
 bool loses_memory(const Behaviour& behaviour);
 
-/// What is wrong with the surfaces of a box, and with what the events of a run do to them.
-std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run);
+/// What is wrong with the surfaces of a box, and with what the events of a run do to them. Where
+/// the `area` of all disks is known, also when driven walls would leave them no room.
+std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area = 0.0);
 
 ProblemText to_text(const SurfaceProblem& problem, const Box& box);
 

@@ -1,6 +1,7 @@
 #include "scene/feasibility/feasibility.h"
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 #include <string_view>
 
@@ -80,10 +81,26 @@ const Node& key_or(const Node& item, std::initializer_list<const char*> keys) {
     return item;
 }
 
+// The event that moves a surface until it reaches something, if one does.
+const Node* last_move(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
+    const Node* last = nullptr;
+    for (std::size_t k = 0; k < nodes.run.events.size(); ++k) {
+        const RunEvent& event = nodes.run.events[k];
+        const auto* move = std::get_if<MoveSurface>(&event.action);
+        const auto* change = std::get_if<ChangeSurface>(&event.action);
+        if (event.at < problem.value && ((move != nullptr && move->surface == problem.surface) ||
+                                         (change != nullptr && change->surface == problem.surface)))
+            last = nodes.events[k];
+    }
+    return last;
+}
+
 // Within the surface, or the event, that has the problem.
 const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
     using Its = SurfaceProblem::Kind;
     if (problem.event) return *nodes.events.at(*problem.event);
+    if (problem.kind == Its::reaches || problem.kind == Its::leaves_no_room)
+        if (const Node* moved = last_move(problem, nodes)) return *moved;
     const Node& item = *nodes.surfaces.at(static_cast<std::size_t>(problem.surface));
     switch (problem.kind) {
         case Its::gap_outside:
@@ -106,9 +123,13 @@ const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
 
 }  // namespace
 
-void check_surfaces(const Box& box, const Run& run, const SurfaceNodes& nodes, Errors& errors) {
-    for (const SurfaceProblem& problem : surface_problems(box, run)) {
-        const auto [message, hint] = to_text(problem, box);
+void check_surfaces(const Gas& gas, const SurfaceNodes& nodes, Errors& errors) {
+    const bool is_plain = gas.box.surfaces.are_plain() && nodes.run.events.empty();
+    const bool is_known = gas.box.dimension == 2 && !gas.species.empty() && errors.empty();
+    const double area =
+        is_known && !is_plain ? std::numbers::pi * draw_gas(gas).first.radius.square().sum() : 0.0;
+    for (const SurfaceProblem& problem : surface_problems(gas.box, nodes.run, area)) {
+        const auto [message, hint] = to_text(problem, gas.box);
         errors.add(node_of(problem, nodes), message, hint);
     }
 }

@@ -13,12 +13,14 @@ namespace carom {
 
 /// Where surfaces and events are written, by their numbers; null: a side that is not.
 struct SurfaceNodes {
+    const Run& run;
     const std::vector<const Node*>& surfaces;
     const std::vector<const Node*>& events;
 };
 
-/// Reports what no surface can be, and what no event can do to it.
-void check_surfaces(const Box& box, const Run& run, const SurfaceNodes& nodes, Errors& errors);
+/// Reports what no surface can be, and what no event can do to it; of a gas without other errors
+/// also when it would be crushed.
+void check_surfaces(const Gas& gas, const SurfaceNodes& nodes, Errors& errors);
 
 /// Reports what keeps the species from being placed in the box, and where there are no other
 /// errors, what would keep them from moving.

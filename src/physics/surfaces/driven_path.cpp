@@ -1,0 +1,128 @@
+#include "physics/surfaces/driven_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "physics/surfaces/barrier.h"
+
+namespace carom {
+namespace {
+
+// Hexagonal packing, the densest of equal disks (problem.h); small ones between large ones may
+// cover more.
+constexpr double most_that_disks_cover = std::numbers::pi / (2.0 * std::numbers::sqrt3);
+
+struct Path {
+    std::int32_t surface;
+    int axis;
+    double place;
+    Behaviour behaviour;
+    bool is_open = false;
+
+    bool is_known() const { return !is_open && !std::holds_alternative<Piston>(behaviour); }
+    double velocity_at(double time) const {
+        const auto* driven = std::get_if<Driven>(&behaviour);
+        return driven != nullptr && time < driven->until ? driven->velocity : 0.0;
+    }
+};
+
+class Paths {
+  public:
+    Paths(const Box& box, double area) : box_(box), area_(area) {
+        for (std::int32_t side = 0; side < 2 * box.dimension; ++side) {
+            const int axis = side / 2;
+            if (box.is_periodic(axis)) continue;
+            paths_.push_back({side, axis, side % 2 == 0 ? 0.0 : box.length(axis),
+                              box.surfaces.sides[static_cast<std::size_t>(side)]});
+        }
+        std::int32_t surface = Surfaces::first_partition;
+        for (const Partition& one : box.surfaces.partitions)
+            paths_.push_back({surface++, one.axis, one.at, one.behaviour, one.is_open});
+    }
+
+    // To a time, stopping at the ends of motions on the way.
+    std::optional<DrivenEnd> advance(double time) {
+        while (now_ < time) {
+            double next = time;
+            for (const Path& path : paths_)
+                if (const auto* driven = std::get_if<Driven>(&path.behaviour))
+                    if (driven->until > now_) next = std::min(next, driven->until);
+            if (const auto end = first_end(next)) return end;
+            for (Path& path : paths_) path.place += path.velocity_at(now_) * (next - now_);
+            now_ = next;
+        }
+        return std::nullopt;
+    }
+
+    void apply(const RunEvent& event) {
+        if (const auto* set = std::get_if<SetOpen>(&event.action))
+            if (Path* path = find(set->surface)) path->is_open = set->is_open;
+        if (const auto* move = std::get_if<MoveSurface>(&event.action))
+            if (Path* path = find(move->surface)) path->behaviour = Driven{move->velocity};
+        if (const auto* change = std::get_if<ChangeSurface>(&event.action))
+            if (Path* path = find(change->surface)) path->behaviour = change->behaviour;
+    }
+
+  private:
+    Path* find(std::int32_t surface) {
+        const auto found = std::ranges::find(paths_, surface, &Path::surface);
+        return found == paths_.end() ? nullptr : &*found;
+    }
+
+    std::optional<DrivenEnd> first_end(double until) const {
+        std::optional<DrivenEnd> first;
+        const auto keep = [&](const DrivenEnd& end) {
+            if (end.time <= until && (!first || end.time < first->time)) first = end;
+        };
+        for (std::size_t i = 0; i < paths_.size(); ++i)
+            for (std::size_t j = 0; j < paths_.size(); ++j) {
+                const Path &low = paths_[i], &high = paths_[j];
+                if (low.axis != high.axis || !low.is_known() || !high.is_known() ||
+                    !(low.place < high.place))
+                    continue;
+                const double closing = low.velocity_at(now_) - high.velocity_at(now_);
+                if (!(closing > 0.0)) continue;
+                const double room = high.place - low.place;
+                const bool first_moves = low.velocity_at(now_) != 0.0;
+                const auto &mover = first_moves ? low : high, &other = first_moves ? high : low;
+                keep({now_ + room / closing, 0.0, mover.surface, other.surface});
+                if (low.surface >= Surfaces::first_partition ||
+                    high.surface >= Surfaces::first_partition || box_.dimension == 1)
+                    continue;
+                const double least = area_ / most_that_disks_cover / height_at(1 - low.axis);
+                keep({now_ + (room - least) / closing, least, mover.surface, std::nullopt});
+            }
+        return first;
+    }
+
+    // Between the outer walls across an axis; infinite where a piston leaves that open.
+    double height_at(int axis) const {
+        double size = box_.length(axis);
+        for (const Path& path : paths_) {
+            if (path.axis != axis || path.surface >= Surfaces::first_partition) continue;
+            if (!path.is_known() || path.velocity_at(now_) != 0.0) return never<double>;
+            size += path.surface % 2 == 0 ? -path.place : path.place - box_.length(axis);
+        }
+        return size;
+    }
+
+    const Box& box_;
+    double area_, now_ = 0.0;
+    std::vector<Path> paths_;
+};
+
+}  // namespace
+
+std::optional<DrivenEnd> driven_end(const Box& box, const Run& run, double area) {
+    Paths paths(box, area);
+    for (const RunEvent& event : run.events) {
+        if (const auto end = paths.advance(std::min(event.at, run.until))) return end;
+        if (std::holds_alternative<ReverseVelocities>(event.action)) return std::nullopt;
+        paths.apply(event);
+    }
+    return paths.advance(run.until);
+}
+
+}  // namespace carom

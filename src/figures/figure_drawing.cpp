@@ -65,11 +65,11 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
         figure.panel->draw_ground(canvas, dc);
         figure.panel->draw(canvas, dc, *moment.state);
         if (several)
-            draw_times(canvas, {figure.panel->frame_in(dc.area), u, dc.theme, dc.disks},
+            draw_times(canvas, {figure.panel->frame_in(dc.area, u), u, dc.theme, dc.disks},
                        moment.time);
         dc.area.x += dc.area.width + strip_gap * u;
     }
-    const Rect box = figure.panel->frame_in(first.area);
+    const Rect box = figure.panel->frame_in(first.area, u);
     const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
     figure.panel->draw_key(
         canvas, {{right, box.y, key_width * u, box.height}, u, dc.theme, dc.disks}, first);

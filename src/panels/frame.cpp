@@ -130,7 +130,7 @@ void FramePainter::draw_ground(Canvas& canvas) {
     for (const PanelSet::Placed& placed : panels_.panels())
         placed.panel->draw_ground(canvas, context_at(placed.slot));
     const DrawContext key = context_at(scene_.film.layout.color_bar);
-    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
     panels_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
                            context_at(scene_.film.layout.gas));
@@ -275,7 +275,7 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
             return placed.panel->shows_time();
         }))
         return;
-    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
     const std::string words = slow_words(tick.slow);
     TextStyle style{.size = 1.5 * unit_,
                     .weight = 600,
@@ -296,7 +296,7 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
         if (still) opacity = 1.0;
         const Rect line = grid_.place(*layout.caption);
         const Rect place = grid_.place(layout.gas);
-        const Rect box = panels_.gas().frame_in(place);
+        const Rect box = panels_.gas().frame_in(place, unit_);
         const std::string words = escape_markup(caption.words);
         TextStyle style{.size = 1.5 * unit_,
                         .weight = 500,
@@ -317,7 +317,7 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
-    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas));
+    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const std::string words = "velocities reversed";
     const TextStyle style{.size = 2.2 * unit_,

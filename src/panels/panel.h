@@ -107,8 +107,11 @@ class Panel {
     /// gains by any.
     virtual std::optional<double> enough_height() const { return {}; }
 
-    /// What the panel fills of its area.
-    virtual Rect frame_in(const Rect& area) const { return area; }
+    /// What the panel fills of an area; `unit` as in DrawContext.
+    virtual Rect frame_in(const Rect& area, double unit) const {
+        (void)unit;
+        return area;
+    }
 
     /// Draws what its colours and arrows mean into an area beside it; `own` is the panel's.
     virtual void draw_key(Canvas&, const DrawContext&, const DrawContext& own) const { (void)own; }

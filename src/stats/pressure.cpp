@@ -1,5 +1,6 @@
 #include "stats/pressure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -25,6 +26,16 @@ double size_of_room(const Box& box, double radius) {
 }
 
 }  // namespace
+
+bool has_one_pressure(const Box& box, std::span<const SurfaceState> states) {
+    if (states.empty()) return true;
+    const auto first_partition = static_cast<std::size_t>(Surfaces::first_partition);
+    const auto partitions = states.subspan(first_partition, box.surfaces.partitions.size());
+    return (box.surfaces.gravity == 0.0).all() &&
+           std::ranges::none_of(states.first(first_partition),
+                                [](const SurfaceState& side) { return side.motion.has_value(); }) &&
+           std::ranges::all_of(partitions, &SurfaceState::is_open);
+}
 
 std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulses, double time) {
     double momentum = 0.0;

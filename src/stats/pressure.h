@@ -3,12 +3,17 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 
 namespace carom {
+
+/// Whether a gas has one pressure, which its walls feel: not where gravity acts, a partition parts
+/// it, or a side moves or has moved. `states` as Simulation::surfaces() gives them.
+bool has_one_pressure(const Box& box, std::span<const SurfaceState> states);
 
 /// Momentum that the solid walls received in `time`, divided by the time and by their length (in
 /// 1-D by their number). Nothing where no wall is solid, and after a hit by an infinite mass.

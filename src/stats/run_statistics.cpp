@@ -102,12 +102,14 @@ RunSummary RunStatistics::summary(const AdvanceResult& advanced) const {
     RunSummary summary;
     summary.energy_initial = if_finite(first_.energy);
     summary.energy_final = if_finite(last_.energy);
-    if (!worked_on_) summary.largest_energy_error = if_finite(largest_energy_error_);
+    const bool plain = advanced.surfaces.empty();
+    if (!worked_on_ && plain) summary.largest_energy_error = if_finite(largest_energy_error_);
     summary.momentum_initial = components(first_.momentum);
     summary.momentum_final = components(last_.momentum);
     summary.largest_overlap = std::max(largest_overlap_, advanced.impulses.largest_overlap);
-    summary.wall_pressure = wall_pressure(box_, advanced.impulses, time_);
-    if (!worked_on_)
+    if (has_one_pressure(box_, advanced.surfaces))
+        summary.wall_pressure = wall_pressure(box_, advanced.impulses, time_);
+    if (!worked_on_ && plain)
         summary.virial_pressure =
             virial_pressure(box_, particles_, thermal, advanced.impulses, time_);
     summary.temperature = if_finite(ThermalMotion{thermal, degrees_of_freedom_}.temperature());

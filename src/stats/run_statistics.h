@@ -22,7 +22,8 @@ struct SpeciesMeans {
 };
 
 /// Numbers without a meaning for this gas are absent: the energy with a moving infinite mass, the
-/// pressure on walls that are not there.
+/// pressure on walls that are not there; where surfaces act, the error of the energy of the gas
+/// alone, and pressures that hold for a gas of one density only.
 struct RunSummary {
     std::optional<double> energy_initial, energy_final;
     std::optional<double> largest_energy_error;  ///< over the samples, relative to the initial

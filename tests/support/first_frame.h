@@ -31,7 +31,7 @@ struct FirstFrame {
     /// The box on the picture.
     Rect box() const {
         return panels.gas().frame_in(
-            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas));
+            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas), 1.0);
     }
 };
 

@@ -1,14 +1,19 @@
 // carom run: the physics alone, its statistics and its samples.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/command.h"
 #include "app/output.h"
 #include "app/report/run.h"
 #include "app/report/run_facts.h"
 #include "app/report/samples_csv.h"
+#include "app/report/surfaces_csv.h"
 #include "app/resources.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -20,7 +25,12 @@ namespace fs = std::filesystem;
 
 struct RunArguments : SceneOptions {
     std::string scene;
-    std::string json, csv;  // paths, or - for standard output; empty: none
+    std::string json, csv, surfaces;  // paths, or - for standard output; empty: none
+
+    // By their options.
+    std::array<std::pair<const char*, std::string>, 3> outputs() const {
+        return {{{"--json", json}, {"--csv", csv}, {"--surfaces", surfaces}}};
+    }
 };
 
 bool is_same_output(const std::string& a, const std::string& b) {
@@ -31,26 +41,49 @@ bool is_same_output(const std::string& a, const std::string& b) {
 }
 
 void refuse_same_files(const RunArguments& arguments) {
-    for (const auto& [flag, path] : {std::pair("--json", arguments.json), {"--csv", arguments.csv}})
+    const auto outputs = arguments.outputs();
+    for (const auto& [flag, path] : outputs)
         if (!path.empty() && is_same_file(path, arguments.scene))
             throw UsageError(fmt::format("{} {}: this would overwrite the scene", flag, path));
-    if (is_same_output(arguments.json, arguments.csv))
-        throw UsageError(fmt::format(
-            "--json and --csv would both be written to {}",
-            Output::is_standard_output(arguments.csv) ? "standard output" : arguments.csv));
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        for (std::size_t j = i + 1; j < outputs.size(); ++j)
+            if (is_same_output(outputs[i].second, outputs[j].second))
+                throw UsageError(fmt::format(
+                    "{} and {} would both be written to {}", outputs[i].first, outputs[j].first,
+                    Output::is_standard_output(outputs[j].second) ? "standard output"
+                                                                  : outputs[j].second));
 }
 
 bool standard_output_is_taken(const RunArguments& arguments) {
-    return Output::is_standard_output(arguments.json) || Output::is_standard_output(arguments.csv);
+    return std::ranges::any_of(arguments.outputs(), [](const auto& output) {
+        return Output::is_standard_output(output.second);
+    });
+}
+
+// A table of surfaces would have no rows where there are only walls that reflect.
+void refuse_no_surfaces(const RunArguments& arguments, const Scene& scene) {
+    const auto is_of_surface = [](const RunEvent& event) {
+        return std::holds_alternative<ChangeSurface>(event.action) ||
+               std::holds_alternative<MoveSurface>(event.action);
+    };
+    if (arguments.surfaces.empty() || !scene.gas.box.surfaces.are_plain() ||
+        std::ranges::any_of(scene.run.events, is_of_surface))
+        return;
+    throw UsageError(fmt::format(
+        "--surfaces: {} has nothing but walls that reflect; leave the option out, or give the "
+        "scene walls that act, partitions, obstacles or gravity",
+        arguments.scene));
 }
 
 std::string report_text(const RunArguments& arguments, const Scene& scene,
                         const RunReport& report) {
     std::string text;
-    if (!arguments.quiet && arguments.json.empty() && arguments.csv.empty())
-        text += run_table(scene, report);
+    const auto outputs = arguments.outputs();
+    const bool has_outputs =
+        std::ranges::any_of(outputs, [](const auto& output) { return !output.second.empty(); });
+    if (!arguments.quiet && !has_outputs) text += run_table(scene, report);
     if (!arguments.quiet && !standard_output_is_taken(arguments))
-        for (const std::string& path : {arguments.json, arguments.csv})
+        for (const auto& [flag, path] : outputs)
             if (!path.empty()) text += path + "\n";
     if (arguments.timings) text += (text.empty() ? "" : "\n") + run_timings(report);
     return text;
@@ -79,14 +112,20 @@ void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
     const Scene scene =
         load_scene(arguments.scene, scene_resources(), overrides_of(arguments), Wanted::physics);
-    std::optional<Output> json, csv;
+    refuse_no_surfaces(arguments, scene);
+    std::optional<Output> json, csv, surfaces;
     std::optional<SamplesCsv> table;
+    std::optional<SurfacesCsv> surface_table;
     if (!arguments.json.empty()) json.emplace(arguments.json);
     if (!arguments.csv.empty()) table.emplace(scene.gas, csv.emplace(arguments.csv));
+    if (!arguments.surfaces.empty())
+        surface_table.emplace(scene.gas.box, surfaces.emplace(arguments.surfaces));
     SampleTaker take;
-    if (table)
-        take = [&](const Particles& particles, const Sample& sample) {
-            table->add(particles, sample);
+    if (table || surface_table)
+        take = [&](const Particles& particles, const Sample& sample,
+                   const std::vector<SurfaceState>& states) {
+            if (table) table->add(particles, sample);
+            if (surface_table) surface_table->add(sample.time, states);
         };
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     const RunReport report = reporting_incomplete(csv, [&] {
@@ -96,6 +135,7 @@ void run_scene(const RunArguments& arguments) {
     });
     if (json) json->write(run_json(scene, report));
     if (csv) csv->commit();
+    if (surfaces) surfaces->commit();
     if (json) json->commit();
     print(arguments, report_text(arguments, scene, report));
 }
@@ -110,7 +150,12 @@ Command run_command() {
         joined<Option>(
             {{{"scene", "a scene file; - for standard input", &its.scene},
               {"--json", "the statistics as JSON; - for standard output", &its.json},
-              {"--csv", "all samples, a row for each particle; - for standard output", &its.csv}},
+              {"--csv", "all samples, a row for each particle; - for standard output", &its.csv},
+              {"--surfaces",
+               "what walls, partitions and obstacles have done, a row for each sample and surface; "
+               "- "
+               "for standard output",
+               &its.surfaces}},
              scene_options(its),
              work_options(its)}),
         [arguments] { run_scene(*arguments); }};

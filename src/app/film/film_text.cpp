@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/progress.h"
+#include "panels/surfaces/surface_words.h"
 #include "scene/describe.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
@@ -62,10 +63,12 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
     for (const RunEvent& event : scene.run.events)
-        if (const auto* moved = std::get_if<Perturbation>(&event.action);
-            moved && event.at >= begins)
-            if (const auto frame = shown_from(event.at))
-                at(*frame).perturbations.push_back(words_of(*moved));
+        if (const auto* moved = std::get_if<Perturbation>(&event.action); event.at >= begins) {
+            const std::string words =
+                moved ? words_of(*moved) : words_of_surface_event(event, scene.gas);
+            if (words.empty()) continue;
+            if (const auto frame = shown_from(event.at)) at(*frame).events.push_back(words);
+        }
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = scene.film.end_card;
@@ -91,6 +94,7 @@ std::string numbers_of(const Moment& moment, const Scene& scene) {
     if (scene.run.events.empty()) text += " of " + three_digits(scene.run.until);
     text += fmt::format(", {} {} between particles so far.", moment.collisions,
                         moment.collisions == 1 ? "collision" : "collisions");
+    if (!moment.surfaces.empty()) text += " " + moment.surfaces;
     if (!std::isfinite(moment.mean_energy)) return text;
     text += fmt::format(" Mean speed {}, mean energy {}", three_digits(moment.mean_speed),
                         three_digits(moment.mean_energy));
@@ -138,7 +142,7 @@ std::string happening(const Moment& moment) {
     std::string text;
     if (moment.ends) text += "The film ends. ";
     if (moment.reversed) text += "All velocities are reversed. ";
-    for (const std::string& moved : moment.perturbations) text += moved + ". ";
+    for (const std::string& event : moment.events) text += event + ". ";
     if (!moment.mark.empty())
         text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
                             moment.mark);
@@ -152,7 +156,7 @@ std::string heading(const Moment& moment, const Scene& scene) {
     if (!moment.end_card.empty()) return moment.end_card;
     if (moment.is_title) return scene.title;
     if (moment.reversed) return "Velocities reversed";
-    if (!moment.perturbations.empty()) return moment.perturbations.front();
+    if (!moment.events.empty()) return moment.events.front();
     if (!moment.mark.empty()) return moment.mark;
     if (moment.time == 0.0) return "The start";
     return "Time " + three_digits(folded_time(scene.run, moment.time));
@@ -231,11 +235,17 @@ FilmTextMaker::FilmTextMaker(const Scene& scene, const FrameSpan& span,
     : scene_(scene), span_(span), particles_(particles), moments_(moments_of(scene, span, ticks)) {}
 
 void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+    if (first_of_gas_ < 0 && !is_card(tick.phase) && tick.frame >= span_.first)
+        first_of_gas_ = tick.frame;
     if (next_ == moments_.size() || moments_[next_].frame != tick.frame) return;
     Moment& moment = moments_[next_++];
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
     moment.collisions = advanced.counts.particle;
+    constexpr bool only_changes = true;
+    moment.surfaces =
+        words_of_surfaces(scene_.gas, advanced.surfaces,
+                          moment.frame == first_of_gas_ ? !only_changes : only_changes);
     moment.mean_speed = speed.mean();
     moment.mean_energy = energy.mean();
     moment.shares = class_shares(speed, moment.mean_speed);

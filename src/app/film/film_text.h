@@ -43,13 +43,14 @@ struct FilmText {
 struct Moment {
     int frame = 0;
     double time = 0.0;
-    bool reversed = false;                        ///< just now
-    bool ends = false;                            ///< the film
-    bool is_title = false;                        ///< the title card
-    std::vector<std::string> perturbations = {};  ///< of just now, in words
-    std::string mark = {};                        ///< the words of places that are marked just now
+    bool reversed = false;                 ///< just now
+    bool ends = false;                     ///< the film
+    bool is_title = false;                 ///< the title card
+    std::vector<std::string> events = {};  ///< of just now, in words, but for reversals
+    std::string mark = {};                 ///< the words of places that are marked just now
     std::string end_card = {};
-    std::string caption = {};  ///< that comes up just now
+    std::string caption = {};   ///< that comes up just now
+    std::string surfaces = {};  ///< those that move or are open; at first, all
     std::int64_t collisions = 0;
     double mean_speed = 0.0, mean_energy = 0.0;
     std::vector<double> species_energy = {};
@@ -75,6 +76,7 @@ class FilmTextMaker {
     const Particles& particles_;
     std::vector<Moment> moments_;  ///< in order
     std::size_t next_ = 0;         ///< to be seen
+    int first_of_gas_ = -1;        ///< the first frame of the span that shows it
 };
 
 /// What their files are called, by what they hold: the film's name without its extension, and this.

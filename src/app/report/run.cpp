@@ -8,6 +8,7 @@
 #include "app/simulate.h"
 #include "app/stopwatch.h"
 #include "panels/precision.h"
+#include "panels/surfaces/surface_words.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -66,6 +67,47 @@ class ReversalWatch {
     std::size_t next_ = 0;
 };
 
+// The places of what can move, over the samples.
+class SurfaceWatch {
+  public:
+    explicit SurfaceWatch(const Box& box) : box_(box), names_(box.surfaces.names()) {}
+
+    void see(const std::vector<SurfaceState>& states) {
+        const std::size_t count = std::min(states.size(), 4 + box_.surfaces.partitions.size());
+        sums_.resize(count);
+        ++seen_;
+        for (std::size_t k = 0; k < count; ++k) {
+            Sums& its = sums_[k];
+            its.last = place_of_surface(box_, states, k);
+            const double off = its.last - its.mean;
+            its.mean += off / static_cast<double>(seen_);
+            its.squares += off * (its.last - its.mean);
+        }
+    }
+
+    std::vector<SurfaceReport> reports(const std::vector<SurfaceState>& states) const {
+        std::vector<SurfaceReport> reports;
+        for (std::size_t k = 0; k < states.size(); ++k) {
+            SurfaceReport& report = reports.emplace_back(names_[k], states[k]);
+            if (states[k].motion)
+                report.position = {
+                    sums_[k].mean,
+                    std::sqrt(std::max(0.0, sums_[k].squares / static_cast<double>(seen_))),
+                    states[k].motion->place};
+        }
+        return reports;
+    }
+
+  private:
+    struct Sums {
+        double mean = 0.0, squares = 0.0, last = 0.0;
+    };
+    Box box_;
+    std::vector<std::string> names_;
+    std::vector<Sums> sums_;
+    std::int64_t seen_ = 0;
+};
+
 std::int64_t sample_count(const Run& run) {
     constexpr double rounding = 1e-9;  // an end at exactly k steps must not get a sliver after it
     return 1 + static_cast<std::int64_t>(
@@ -85,6 +127,7 @@ class Course {
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(started.scene.gas.species.size()), sample_count(run_)),
           reversals_(run_, simulation_),
+          surfaces_(simulation_.box()),
           progress_(progress),
           watch_(watch) {
         seconds_.prepare = watch.wall();
@@ -99,13 +142,16 @@ class Course {
         }
         progress_.finish();
         seconds_.total = watch_.wall();
-        return {simulation_.particles().count(),
-                simulation_.bits(),
-                samples,
-                statistics_.summary(advanced_),
-                advanced_.counts,
-                reversals_.reports(),
-                seconds_};
+        RunReport report{simulation_.particles().count(),
+                         simulation_.bits(),
+                         samples,
+                         statistics_.summary(advanced_),
+                         advanced_.counts,
+                         reversals_.reports(),
+                         seconds_,
+                         surfaces_.reports(simulation_.surfaces())};
+        if (!report.surfaces.empty()) report.account = simulation_.energy_account();
+        return report;
     }
 
   private:
@@ -113,7 +159,9 @@ class Course {
         const Stopwatch watch;
         const Sample& sample = simulation_.sample();
         statistics_.see(sample);
-        if (take) take(simulation_.particles(), sample);
+        const std::vector<SurfaceState> surfaces = simulation_.surfaces();
+        surfaces_.see(surfaces);
+        if (take) take(simulation_.particles(), sample, surfaces);
         seconds_.samples += watch.wall();
     }
 
@@ -135,6 +183,7 @@ class Course {
     Simulation simulation_;
     RunStatistics statistics_;
     ReversalWatch reversals_;
+    SurfaceWatch surfaces_;
     Progress& progress_;
     const Stopwatch& watch_;
     AdvanceResult advanced_;

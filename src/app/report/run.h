@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/progress.h"
@@ -31,6 +32,16 @@ struct RunSeconds {
     double samples = 0.0;   ///< statistics, and what takes the samples
 };
 
+/// What a surface has done in a run, and where it was.
+struct SurfaceReport {
+    std::string name;
+    SurfaceTotals totals;
+    struct Position {
+        double mean, deviation, last;  ///< over the samples, at the end
+    };
+    std::optional<Position> position = {};  ///< of one that moves, or has moved
+};
+
 struct RunReport {
     std::int64_t particles = 0;
     int bits = bits_of_double;  ///< of the numbers it calculated with
@@ -39,13 +50,16 @@ struct RunReport {
     CollisionCounts collisions;
     std::vector<ReversalReport> reversals;  ///< in order of time
     RunSeconds seconds;
+    std::vector<SurfaceReport> surfaces = {};   ///< by their numbers; none in a plain box
+    std::optional<EnergyAccount> account = {};  ///< where there are any
 };
 
 /// All events: collisions between particles and with walls.
 std::int64_t events_of(const CollisionCounts& counts);
 
-/// Takes each sample in order of time; both are valid during the call only.
-using SampleTaker = std::function<void(const Particles&, const Sample&)>;
+/// Takes each sample in order of time; all are valid during the call only.
+using SampleTaker =
+    std::function<void(const Particles&, const Sample&, const std::vector<SurfaceState>& surfaces)>;
 
 /// Runs `scene` from time 0 to its end with a sample at every multiple of `run.sample_every` and at
 /// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` throws.

@@ -44,6 +44,29 @@ Fact collisions(const RunReport& report) {
                         grouped(counts.particle), of_each, grouped(counts.wall))};
 }
 
+// The rest of the sum where surfaces act: what does not change by itself.
+std::string account_words(const EnergyAccount& account) {
+    std::vector<std::string> parts{"kinetic " + number(account.kinetic)};
+    const auto add = [&](const char* name, double value) {
+        if (value != 0.0) parts.push_back(fmt::format("{} {}", name, number(value)));
+    };
+    add("potential", account.potential);
+    add("pistons", account.pistons);
+    add("work", account.work);
+    add("heat", account.heat);
+    return fmt::format("{} at the end, relative error {:.1e}", fmt::join(parts, ", "),
+                       account.relative_error);
+}
+
+Json account_value(const EnergyAccount& account) {
+    return Json{{"kinetic", number_or_null(account.kinetic)},
+                {"potential", number_or_null(account.potential)},
+                {"pistons", number_or_null(account.pistons)},
+                {"work", number_or_null(account.work)},
+                {"heat", number_or_null(account.heat)},
+                {"relative_error", number_or_null(account.relative_error)}};
+}
+
 std::string energy_words(const RunSummary& summary) {
     if (!summary.largest_energy_error) return "not conserved: an infinite mass moves";
     if (*summary.largest_energy_error == 0.0)
@@ -52,12 +75,63 @@ std::string energy_words(const RunSummary& summary) {
                        *summary.largest_energy_error);
 }
 
-Fact energy(const RunSummary& summary) {
-    return {"energy",
-            Json{{"initial", number_or_null(summary.energy_initial)},
-                 {"final", number_or_null(summary.energy_final)},
-                 {"largest_relative_error", number_or_null(summary.largest_energy_error)}},
-            "energy", energy_words(summary)};
+Fact energy(const RunReport& report) {
+    const RunSummary& summary = report.summary;
+    Fact fact{"energy",
+              Json{{"initial", number_or_null(summary.energy_initial)},
+                   {"final", number_or_null(summary.energy_final)},
+                   {"largest_relative_error", number_or_null(summary.largest_energy_error)}},
+              "energy", ""};
+    if (report.account) {
+        fact.value["account"] = account_value(*report.account);
+        fact.words = account_words(*report.account);
+    } else {
+        fact.words = energy_words(summary);
+    }
+    return fact;
+}
+
+std::string surface_rows(const std::vector<SurfaceReport>& surfaces) {
+    std::size_t width = 7;
+    for (const SurfaceReport& surface : surfaces)
+        width = std::max(width, static_cast<std::size_t>(code_points(surface.name)));
+    std::string text = fmt::format("  {:<{}}  {:>9}  {:>23}  {:>10}  {:>10}  {}\n", "surface",
+                                   width, "hits", "impulse", "work", "heat", "position");
+    for (const SurfaceReport& surface : surfaces) {
+        const SurfaceTotals& its = surface.totals;
+        const std::string padding(width - static_cast<std::size_t>(code_points(surface.name)), ' ');
+        const std::string position =
+            surface.position
+                ? fmt::format("{} ± {}, {} at the end", number(surface.position->mean),
+                              number(surface.position->deviation), number(surface.position->last))
+                : "—";
+        text += fmt::format("  {}{}  {:>9}  {:>23}  {:>10}  {:>10}  {}\n", surface.name, padding,
+                            its.hits,
+                            fmt::format("({}, {})", number(its.impulse[0]), number(its.impulse[1])),
+                            number(its.work), number(its.heat), position);
+    }
+    return text;
+}
+
+// In a box with surfaces that act, obstacles or gravity.
+Facts surfaces(const RunReport& report) {
+    if (report.surfaces.empty()) return {};
+    Json list = Json::array();
+    for (const SurfaceReport& surface : report.surfaces) {
+        const SurfaceTotals& its = surface.totals;
+        Json position = nullptr;
+        if (surface.position)
+            position = Json{{"mean", number_or_null(surface.position->mean)},
+                            {"deviation", number_or_null(surface.position->deviation)},
+                            {"last", number_or_null(surface.position->last)}};
+        list.push_back(Json{{"name", surface.name},
+                            {"hits", its.hits},
+                            {"impulse", vector_value({its.impulse[0], its.impulse[1]})},
+                            {"work", number_or_null(its.work)},
+                            {"heat", number_or_null(its.heat)},
+                            {"position", std::move(position)}});
+    }
+    return {{"surfaces", std::move(list), "", "\n" + surface_rows(report.surfaces)}};
 }
 
 Fact momentum(const RunSummary& summary) {
@@ -69,18 +143,23 @@ Fact momentum(const RunSummary& summary) {
                         vector(summary.momentum_final))};
 }
 
-std::string pressure_words(const RunSummary& summary) {
+std::string pressure_words(const RunReport& report) {
+    const RunSummary& summary = report.summary;
+    if (!report.surfaces.empty())
+        return summary.wall_pressure ? number(summary.wall_pressure) + " on the walls"
+                                     : "not one; see what each surface has received";
     const std::string wall = summary.wall_pressure ? number(summary.wall_pressure) + " on the walls"
                                                    : "no solid walls to press on";
     if (!summary.virial_pressure) return wall;
     return fmt::format("{}, {} by the virial", wall, number(summary.virial_pressure));
 }
 
-Fact pressure(const RunSummary& summary, int dimension) {
+Fact pressure(const RunReport& report, int dimension) {
+    const RunSummary& summary = report.summary;
     return {"pressure",
             Json{{"wall", number_or_null(summary.wall_pressure)},
                  {"virial", number_or_null(summary.virial_pressure)}},
-            dimension == 1 ? "force" : "pressure", pressure_words(summary)};
+            dimension == 1 ? "force" : "pressure", pressure_words(report)};
 }
 
 // What overlaps by less than the round-off of the coordinates touches.
@@ -224,15 +303,16 @@ Facts facts_of(const Scene& scene, const RunReport& report) {
           {"particles", report.particles},
           {"time", scene.run.until},
           collisions(report),
-          energy(summary),
+          energy(report),
           momentum(summary),
           {"temperature", number_or_null(summary.temperature), "temperature",
            number(summary.temperature)},
-          pressure(summary, scene.gas.box.dimension),
+          pressure(report, scene.gas.box.dimension),
           overlap(summary.largest_overlap),
           precision(scene, report.bits)},
          reversals(report),
          {species(scene, summary)},
+         surfaces(report),
          histograms(summary),
          {{"seconds", Json{{"total", report.seconds.total},
                            {"events_per_second", events / report.seconds.simulate}}}}});

@@ -8,6 +8,7 @@ namespace carom {
 Flights::Flights(const Box& box, Eigen::Index axis, std::vector<Eigen::Index> particles)
     : axis_(axis),
       period_(box.is_periodic(axis) ? box.size[axis] : 0.0),
+      acceleration_(box.surfaces.gravity[axis]),
       particles_(std::move(particles)) {}
 
 double Flights::within(double place) const {
@@ -34,9 +35,11 @@ std::vector<Flights::Corner> Flights::see(const FrameInput& input) {
             !(with_particle && is_followed(collision.second.particle())))
             continue;
         Corner corner{collision.time, last_.place, last_.after, last_.after};
-        for (std::size_t k = 0; k < particles_.size(); ++k)
-            corner.place[k] =
-                within(last_.place[k] + (collision.time - last_.time) * last_.after[k]);
+        const double elapsed = collision.time - last_.time, gain = elapsed * acceleration_;
+        for (std::size_t k = 0; k < particles_.size(); ++k) {
+            corner.place[k] = within(last_.place[k] + elapsed * (last_.after[k] + 0.5 * gain));
+            corner.before[k] = corner.after[k] = last_.after[k] + gain;
+        }
         meet(corner, collision.first, collision.first_position[axis_],
              collision.first_after[axis_]);
         if (with_particle)

@@ -1,5 +1,5 @@
-// How particles flew between two frames, along one axis: in straight pieces from one change of
-// velocity to the next. Knows no canvas.
+// How particles flew between two frames, along one axis: freely from one change of velocity
+// to the next. Knows no canvas.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,8 @@ class Flights {
     double within(double place) const;
 
     Eigen::Index axis_;
-    double period_;  ///< length; 0 between walls
+    double period_;        ///< length; 0 between walls
+    double acceleration_;  ///< of gravity
     std::vector<Eigen::Index> particles_;
     Corner last_{};  ///< or the last frame, whichever is later
     int reversals_ = 0;

@@ -119,14 +119,12 @@ struct GasPanel::Drawing {
     const Scene& scene = panel.context_.scene;
     const Box& box = scene.gas.box;
     const Eigen::ArrayXd& radius = panel.context_.particles.radius;
-    Rect frame = panel.frame_in(dc.area);
-    double scale = panel.scale_in(dc);
+    BoxMap map = panel.map_in(dc);
+    Rect frame = gas.surfaces.empty() ? map.frame : map.rect(panel.surfaces_.room(gas.surfaces));
+    double scale = map.scale;
     std::vector<Color> colors = panel.colors_.of_shades(dc.theme);
 
-    // From scene units, y up, to pixels, y down.
-    Point pixel(const Point& place) const {
-        return {frame.x + place.x * scale, frame.bottom() - place.y * scale};
-    }
+    Point pixel(const Point& place) const { return map.pixel(place); }
     static Point place_of(const Eigen::ArrayXXf& all, Eigen::Index i) {
         return {static_cast<double>(all(i, 0)), static_cast<double>(all(i, 1))};
     }
@@ -160,7 +158,12 @@ struct GasPanel::Drawing {
 };
 
 void GasPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    const Rect box = frame_in(dc.area);
+    const BoxMap map = map_in(dc);
+    if (!surfaces_.is_plain()) {
+        if (surfaces_.is_still()) surfaces_.draw_room(canvas, dc, map, {});
+        return;
+    }
+    const Rect box = map.frame;
     canvas.fill(box, dc.theme.ground);
     const double line = 0.11 * dc.unit;
     const Rect edge{box.x - line / 2, box.y - line / 2, box.width + line, box.height + line};
@@ -172,8 +175,11 @@ void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& sta
 }
 
 void GasPanel::Drawing::draw() const {
+    const SurfaceView& surfaces = panel.surfaces_;
+    if (!surfaces.is_still()) surfaces.draw_room(canvas, dc, map, gas.surfaces);
     canvas.clip_to(frame);
     draw_ghosts();
+    surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     for (std::size_t k = 0; k < gas.trails.size(); ++k)
         draw_trail(gas.trails[k], panel.followed_[k].trail_seconds);
     draw_disks();
@@ -185,6 +191,7 @@ void GasPanel::Drawing::draw() const {
     draw_flashes();
     draw_remarks();
     canvas.release_clip();
+    surfaces.draw_around(canvas, dc, map, gas.surfaces);
     draw_arrows();
     if (gas.ghosts)
         draw_ghost_words(canvas, dc, {frame.x + 0.3 * dc.unit, frame.y + 1.6 * dc.unit},

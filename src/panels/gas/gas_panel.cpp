@@ -6,6 +6,7 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
+#include "panels/surfaces/surface_words.h"
 
 namespace carom {
 namespace {
@@ -14,7 +15,7 @@ constexpr double default_trail_seconds = 1.0;
 
 }  // namespace
 
-GasPanel::GasPanel(const PanelContext& context) : ParticlePanel(context) {
+GasPanel::GasPanel(const PanelContext& context) : ParticlePanel(context), surfaces_(context) {
     choose_particles();
     trails_.resize(followed_.size());
 }
@@ -22,6 +23,7 @@ GasPanel::GasPanel(const PanelContext& context) : ParticlePanel(context) {
 void GasPanel::survey(const FrameInput& input) {
     colors_.survey(input);
     arrows_.survey(input);
+    surfaces_.survey(input);
     flashes_.survey(input, [this](const Collision& collision) {
         const double first = context_.particles.radius[collision.first];
         const double share =
@@ -42,7 +44,7 @@ void GasPanel::fix_axes() {
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
 
-void GasPanel::archive(Archive& archive) { archive(colors_, arrows_, flashes_); }
+void GasPanel::archive(Archive& archive) { archive(colors_, arrows_, flashes_, surfaces_); }
 
 // Those that should have a trail, and a single particle among many, which is what the film is
 // about.
@@ -84,6 +86,7 @@ void GasPanel::extend_trails(const FrameInput& input) {
 std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
     auto state = std::make_shared<State>();
     see(input, input.sample.position, *state);
+    state->surfaces = surfaces_.states(input);
     extend_trails(input);
     for (const std::deque<TrailPoint>& trail : trails_) {
         Trail& copy = state->trails.emplace_back();
@@ -101,16 +104,18 @@ bool GasPanel::stands_alone() const {
     return std::ranges::none_of(layout.panels, [&](const Slot& slot) { return slot.x >= right; });
 }
 
-Rect GasPanel::frame_in(const Rect& area) const {
-    const Eigen::Array2d& size = context_.scene.gas.box.size;
-    const double scale = std::min(area.width / size[0], area.height / size[1]);
-    const double width = size[0] * scale, height = size[1] * scale;
-    const double left = stands_alone() ? (area.width - width) / 2 : 0.0;
-    return {area.x + left, area.y + (area.height - height) / 2, width, height};
+BoxMap GasPanel::map_in(const DrawContext& own) const {
+    return surfaces_.map_in(own.area, own.unit, stands_alone());
 }
 
-double GasPanel::scale_in(const DrawContext& own) const {
-    return frame_in(own.area).width / context_.scene.gas.box.size[0];
+Rect GasPanel::frame_in(const Rect& area, double unit) const {
+    return surfaces_.whole(surfaces_.map_in(area, unit, stands_alone()), unit);
+}
+
+double GasPanel::scale_in(const DrawContext& own) const { return map_in(own).scale; }
+
+std::string GasPanel::account(const PanelState& state) const {
+    return words_of_surfaces(context_.scene.gas, static_cast<const State&>(state).surfaces);
 }
 
 std::string GasPanel::label(Eigen::Index particle, const State& state) const {
@@ -148,6 +153,18 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
             add_row(table, "mark", i,
                     {gas.ghosts->place(i, 0), gas.ghosts->place(i, 1), radius[i],
                      hex_of(theme.muted), gas.ghosts->words});
+    for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
+        const SurfaceState& surface = gas.surfaces[k];
+        if (k < 4 && !surface.motion && std::holds_alternative<Reflecting>(surface.behaviour))
+            continue;
+        const Gas& its = context_.scene.gas;
+        const bool is_x = axis_of_surface(its.box, k) == 0;
+        const Cell at = place_of_surface(its.box, gas.surfaces, k), none;
+        std::vector<Cell>& row = table.rows.emplace_back();
+        row = {"surface",        none, none, is_x ? at : none,
+               is_x ? none : at, none, none, surface_label(its, surface, k)};
+        row.resize(table.columns.size());
+    }
     return table;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "panels/gas/particle_panel.h"
+#include "panels/surfaces/surface_view.h"
 
 namespace carom {
 
@@ -27,7 +28,10 @@ class GasPanel : public ParticlePanel {
 
     /// The box is as large as fits, at the area's left; in its middle where no panel stands right
     /// of it.
-    Rect frame_in(const Rect& area) const override;
+    Rect frame_in(const Rect& area, double unit) const override;
+
+    /// The surfaces, as they are.
+    std::string account(const PanelState& state) const override;
 
   private:
     struct Drawing;
@@ -44,11 +48,12 @@ class GasPanel : public ParticlePanel {
         std::vector<float> ages;    // seconds of film
     };
     struct State : ParticleState {
-        std::vector<Trail> trails;  // one for each particle that is followed
+        std::vector<Trail> trails;           // one for each particle that is followed
+        std::vector<SurfaceState> surfaces;  // of sides and partitions; none of a plain box
         std::size_t bytes() const override {
             std::size_t sum = ParticleState::bytes();
             for (const Trail& trail : trails) sum += trail.places.size() * 20;
-            return sum;
+            return sum + surfaces.size() * sizeof(SurfaceState);
         }
     };
 
@@ -56,8 +61,10 @@ class GasPanel : public ParticlePanel {
     void choose_particles();
     void extend_trails(const FrameInput& input);
     bool stands_alone() const;
+    BoxMap map_in(const DrawContext& own) const;
     std::string label(Eigen::Index particle, const State& state) const;
 
+    SurfaceView surfaces_;
     std::vector<Followed> followed_;
     std::vector<std::deque<TrailPoint>> trails_;  // of these, as of the last state
     double moving_seconds_ = 0.0;                 // film time without holds

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "panels/chosen.h"
+#include "panels/surfaces/side_extent.h"
 #include "util/text.h"
 
 namespace carom {
@@ -104,6 +105,8 @@ void HistogramPanel::survey(const FrameInput& input) {
     const Eigen::ArrayXXd all = subject_.values(input);
     for (HistogramSeries& one : record_.series) one.values_each = static_cast<double>(all.cols());
     span_ = input.tick.time;
+    if (subject_.position_axis)
+        widen_to_sides(*subject_.extent, context_.scene.gas.box, *subject_.position_axis, input);
     const double numbers = record_.values();
     const auto stride = std::max<Eigen::Index>(
         1, static_cast<Eigen::Index>(numbers * context_.frames / static_cast<double>(pool_size)));

@@ -27,8 +27,10 @@ struct HistogramSubject {
         {};                  ///< of a value in between; wanted where the density is not finite
     bool symmetric = false;  ///< about 0; else values are never negative
     std::optional<std::pair<double, double>> extent =
-        {};                                     ///< all values are in here; none: as the run shows
-    bool means = true;                          ///< marked where the scene does not say
+        {};  ///< all values are in here; none: as the run shows
+    std::optional<Eigen::Index> position_axis =
+        {};             ///< of positions along an axis, whose extent is as wide as the box gets
+    bool means = true;  ///< marked where the scene does not say
     std::string unit = reduced::speed;          ///< of the numbers, in a table
     std::optional<TestedQuantity> tested = {};  ///< against equilibrium; none: no test
 };

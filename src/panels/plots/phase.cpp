@@ -5,6 +5,7 @@
 #include "panels/gas/flights.h"
 #include "panels/plots/points_panel.h"
 #include "panels/registry.h"
+#include "panels/surfaces/side_extent.h"
 
 namespace carom {
 namespace {
@@ -34,6 +35,8 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
         .across = "position" + along,
         .up = "velocity" + along,
         .width = {0.0, box.size[axis]},
+        .widen = [box, axis](PointsSubject& its,
+                             const FrameInput& o) { widen_to_sides(its.width, box, axis, o); },
         .height = {},
         .sets = {},
         .points =

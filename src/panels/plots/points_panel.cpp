@@ -40,6 +40,7 @@ const std::vector<Point>& PointsPanel::points(const PanelState& state, std::size
 }
 
 void PointsPanel::survey(const FrameInput& input) {
+    if (subject_.widen) subject_.widen(subject_, input);
     paths_.resize(subject_.sets.size());
     for (std::size_t k = 0; k < paths_.size(); ++k) {
         const std::vector<Point> now = subject_.points(input, k);
@@ -70,7 +71,7 @@ void PointsPanel::fix_axes() {
 }
 
 void PointsPanel::archive(Archive& archive) {
-    archive(paths_, height_);
+    archive(paths_, height_, subject_.width);
     if (archive.is_reading()) make_plot();
 }
 

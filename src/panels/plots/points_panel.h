@@ -20,6 +20,8 @@ struct PointsSubject {
     std::vector<plot::Text> titles;   ///< from the longest on
     std::string across, up;           ///< the axes' titles
     std::pair<double, double> width;  ///< of the axis across
+    std::function<void(PointsSubject&, const FrameInput&)> widen =
+        {};  ///< makes axes of positions as wide as the box gets
     std::optional<std::pair<double, double>>
         height;  ///< of the axis up; none: symmetric about 0, as the run shows
     std::vector<Set> sets;

@@ -15,6 +15,7 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
         .beyond = "",
         .values = [axis](const FrameInput& o) { return o.sample.position.col(axis); },
         .extent = std::pair{0.0, box.size[axis]},
+        .position_axis = axis,
         .means = false,
         .unit = reduced::length};
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));

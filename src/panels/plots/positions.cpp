@@ -3,6 +3,7 @@
 #include "panels/gas/flights.h"
 #include "panels/plots/points_panel.h"
 #include "panels/registry.h"
+#include "panels/surfaces/side_extent.h"
 
 namespace carom {
 
@@ -28,6 +29,11 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
         .across = name_on_axis(context, spec.of[0]),
         .up = name_on_axis(context, spec.of[1]),
         .width = {0.0, length},
+        .widen =
+            [box, axis](PointsSubject& its, const FrameInput& o) {
+                widen_to_sides(its.width, box, axis, o);
+                widen_to_sides(*its.height, box, axis, o);
+            },
         .height = std::pair{0.0, length},
         .sets = {{"both"}},
         .points =

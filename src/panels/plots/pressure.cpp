@@ -38,16 +38,18 @@ class Gauge {
     std::vector<double> operator()(const FrameInput& o) {
         const Box& box = context_.scene.gas.box;
         if (accounts_.empty()) accounts_.push_back({});
+        const bool plain = o.advanced.surfaces.empty();
+        if (!has_one_pressure(box, o.advanced.surfaces)) unknown_until_ = o.tick.time;
         if (o.tick.time > accounts_.back().time)
             accounts_.push_back({o.tick.time, o.advanced.impulses});
         drop_old();
         const Account& from = accounts_.front();
         const Account& to = accounts_.back();
-        if (!(to.time > from.time)) return {nan_, nan_};
+        if (!(to.time > from.time) || from.time < unknown_until_) return {nan_, nan_};
         const ImpulseTotals change = between(from.impulses, to.impulses);
         const double time = to.time - from.time;
         const double thermal = thermal_motion(box, context_.particles, o.sample).energy;
-        const bool pushed = infinite_mass_moves(context_.particles, o.sample);
+        const bool pushed = !plain || infinite_mass_moves(context_.particles, o.sample);
         *of_points_ = pushed ? nan_ : pressure_of_points(box, thermal);
         const auto virial = virial_pressure(box, context_.particles, thermal, change, time);
         return {wall_pressure(box, change, time).value_or(nan_),
@@ -74,6 +76,8 @@ class Gauge {
     PanelContext context_;
     Over over_;
     std::deque<Account> accounts_;
+    double unknown_until_ = -std::numeric_limits<double>::infinity();  ///< where there is no one
+                                                                       ///< pressure of the gas
     std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
 };
 

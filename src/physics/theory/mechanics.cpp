@@ -37,7 +37,7 @@ ThermalMotion motion_of(const Box& box, const Particles& particles, const Sample
     ThermalMotion motion;
     for (Eigen::Index a = 0; a < sample.velocity.cols(); ++a) {
         const auto v = sample.velocity.col(a);
-        const bool conserved = free && box.is_periodic(a);
+        const bool conserved = free && box.is_periodic(a) && box.surfaces.are_plain();
         const double drift = conserved ? (mass * v).sum() / mass.sum() : 0.0;
         motion.energy += 0.5 * (counted * mass * (v - drift).square()).sum();
         motion.degrees_of_freedom += counted.sum();

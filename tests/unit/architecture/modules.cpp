@@ -47,7 +47,7 @@ const std::map<std::string, Parts> parts_of_module{
      {{"yaml", "time", "keys", "lettering", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
-     {{"plot", "gas", "line", "plots", "echo", "collision", "words", "panels"},
+     {{"plot", "surfaces", "gas", "line", "plots", "echo", "collision", "words", "panels"},
       {"archived.h", "chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
     {"app",
      {{"film", "figures", "report", "commands", "app"},

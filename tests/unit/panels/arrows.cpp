@@ -46,7 +46,7 @@ struct Shot {
         painter = std::make_unique<FramePainter>(panels);
         view = painter->paint(frame).pixels();
         box = panels.gas().frame_in(
-            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas));
+            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas), 1.0);
     }
 
     double scale() const { return box.width / scene.gas.box.size[0]; }

@@ -71,7 +71,8 @@ struct Pair {
     }
     Rect box() const {
         return with.panels->gas().frame_in(
-            Grid(with.scene.film.layout, with.scene.film.size).place(with.scene.film.layout.gas));
+            Grid(with.scene.film.layout, with.scene.film.size).place(with.scene.film.layout.gas),
+            1.0);
     }
 };
 

@@ -45,7 +45,7 @@ Outline outline(const Shot& with, const Shot& without, std::size_t frame, double
     const LayoutSpec& layout = with.scene.film.layout;
     const Grid grid(layout, {1280, 720});
     const Rect area = grid.place(layout.gas);
-    const Rect box = with.panels->gas().frame_in(area);
+    const Rect box = with.panels->gas().frame_in(area, 1.0);
     const double scale = wire ? (area.width - 4.0 * grid.unit()) / 40.0 : box.width / 40.0;
     const Point center =
         wire ? Point{area.x + 3.4 * grid.unit() + x * scale, area.y + 3.4 * grid.unit()}

@@ -105,11 +105,11 @@ TEST_CASE("the box stands in the middle where nothing is beside it, else at the 
     const Picture alone(scene_of("{count: 1}", "fps: 30", "size: [10, 40]"));
     const Rect area =
         Grid(alone.scene.film.layout, alone.scene.film.size).place(alone.scene.film.layout.gas);
-    const Rect box = alone.panels.gas().frame_in(area);
+    const Rect box = alone.panels.gas().frame_in(area, 1.0);
     CHECK(box.x - area.x == doctest::Approx(area.right() - box.right()));
     Scene beside = scene_of("{count: 1}", "fps: 30", "size: [10, 40]");
     beside.film.layout.panels.push_back({78, 10, 1, 1});
-    CHECK(Picture(std::move(beside)).panels.gas().frame_in(area).x == doctest::Approx(area.x));
+    CHECK(Picture(std::move(beside)).panels.gas().frame_in(area, 1.0).x == doctest::Approx(area.x));
 }
 
 TEST_CASE("the colours of speed classes in NetLogo's models stand out from every ground") {

@@ -33,7 +33,7 @@ std::vector<std::uint32_t> gas_of(const test::Shot& shot, const FrameData& frame
     FramePainter painter(*shot.panels);
     const PixelView view = painter.paint(frame).pixels();
     const Rect box = shot.panels->gas().frame_in(
-        Grid(shot.scene.film.layout, shot.scene.film.size).place(shot.scene.film.layout.gas));
+        Grid(shot.scene.film.layout, shot.scene.film.size).place(shot.scene.film.layout.gas), 1.0);
     std::vector<std::uint32_t> pixels;
     for (int y = static_cast<int>(box.y); y < static_cast<int>(box.y + box.height); ++y)
         for (int x = static_cast<int>(box.x); x < static_cast<int>(box.x + box.width); ++x)

@@ -1,11 +1,21 @@
 // Surfaces that act, as panels see them.
 #include <doctest/doctest.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
+#include "draw/text.h"
 #include "panels/archived.h"
+#include "panels/frame.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/recording.h"
+#include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_view.h"
+#include "stats/pressure.h"
+#include "support/pixels.h"
 #include "support/scene_text.h"
+#include "support/shot.h"
 #include "util/archive.h"
 
 using namespace carom;
@@ -82,4 +92,187 @@ TEST_CASE("a box with nothing but walls that reflect has no states of surfaces")
     const Recording run(
         Simulation(scene.gas, scene.run), timeline(scene), {},
         [](const Tick&, const Sample&, const AdvanceResult& its) { CHECK(its.surfaces.empty()); });
+}
+
+namespace {
+
+// Where the gas of a shot is, and the colour of the picture at a place of the scene in a frame.
+struct Seen {
+    const test::Shot& shot;
+    FramePainter painter{*shot.panels};
+
+    static BoxMap map_of(const test::Shot& shot, const Region& extent) {
+        const Grid grid(shot.scene.film.layout, shot.scene.film.size);
+        const Rect whole =
+            shot.panels->gas().frame_in(grid.place(shot.scene.film.layout.gas), grid.unit());
+        // The only margins here are those of a piston on the right, whose force is shown.
+        const double margin =
+            (SurfaceSize::bar + SurfaceSize::hatch + SurfaceSize::arrow) * grid.unit();
+        const double above = SurfaceSize::mark * grid.unit();
+        const double scale = (whole.width - margin) / (extent.high[0] - extent.low[0]);
+        return {{whole.x, whole.y + above, whole.width - margin, whole.height - above},
+                extent.low,
+                scale};
+    }
+    std::uint32_t at(std::size_t frame, Point pixel) {
+        const PixelView view = painter.paint(shot.frames.at(frame)).pixels();
+        return view.data[static_cast<int>(pixel.y) * view.stride + static_cast<int>(pixel.x)];
+    }
+};
+
+Scene pushed_gas() {
+    Scene scene = test::scene_from(
+        "title: T\nbox: {size: [20, 10]}\ngas: [{name: a, count: 20, radius: 0.2, speed: 1, "
+        "position: {within: [0, 0, 5, 10]}}]\nrun: {until: 4}\n"
+        "film: {seconds: 4, fps: 5, panels: [], size: [960, 540]}\n");
+    scene.gas.box.surfaces.sides[1] = Piston{100.0, -100.0};
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a piston is where it is, and what it has left is no box any more") {
+    const test::Shot shot(pushed_gas());
+    Seen seen{shot};
+    const Theme& theme = theme_of(shot.scene.film.theme);
+    const BoxMap map = Seen::map_of(shot, {{0.0, 0.0}, {20.0, 10.0}});
+    const Point left_behind = map.pixel({19.5, 5.0}), kept = map.pixel({11.5, 5.0});
+    CHECK(seen.at(0, left_behind) == to_pixel(theme.ground));
+    CHECK(seen.at(0, kept) == to_pixel(theme.ground));
+    const double time = shot.frames[19].tick.time;
+    const double place = 20.0 - 0.5 * time * time;
+    CHECK(seen.at(19, left_behind) == to_pixel(theme.page));
+    CHECK(seen.at(19, kept) == to_pixel(theme.ground));
+    const double unit = Grid(shot.scene.film.layout, shot.scene.film.size).unit();
+    const Point face = map.pixel({place, 7.0});
+    CHECK(seen.at(19, {face.x - 2.0, face.y}) == to_pixel(theme.ground));
+    CHECK(seen.at(19, {face.x + 0.3 * unit, face.y}) == to_pixel(theme.muted));
+}
+
+TEST_CASE("a box that grows is drawn as large as it gets") {
+    Scene scene = pushed_gas();
+    scene.gas.box.surfaces.sides[1] = Driven{2.0};
+    const test::Shot shot(scene);
+    Seen seen{shot};
+    const Theme& theme = theme_of(scene.film.theme);
+    const Region extent{{0.0, 0.0}, {20.0 + 2.0 * shot.frames[19].tick.time, 10.0}};
+    BoxMap map = Seen::map_of(shot, extent);
+    map.frame.y -= SurfaceSize::mark * Grid(scene.film.layout, scene.film.size).unit();
+    CHECK(seen.at(0, map.pixel({26.5, 3.0})) == to_pixel(theme.page));
+    CHECK(seen.at(19, map.pixel({26.5, 3.0})) == to_pixel(theme.ground));
+}
+
+TEST_CASE("all kinds of surfaces look different, without colour too") {
+    const std::vector<Behaviour> kinds{Reflecting{},
+                                       Piston{50.0},
+                                       Piston{50.0, 5.0},
+                                       Driven{0.5},
+                                       Driven{0.0},
+                                       Bath{2.0},
+                                       Membrane{.species = {0}},
+                                       Membrane{.upward = {1.0}, .downward = {0.0, 2.0}}};
+    std::vector<std::vector<std::uint32_t>> pictures;
+    for (const bool is_open : {false, true})
+        for (const Behaviour& kind : kinds) {
+            if (is_open && !std::holds_alternative<Reflecting>(kind)) continue;
+            Scene scene = gas_with_piston("size: [640, 360], theme: print");
+            scene.gas.box.surfaces.partitions[0].behaviour = kind;
+            scene.gas.box.surfaces.partitions[0].is_open = is_open;
+            const test::Shot shot(scene, 1);
+            FramePainter painter(*shot.panels);
+            pictures.push_back(test::pixels_of(painter.paint(shot.frames[0])));
+        }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) CHECK(pictures[i] != pictures[j]);
+}
+
+TEST_CASE("what is written on surfaces lies in the picture, and on nothing else that is written") {
+    for (const std::string name : {"lecture", "square", "minimal", "portrait"}) {
+        CAPTURE(name);
+        Scene scene = gas_with_piston("size: [960, 540], template: " + name);
+        Surfaces& surfaces = scene.gas.box.surfaces;
+        surfaces.sides = {Bath{2.0}, Bath{1.5}, Bath{1.0}, Piston{200.0, -5.0}};
+        for (int k = 0; k < 4; ++k)
+            surfaces.partitions.push_back({.name = "m",
+                                           .at = 10.0 + 0.5 * k,
+                                           .behaviour = Membrane{.upward = {1.0 + 0.01 * k}}});
+        surfaces.partitions.push_back({.name = "p", .at = 10.2, .behaviour = Bath{0.25}});
+        const test::Shot shot(scene, 1);
+        FramePainter painter(*shot.panels);
+        TextLog log;
+        painter.paint(shot.frames[0]);
+        std::size_t marks = 0;
+        for (const DrawnLine& line : log.lines)
+            marks += line.markup.find(" = ") != std::string::npos;
+        CHECK(marks == 6);
+        for (std::size_t i = 0; i < log.lines.size(); ++i) {
+            const Rect& a = log.lines[i].ink;
+            CAPTURE(log.lines[i].markup);
+            CHECK_FALSE(log.lines[i].is_cut);
+            CHECK(a.x >= 0.0);
+            CHECK(a.y >= 0.0);
+            CHECK(a.right() <= 960.0);
+            for (std::size_t j = 0; j < i; ++j) {
+                const Rect& b = log.lines[j].ink;
+                CAPTURE(log.lines[j].markup);
+                CHECK((a.right() <= b.x || b.right() <= a.x || a.bottom() <= b.y ||
+                       b.bottom() <= a.y));
+            }
+        }
+    }
+}
+
+TEST_CASE("surfaces are in the account and in the table of the gas") {
+    Scene scene = gas_with_piston();
+    Surfaces& surfaces = scene.gas.box.surfaces;
+    surfaces.sides[0] = Bath{2.0};
+    surfaces.partitions.push_back({.name = "door", .at = 17.0, .is_open = true});
+    surfaces.partitions.push_back(
+        {.name = "demon", .at = 19.5, .behaviour = Membrane{{0}, {1.5}, {0.0, 0.5}}});
+    surfaces.gravity = {0.0, -0.5};
+    const test::Shot shot(scene, 1);
+    const Panel& gas = shot.panels->gas();
+    CHECK(gas.account(*shot.frames[0].states[0]) ==
+          "The left wall is a heat bath of temperature 2. The partition “piston” is a piston of "
+          "mass 20, at x = 9.00. The partition “window” stands at x = 15.0. The partition “door” "
+          "is open. The partition “demon” lets through a, those faster than 1.5 to the right and "
+          "those slower than 0.5 to the left, at x = 19.5. 1 obstacle stands in the box. Gravity "
+          "accelerates everything by (0, −0.5).");
+    const Table table = gas.table(*shot.frames[0].states[0], theme_of(scene.film.theme));
+    std::string labels;
+    for (const auto& row : table.rows)
+        if (std::get<std::string>(row[0]) == "surface")
+            labels += std::get<std::string>(row[7]) + "; ";
+    CHECK(labels ==
+          "left, T = 2; piston, M = 20; window; door, open; "
+          "demon, passes a, → v > 1.5, ← v < 0.5; ");
+}
+
+TEST_CASE("axes of positions are as wide as the box gets") {
+    Scene scene = test::scene_from(
+        "title: T\nbox: {size: [20, 10]}\ngas: [{name: a, count: 20, radius: 0.2, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], panels: "
+        "[{kind: position-histogram}, {kind: phase}]}\n");
+    scene.gas.box.surfaces.sides[1] = Driven{2.0};
+    const test::Shot shot(scene);
+    for (const std::size_t k : {std::size_t{2}, std::size_t{3}}) {
+        const auto& panel = static_cast<const PlotPanel&>(*shot.panels->panels().at(k).panel);
+        CHECK(panel.plot(nullptr).x.high >= 27.5);
+    }
+}
+
+TEST_CASE("a gas that a partition parts, or a side squeezes, has no one pressure") {
+    const Box plain{.size = {20.0, 10.0}};
+    CHECK(has_one_pressure(plain, {}));
+    Box box = plain;
+    box.surfaces.partitions.push_back({.name = "door", .at = 10.0});
+    std::vector<SurfaceState> states(5);
+    CHECK_FALSE(has_one_pressure(box, states));
+    states[4].is_open = true;
+    CHECK(has_one_pressure(box, states));
+    states[2].motion = {0.0, 1.0};
+    CHECK_FALSE(has_one_pressure(box, states));
+    box = plain;
+    box.surfaces.gravity = {0.0, -1.0};
+    CHECK_FALSE(has_one_pressure(box, std::vector<SurfaceState>(4)));
 }

@@ -1,0 +1,444 @@
+// The drawing of surfaces.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "draw/arrow.h"
+#include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_view.h"
+#include "panels/surfaces/surface_words.h"
+
+namespace carom {
+namespace {
+
+constexpr double hatch_apart = 0.55;  // units
+constexpr double infinite_length = std::numeric_limits<double>::infinity();
+constexpr std::size_t bottom_side = 2, top_side = 3;
+
+bool is_upright(std::size_t side) { return side < bottom_side; }
+
+// Lines that rise to the right across a polygon, a pixel grid of them for the whole picture.
+void hatch_polygon(Canvas& canvas, const std::vector<Point>& corners, double apart, double width,
+                   Color color) {
+    constexpr double root = std::numbers::sqrt2;
+    double low = infinite_length, high = -infinite_length;
+    for (const Point& at : corners) {
+        low = std::min(low, (at.x + at.y) / root);
+        high = std::max(high, (at.x + at.y) / root);
+    }
+    for (double off = std::ceil(low / apart) * apart; off < high; off += apart) {
+        std::vector<double> along;  // where the line crosses the edges
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const Point &a = corners[k], &b = corners[(k + 1) % corners.size()];
+            const double from = (a.x + a.y) / root - off, to = (b.x + b.y) / root - off;
+            if ((from > 0.0) == (to > 0.0)) continue;
+            const double share = from / (from - to);
+            along.push_back(((a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y))) / root);
+        }
+        std::ranges::sort(along);
+        for (std::size_t k = 0; k + 1 < along.size(); k += 2)
+            canvas.stroke_line({(off + along[k]) / root, (off - along[k]) / root},
+                               {(off + along[k + 1]) / root, (off - along[k + 1]) / root}, width,
+                               color);
+    }
+}
+
+std::vector<Point> corners_of(const Rect& rect) {
+    return {{rect.x, rect.y},
+            {rect.right(), rect.y},
+            {rect.right(), rect.bottom()},
+            {rect.x, rect.bottom()}};
+}
+
+}  // namespace
+
+// A frame being drawn.
+struct SurfaceView::Brush {
+    const SurfaceView& view;
+    Canvas& canvas;
+    const DrawContext& dc;
+    const BoxMap& map;
+    const std::vector<SurfaceState>& states;
+    const Box& box = view.scene_.gas.box;
+    const Theme& theme = dc.theme;
+    double u = dc.unit;
+    Rect room = map.rect(view.room(states));
+
+    struct Mark {
+        double middle;
+        std::string words;
+    };
+
+    const Behaviour& behaviour(std::size_t k) const { return states[k].behaviour; }
+    template <class Kind>
+    bool is(std::size_t k) const {
+        return std::holds_alternative<Kind>(behaviour(k));
+    }
+    // A piston that stands until it is released.
+    bool is_held(std::size_t k) const {
+        return std::holds_alternative<Piston>(view.behaviours_[k].front()) && !is<Piston>(k);
+    }
+    bool is_imposed(std::size_t k) const { return is<Driven>(k) || is_held(k); }
+
+    // Of a side, outside of the room, in units.
+    double thickness(std::size_t side) const {
+        if (is<Bath>(side)) return SurfaceSize::bath;
+        return is<Piston>(side) || is_imposed(side) ? SurfaceSize::bar : SurfaceSize::line;
+    }
+
+    // In the direction in which it grows along an axis, on the picture.
+    Point upwards(int axis) const { return axis == 0 ? Point{1.0, 0.0} : Point{0.0, -1.0}; }
+
+    Rect outside(std::size_t side, double offset, double depth) const;
+    void draw_outline() const;
+    void draw_obstacle(const Obstacle& obstacle, Point shift) const;
+    void draw_obstacles() const;
+    void draw_bath(const Rect& band, bool upright, double temperature) const;
+    void draw_ticks(std::size_t side, double offset) const;
+    void draw_arrow_along(Point from, Point step) const;
+    void draw_side(std::size_t side) const;
+    void draw_side_arrow(std::size_t side) const;
+    void draw_side_mark(std::size_t side) const;
+    void draw_line(Point from, Point to, std::size_t k) const;
+    void draw_partition(std::size_t k) const;
+    void draw_ends(std::size_t k) const;
+    void draw_block(const Rect& block, std::size_t k) const;
+    void draw_marks() const;
+    void draw_gravity() const;
+};
+
+void SurfaceView::draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                            const std::vector<SurfaceState>& states) const {
+    const Brush brush{*this, canvas, dc, map, states};
+    canvas.fill(brush.room, dc.theme.ground);
+    brush.draw_obstacles();
+    brush.draw_outline();
+    brush.draw_gravity();
+}
+
+void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                                  const std::vector<SurfaceState>& states) const {
+    const Brush brush{*this, canvas, dc, map, states};
+    for (std::size_t k = 4; k < states.size(); ++k) brush.draw_partition(k);
+}
+
+void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                              const std::vector<SurfaceState>& states) const {
+    const Brush brush{*this, canvas, dc, map, states};
+    for (std::size_t k = 0; k < states.size(); ++k) k < 4 ? brush.draw_side(k) : brush.draw_ends(k);
+    if (!states.empty()) brush.draw_marks();
+}
+
+Rect SurfaceView::Brush::outside(std::size_t side, double offset, double depth) const {
+    if (side == 0) return {room.x - offset - depth, room.y, depth, room.height};
+    if (side == 1) return {room.right() + offset, room.y, depth, room.height};
+    if (side == bottom_side) return {room.x, room.bottom() + offset, room.width, depth};
+    return {room.x, room.y - offset - depth, room.width, depth};
+}
+
+// Walls along which others move are drawn as far as these ever come.
+void SurfaceView::Brush::draw_outline() const {
+    const double wide = SurfaceSize::line * u, half = wide / 2;
+    canvas.stroke_rect({room.x - half, room.y - half, room.width + wide, room.height + wide}, wide,
+                       theme.wall);
+    const Rect& all = map.frame;
+    const bool across = view.may_move(0) || view.may_move(1);
+    const bool up = view.may_move(bottom_side) || view.may_move(top_side);
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
+        if (const double x = side == 0 ? room.x - half : room.right() + half;
+            up && !view.may_move(side))
+            canvas.stroke_line({x, all.y - half}, {x, all.bottom() + half}, wide, theme.wall);
+    for (const std::size_t side : {bottom_side, top_side})
+        if (const double y = side == top_side ? room.y - half : room.bottom() + half;
+            across && !view.may_move(side))
+            canvas.stroke_line({all.x - half, y}, {all.right() + half, y}, wide, theme.wall);
+}
+
+// --------------------------------------------------------------------------------------- obstacles
+
+void SurfaceView::Brush::draw_obstacle(const Obstacle& obstacle, Point shift) const {
+    const Color fill = mix(theme.ground, theme.wall, 0.3);
+    const double wide = 0.14 * u;
+    std::vector<Point> corners;
+    const auto add = [&](double x, double y) {
+        corners.push_back(map.pixel({x + shift.x, y + shift.y}));
+    };
+    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+        constexpr int count = 72;
+        const double radius = std::max(disk->radius, 0.1 * u / map.scale);
+        for (int k = 0; k < count; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / count;
+            add(disk->center[0] + radius * std::cos(angle),
+                disk->center[1] + radius * std::sin(angle));
+        }
+        const Point center = map.pixel({disk->center[0] + shift.x, disk->center[1] + shift.y});
+        canvas.fill_circle(center, radius * map.scale, fill);
+        if (radius * map.scale > hatch_apart * u)
+            hatch_polygon(canvas, corners, hatch_apart * u, 0.09 * u, theme.wall);
+        canvas.stroke_circle(center, std::max(0.0, radius * map.scale - wide / 2), wide,
+                             theme.wall);
+        return;
+    }
+    const auto& lines = std::get<Obstacle::Lines>(obstacle.shape);
+    for (const Eigen::Array2d& corner : lines.corners) add(corner[0], corner[1]);
+    if (lines.is_closed) {
+        canvas.fill_polygon(corners, fill);
+        hatch_polygon(canvas, corners, hatch_apart * u, 0.09 * u, theme.wall);
+        corners.push_back(corners.front());
+    }
+    canvas.stroke_path(corners, lines.is_closed ? wide : SurfaceSize::thick * u, theme.wall);
+}
+
+void SurfaceView::Brush::draw_obstacles() const {
+    canvas.clip_to(room);
+    for (const Obstacle& obstacle : box.surfaces.obstacles)
+        for (const double across : {-1.0, 0.0, 1.0})
+            for (const double up : {-1.0, 0.0, 1.0}) {
+                if ((across != 0.0 && !box.is_periodic(0)) || (up != 0.0 && !box.is_periodic(1)))
+                    continue;
+                draw_obstacle(obstacle, {across * box.size[0], up * box.size[1]});
+            }
+    canvas.release_clip();
+}
+
+// ------------------------------------------------------------------------------------------- sides
+
+void SurfaceView::Brush::draw_bath(const Rect& band, bool upright, double temperature) const {
+    const Color color = view.bath_color(temperature, theme);
+    canvas.fill(band, color);
+    const double depth = upright ? band.width : band.height;
+    const double length = upright ? band.height : band.width;
+    const double period = 1.2 * u, inset = 0.3 * u;
+    std::vector<Point> wave;
+    for (double along = inset; along <= length - inset; along += period / 12.0) {
+        const double aside =
+            depth / 2 + 0.24 * depth * std::sin(2.0 * std::numbers::pi * along / period);
+        wave.push_back(upright ? Point{band.x + aside, band.y + along}
+                               : Point{band.x + along, band.y + aside});
+    }
+    if (wave.size() > 1) canvas.stroke_path(wave, 0.13 * u, letters_on(color, theme));
+}
+
+// Slanted lines away from the box.
+void SurfaceView::Brush::draw_ticks(std::size_t side, double offset) const {
+    const double deep = 0.8 * SurfaceSize::hatch * u, apart = 0.75 * u;
+    const Rect band = outside(side, offset, deep);
+    const double length = is_upright(side) ? band.height : band.width;
+    for (double along = 0.2 * u; along + deep < length; along += apart) {
+        const Point root = is_upright(side)
+                               ? Point{side == 0 ? band.right() : band.x, band.y + along + deep}
+                               : Point{band.x + along, side == top_side ? band.bottom() : band.y};
+        const Point end =
+            is_upright(side)
+                ? Point{side == 0 ? band.x : band.right(), band.y + along}
+                : Point{band.x + along + deep, side == top_side ? band.y : band.bottom()};
+        canvas.stroke_line(root, end, 0.12 * u, theme.muted);
+    }
+}
+
+void SurfaceView::Brush::draw_arrow_along(Point from, Point step) const {
+    draw_arrow(canvas, from, {from.x + step.x, from.y + step.y},
+               {.shaft = 0.24 * u,
+                .head_length = 0.85 * u,
+                .head_width = 0.85 * u,
+                .edge = 0.08 * u,
+                .color = theme.ink,
+                .edge_color = theme.page});
+}
+
+void SurfaceView::Brush::draw_side(std::size_t side) const {
+    if (const auto* bath = std::get_if<Bath>(&behaviour(side)))
+        draw_bath(outside(side, 0.0, SurfaceSize::bath * u), is_upright(side), bath->temperature);
+    const bool is_bar = is<Piston>(side) || is_imposed(side);
+    if (is_bar) canvas.fill(outside(side, 0.0, SurfaceSize::bar * u), theme.muted);
+    if (is_imposed(side)) draw_ticks(side, SurfaceSize::bar * u);
+    if (is_bar) draw_side_arrow(side);
+    draw_side_mark(side);
+}
+
+// Of the force on a piston, or of the motion that is imposed.
+void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
+    const auto* piston = std::get_if<Piston>(&behaviour(side));
+    const auto& motion = states[side].motion;
+    const double along = piston != nullptr ? piston->force : (motion ? motion->velocity : 0.0);
+    if (along == 0.0) return;
+    const double sign = along > 0.0 ? 1.0 : -1.0;
+    const Point up = upwards(static_cast<int>(side / 2));
+    const Rect band =
+        outside(side, (SurfaceSize::bar + (is_imposed(side) ? SurfaceSize::hatch : 0.1)) * u,
+                SurfaceSize::arrow * u);
+    const Point middle{band.x + band.width / 2, band.y + band.height / 2};
+    const double half = 0.45 * SurfaceSize::arrow * u * sign;
+    draw_arrow_along({middle.x - half * up.x, middle.y - half * up.y},
+                     {2.0 * half * up.x, 2.0 * half * up.y});
+}
+
+// Of the lower and the upper side: beside its arrow, or in the middle beyond it.
+void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
+    if (is_upright(side)) return;
+    const std::string words = mark_of_surface(view.scene_.gas, behaviour(side), 1);
+    if (words.empty()) return;
+    const auto* piston = std::get_if<Piston>(&behaviour(side));
+    const bool has_arrow = piston != nullptr && piston->force != 0.0;
+    TextStyle style = label_style(dc);
+    style.color = theme.ink;
+    style.align = has_arrow ? Align::left : Align::center;
+    const double from = is<Bath>(side) ? SurfaceSize::bath : SurfaceSize::bar;
+    const Rect band =
+        outside(side, from * u, (has_arrow ? SurfaceSize::arrow : SurfaceSize::mark) * u);
+    draw_text(canvas,
+              {band.x + band.width / 2 + (has_arrow ? 0.9 * u : 0.0),
+               band.y + band.height / 2 + 0.36 * u},
+              escape_markup(words), style);
+}
+
+// -------------------------------------------------------------------------------------- partitions
+
+void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
+    if (const auto* membrane = std::get_if<Membrane>(&behaviour(k))) {
+        if (!is_demon(*membrane)) return canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
+        const double length = std::hypot(to.x - from.x, to.y - from.y);
+        const double count = std::max(1.0, std::round(length / (0.6 * u)));
+        for (double dot = 0.5; dot < count; dot += 1.0)
+            canvas.fill_circle(
+                {from.x + dot / count * (to.x - from.x), from.y + dot / count * (to.y - from.y)},
+                0.15 * u, theme.ink);
+        return;
+    }
+    Color color = is<Reflecting>(k) && !is_held(k) ? theme.wall : theme.muted;
+    if (const auto* bath = std::get_if<Bath>(&behaviour(k)))
+        color = view.bath_color(bath->temperature, theme);
+    canvas.stroke_line(from, to, SurfaceSize::thick * u, color);
+}
+
+// Where it is not: only its ends, at the walls.
+void SurfaceView::Brush::draw_partition(std::size_t k) const {
+    const Partition& partition = box.surfaces.partitions[k - 4];
+    const double at = place_of_surface(box, states, k);
+    const Region inside = view.room(states);
+    const Eigen::Index along = 1 - partition.axis;
+    const auto pixel = [&](double where) {
+        return partition.axis == 0 ? map.pixel({at, where}) : map.pixel({where, at});
+    };
+    const double begin = inside.low[along], end = inside.high[along];
+    if (states[k].is_open) {
+        const double stub = 1.2 * u / map.scale;
+        canvas.stroke_line(pixel(begin), pixel(begin + stub), SurfaceSize::line * u, theme.wall);
+        canvas.stroke_line(pixel(end - stub), pixel(end), SurfaceSize::line * u, theme.wall);
+        return;
+    }
+    double from = begin;
+    for (const auto& [low, high] : partition.gaps) {
+        if (low > from) draw_line(pixel(from), pixel(low), k);
+        from = high;
+    }
+    if (end > from) draw_line(pixel(from), pixel(end), k);
+}
+
+void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
+    if (const auto* bath = std::get_if<Bath>(&behaviour(k))) {
+        canvas.fill(block, view.bath_color(bath->temperature, theme));
+        return;
+    }
+    if (is<Membrane>(k)) {  // an eye
+        const Point middle{block.x + block.width / 2, block.y + block.height / 2};
+        canvas.stroke_circle(middle, 0.34 * u, 0.1 * u, theme.ink);
+        canvas.fill_circle(middle, 0.13 * u, theme.ink);
+        return;
+    }
+    canvas.fill(block, is_imposed(k) ? theme.page : theme.muted);
+    if (is_imposed(k)) {
+        hatch_polygon(canvas, corners_of(block), 0.25 * u, 0.09 * u, theme.muted);
+        canvas.stroke_rect(block, 0.09 * u, theme.muted);
+    }
+}
+
+// What holds a partition that does something, outside of the walls at both ends, and moves with it.
+void SurfaceView::Brush::draw_ends(std::size_t k) const {
+    const Partition& partition = box.surfaces.partitions[k - 4];
+    const auto* membrane = std::get_if<Membrane>(&behaviour(k));
+    const bool reflects = is<Reflecting>(k) && !is_held(k);
+    if (states[k].is_open || reflects || (membrane != nullptr && !is_demon(*membrane))) return;
+    const double at = place_of_surface(box, states, k);
+    const Point foot = map.pixel({at, at});
+    const double deep = 0.6 * u, wide = 0.9 * u;
+    const bool upright = partition.axis == 0;
+    const double near = thickness(upright ? bottom_side : 0) * u;
+    const double far = thickness(upright ? top_side : 1) * u;
+    const Rect first = upright ? Rect{foot.x - wide / 2, room.y - far - deep, wide, deep}
+                               : Rect{room.right() + far, foot.y - wide / 2, deep, wide};
+    const Rect second = upright ? Rect{first.x, room.bottom() + near, wide, deep}
+                                : Rect{room.x - near - deep, first.y, deep, wide};
+    draw_block(first, k);
+    if (membrane == nullptr) draw_block(second, k);
+    const auto* piston = std::get_if<Piston>(&behaviour(k));
+    const auto& motion = states[k].motion;
+    const double along =
+        piston != nullptr ? piston->force : (is<Driven>(k) && motion ? motion->velocity : 0.0);
+    if (along == 0.0) return;
+    const Point up = upwards(partition.axis);
+    const double sign = along > 0.0 ? 1.0 : -1.0, off = wide / 2 + 0.15 * u;
+    const double away = 0.25 * u;  // from the wall
+    const Point middle{first.x + first.width / 2 + (upright ? 0.0 : away),
+                       first.y + first.height / 2 - (upright ? away : 0.0)};
+    draw_arrow_along(
+        {middle.x + sign * off * up.x, middle.y + sign * off * up.y},
+        {0.8 * SurfaceSize::arrow * sign * u * up.x, 0.8 * SurfaceSize::arrow * sign * u * up.y});
+}
+
+// Those of upright lines in a row above the box, apart from one another; those of level partitions
+// on them.
+void SurfaceView::Brush::draw_marks() const {
+    TextStyle style = label_style(dc);
+    style.color = theme.ink;
+    std::vector<Mark> marks;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const int axis = axis_of_surface(box, k);
+        const std::string words = mark_of_surface(view.scene_.gas, behaviour(k), axis);
+        if (words.empty() || states[k].is_open || (axis == 1 && k < 4)) continue;
+        const double at = place_of_surface(box, states, k);
+        const Point foot = map.pixel({at, at});
+        if (axis == 0) {
+            marks.push_back({foot.x, escape_markup(words)});
+            continue;
+        }
+        TextStyle within = style;
+        within.halo = 0.16 * u;
+        within.behind = theme.ground;
+        draw_text(canvas, {room.x + 0.5 * u, foot.y - 0.45 * u}, escape_markup(words), within);
+    }
+    std::ranges::stable_sort(marks, {}, &Mark::middle);
+    const Rect all = view.whole(map, u);
+    const double gap = 1.2 * u;
+    std::vector<double> lefts;
+    double least = all.x;
+    for (const Mark& one : marks) {
+        const double width = measure_text(one.words, style).width;
+        lefts.push_back(std::max(least, one.middle - width / 2));
+        least = lefts.back() + width + gap;
+    }
+    double most = all.right();
+    for (std::size_t k = marks.size(); k-- > 0;) {
+        lefts[k] = std::min(lefts[k], most - measure_text(marks[k].words, style).width);
+        most = lefts[k] - gap;
+        draw_text(canvas, {lefts[k], all.y + 1.05 * u}, marks[k].words, style);
+    }
+}
+
+void SurfaceView::Brush::draw_gravity() const {
+    const Eigen::Array2d& g = box.surfaces.gravity;
+    const double size = std::hypot(g[0], g[1]);
+    if (!(size > 0.0)) return;
+    const double length = 2.0 * u;
+    const Point middle{view.whole(map, u).x + 1.1 * u, map.frame.y + 2.0 * u};
+    const Point step{length * g[0] / size, -length * g[1] / size};
+    draw_arrow_along({middle.x - step.x / 2, middle.y - step.y / 2}, step);
+    TextStyle style = label_style(dc);
+    style.color = theme.ink;
+    style.align = Align::center;
+    draw_text(canvas, {middle.x, middle.y + 2.2 * u}, "<i>g</i>", style);
+}
+
+}  // namespace carom

@@ -1,0 +1,165 @@
+#include "panels/surfaces/surface_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_words.h"
+
+namespace carom {
+namespace {
+
+// What each side and partition is at some time of the run.
+std::vector<std::vector<Behaviour>> behaviours_in_time(const Scene& scene) {
+    const Surfaces& surfaces = scene.gas.box.surfaces;
+    std::vector<std::vector<Behaviour>> all;
+    for (const Behaviour& side : surfaces.sides) all.push_back({side});
+    for (const Partition& partition : surfaces.partitions) all.push_back({partition.behaviour});
+    const auto add = [&](std::int32_t surface, const Behaviour& behaviour) {
+        const auto k = static_cast<std::size_t>(surface);
+        if (k < all.size()) all[k].push_back(behaviour);
+    };
+    for (const RunEvent& event : scene.run.events) {
+        if (const auto* change = std::get_if<ChangeSurface>(&event.action))
+            add(change->surface, change->behaviour);
+        if (const auto* move = std::get_if<MoveSurface>(&event.action))
+            add(move->surface, Driven{move->velocity});
+    }
+    return all;
+}
+
+// How far outside of a side it reaches, in units.
+double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
+    const bool marked_here = side / 2 == 1;  // marks of the left and the right stand above the box
+    const double mark =
+        marked_here && !mark_of_surface(gas, behaviour, 1).empty() ? SurfaceSize::mark : 0.0;
+    if (std::holds_alternative<Bath>(behaviour)) return SurfaceSize::bath + mark;
+    if (std::holds_alternative<Driven>(behaviour))
+        return SurfaceSize::bar + SurfaceSize::hatch + SurfaceSize::arrow;
+    const auto* piston = std::get_if<Piston>(&behaviour);
+    if (piston == nullptr) return 0.0;
+    return SurfaceSize::bar + SurfaceSize::hatch +
+           (piston->force != 0.0 ? SurfaceSize::arrow : mark);
+}
+
+}  // namespace
+
+Rect BoxMap::rect(const Region& region) const {
+    const Point corner = pixel({region.low[0], region.high[1]});
+    return {corner.x, corner.y, (region.high[0] - region.low[0]) * scale,
+            (region.high[1] - region.low[1]) * scale};
+}
+
+SurfaceView::SurfaceView(const PanelContext& context)
+    : scene_(context.scene),
+      plain_(context.scene.gas.box.surfaces.are_plain() &&
+             std::ranges::none_of(context.scene.run.events,
+                                  [](const RunEvent& event) {
+                                      return std::holds_alternative<ChangeSurface>(event.action) ||
+                                             std::holds_alternative<MoveSurface>(event.action);
+                                  })),
+      behaviours_(behaviours_in_time(context.scene)),
+      extent_{Eigen::Array2d::Zero(), context.scene.gas.box.size} {
+    for (std::size_t side = 0; side < 4; ++side) still_ = still_ && !may_move(side);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    temperatures_ = {infinite, -infinite};
+    for (const auto& list : behaviours_)
+        for (const Behaviour& behaviour : list)
+            if (const auto* bath = std::get_if<Bath>(&behaviour))
+                temperatures_ = {std::min(temperatures_[0], bath->temperature),
+                                 std::max(temperatures_[1], bath->temperature)};
+    if (!plain_) margins_ = margins_of();
+}
+
+// Of a side, the most that it ever has.
+double SurfaceView::thickness_of(std::size_t side) const {
+    double most = SurfaceSize::line;
+    for (const Behaviour& behaviour : behaviours_[side]) {
+        if (std::holds_alternative<Bath>(behaviour)) most = std::max(most, SurfaceSize::bath);
+        if (may_move(side)) most = std::max(most, SurfaceSize::bar);
+    }
+    return most;
+}
+
+bool SurfaceView::may_move(std::size_t k) const {
+    return std::ranges::any_of(behaviours_[k], [](const Behaviour& behaviour) {
+        return std::holds_alternative<Driven>(behaviour) ||
+               std::holds_alternative<Piston>(behaviour);
+    });
+}
+
+SurfaceView::Margins SurfaceView::margins_of() const {
+    const Gas& gas = scene_.gas;
+    std::array<double, 4> depth{};
+    for (std::size_t side = 0; side < 4; ++side)
+        for (const Behaviour& behaviour : behaviours_[side])
+            depth[side] = std::max(depth[side], depth_of(gas, behaviour, side));
+    std::array<double, 4> blocks{};
+    double names = 0.0;
+    for (std::size_t k = 0; k < behaviours_.size(); ++k) {
+        const int axis = axis_of_surface(gas.box, k);
+        for (const Behaviour& behaviour : behaviours_[k]) {
+            if (axis == 0 && !mark_of_surface(gas, behaviour, axis).empty())
+                names = SurfaceSize::mark;
+            if (k < 4 || std::holds_alternative<Reflecting>(behaviour)) continue;
+            const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
+            for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;
+        }
+    }
+    for (std::size_t side = 0; side < 4; ++side)
+        if (blocks[side] > 0.0)
+            depth[side] = std::max(depth[side], thickness_of(side) + blocks[side]);
+    const bool falls = (gas.box.surfaces.gravity != 0.0).any();
+    return {depth[0] + (falls ? SurfaceSize::gravity : 0.0), depth[1], depth[2], depth[3] + names};
+}
+
+void SurfaceView::survey(const FrameInput& input) {
+    const Region now = room(input.advanced.surfaces);
+    extent_ = {extent_.low.min(now.low), extent_.high.max(now.high)};
+}
+
+std::vector<SurfaceState> SurfaceView::states(const FrameInput& input) const {
+    if (plain_) return {};
+    const std::vector<SurfaceState>& all = input.advanced.surfaces;
+    const std::size_t drawn = std::min(all.size(), behaviours_.size());
+    return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(drawn)};
+}
+
+Region SurfaceView::room(const std::vector<SurfaceState>& states) const {
+    const Box& box = scene_.gas.box;
+    const auto place = [&](std::size_t k) { return place_of_surface(box, states, k); };
+    return {{place(0), place(2)}, {place(1), place(3)}};
+}
+
+BoxMap SurfaceView::map_in(const Rect& area, double unit, bool centered) const {
+    const Eigen::Array2d size = extent_.high - extent_.low;
+    const double left = margins_.left * unit, top = margins_.top * unit;
+    const double around = left + margins_.right * unit, above = top + margins_.bottom * unit;
+    const double scale = std::min((area.width - around) / size[0], (area.height - above) / size[1]);
+    const double width = size[0] * scale, height = size[1] * scale;
+    const double begin = centered ? (area.width - around - width) / 2 : 0.0;
+    return {
+        {area.x + begin + left, area.y + (area.height - above - height) / 2 + top, width, height},
+        extent_.low,
+        scale};
+}
+
+Rect SurfaceView::whole(const BoxMap& map, double unit) const {
+    const double left = margins_.left * unit, top = margins_.top * unit;
+    return {map.frame.x - left, map.frame.y - top, map.frame.width + left + margins_.right * unit,
+            map.frame.height + top + margins_.bottom * unit};
+}
+
+// By the logarithm, as temperatures are told apart by their ratio.
+Color SurfaceView::bath_color(double temperature, const Theme& theme) const {
+    const auto [low, high] = temperatures_;
+    const double share =
+        high > low ? std::clamp(std::log(temperature / low) / std::log(high / low), 0.0, 1.0) : 1.0;
+    if (theme.kind == ThemeKind::print) return mix(rgb(0x8C8C8C), rgb(0x1A1A1A), share);
+    const Color cold = theme.dark ? rgb(0x4E9BE6) : rgb(0x1F6FC0);
+    const Color hot = theme.dark ? rgb(0xF0603C) : rgb(0xC8341B);
+    return mix(cold, hot, share);
+}
+
+}  // namespace carom

@@ -1,0 +1,153 @@
+#include "panels/surfaces/surface_words.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// The speeds that are let through one way: "v > 1.2"; empty for none.
+std::string speeds_mark(const Membrane::Speeds& speeds) {
+    if (!(speeds.faster_than < speeds.slower_than)) return "";
+    const bool from = speeds.faster_than > 0.0, to = std::isfinite(speeds.slower_than);
+    if (from && to)
+        return fmt::format("{} < v < {}", plain_number(speeds.faster_than),
+                           plain_number(speeds.slower_than));
+    if (from) return "v > " + plain_number(speeds.faster_than);
+    return to ? "v < " + plain_number(speeds.slower_than) : "all";
+}
+
+std::string speeds_words(const Membrane::Speeds& speeds, const char* where) {
+    if (!(speeds.faster_than < speeds.slower_than)) return "";
+    std::vector<std::string> bounds;
+    if (speeds.faster_than > 0.0)
+        bounds.push_back("faster than " + plain_number(speeds.faster_than));
+    if (std::isfinite(speeds.slower_than))
+        bounds.push_back("slower than " + plain_number(speeds.slower_than));
+    return fmt::format("{} {}", bounds.empty() ? "all" : "those " + listed(bounds), where);
+}
+
+std::vector<std::string> names_of_passing(const Gas& gas, const Membrane& membrane) {
+    std::vector<std::string> names;
+    for (const std::int32_t k : membrane.species)
+        names.push_back(gas.species[static_cast<std::size_t>(k)].name);
+    return names;
+}
+
+std::string membrane_mark(const Gas& gas, const Membrane& membrane, int axis) {
+    std::vector<std::string> marks;
+    if (!membrane.species.empty())
+        marks.push_back("passes " + listed(names_of_passing(gas, membrane)));
+    const std::string up = speeds_mark(membrane.upward), down = speeds_mark(membrane.downward);
+    if (!up.empty()) marks.push_back((axis == 0 ? "→ " : "↑ ") + up);
+    if (!down.empty()) marks.push_back((axis == 0 ? "← " : "↓ ") + down);
+    if (marks.empty()) return "passes none";
+    std::string text = marks[0];
+    for (std::size_t k = 1; k < marks.size(); ++k) text += ", " + marks[k];
+    return text;
+}
+
+std::string membrane_words(const Gas& gas, const Membrane& membrane, int axis) {
+    std::vector<std::string> passing = names_of_passing(gas, membrane);
+    for (const std::string& words :
+         {speeds_words(membrane.upward, axis == 0 ? "to the right" : "upwards"),
+          speeds_words(membrane.downward, axis == 0 ? "to the left" : "downwards")})
+        if (!words.empty()) passing.push_back(words);
+    return passing.empty() ? "lets none through" : "lets through " + listed(passing);
+}
+
+std::string subject_of_surface(const Box& box, std::size_t k) {
+    constexpr std::array walls{"left", "right", "lower", "upper"};
+    if (k < walls.size())
+        return fmt::format("The {} {}", walls[k], box.dimension == 1 ? "end" : "wall");
+    return fmt::format("The partition “{}”", box.surfaces.partitions[k - walls.size()].name);
+}
+
+std::string doing_of(const Gas& gas, const SurfaceState& state, int axis) {
+    if (state.is_open) return "is open";
+    if (const auto* bath = std::get_if<Bath>(&state.behaviour))
+        return "is a heat bath of temperature " + plain_number(bath->temperature);
+    if (const auto* membrane = std::get_if<Membrane>(&state.behaviour))
+        return membrane_words(gas, *membrane, axis);
+    if (const auto* piston = std::get_if<Piston>(&state.behaviour)) {
+        const std::string force =
+            piston->force == 0.0 ? "" : " and a force of " + plain_number(piston->force) + " on it";
+        return "is a piston of mass " + plain_number(piston->mass) + force;
+    }
+    const bool moves = state.motion && state.motion->velocity != 0.0;
+    return moves ? "moves at " + three_digits(state.motion->velocity) : "stands";
+}
+
+}  // namespace
+
+int axis_of_surface(const Box& box, std::size_t k) {
+    return k < 4 ? static_cast<int>(k / 2) : box.surfaces.partitions[k - 4].axis;
+}
+
+double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k) {
+    if (k < states.size() && states[k].motion) return states[k].motion->place;
+    if (k >= 4) return box.surfaces.partitions[k - 4].at;
+    return k % 2 == 0 ? 0.0 : box.length(k / 2);
+}
+
+bool is_demon(const Membrane& membrane) {
+    return !speeds_mark(membrane.upward).empty() || !speeds_mark(membrane.downward).empty();
+}
+
+std::string mark_of_surface(const Gas& gas, const Behaviour& behaviour, int axis) {
+    if (const auto* bath = std::get_if<Bath>(&behaviour))
+        return "T = " + plain_number(bath->temperature);
+    if (const auto* membrane = std::get_if<Membrane>(&behaviour))
+        return membrane_mark(gas, *membrane, axis);
+    const auto* piston = std::get_if<Piston>(&behaviour);
+    if (piston == nullptr) return "";
+    return "M = " + plain_number(piston->mass) +
+           (piston->force == 0.0 ? "" : ", F = " + plain_number(piston->force));
+}
+
+std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k) {
+    const std::string mark = mark_of_surface(gas, state.behaviour, axis_of_surface(gas.box, k));
+    return gas.box.surfaces.names()[k] + (state.is_open ? ", open" : "") +
+           (mark.empty() ? "" : ", " + mark);
+}
+
+std::string words_of_surfaces(const Gas& gas, std::span<const SurfaceState> states,
+                              bool only_changes) {
+    const Surfaces& surfaces = gas.box.surfaces;
+    std::string text;
+    const std::size_t count = states.empty() ? 0 : 4 + surfaces.partitions.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const SurfaceState& state = states[k];
+        const bool is_wall = k < 4 && std::holds_alternative<Reflecting>(state.behaviour);
+        if (!state.motion && (is_wall || (only_changes && !state.is_open))) continue;
+        const int axis = axis_of_surface(gas.box, k);
+        const bool has_place = !state.is_open && (k >= 4 || state.motion);
+        const std::string place =
+            has_place ? fmt::format(" at {} = {}", axis == 0 ? "x" : "y",
+                                    three_digits(place_of_surface(gas.box, states, k)))
+                      : "";
+        const std::string doing = doing_of(gas, state, axis);
+        text += fmt::format("{} {}{}{}. ", subject_of_surface(gas.box, k), doing,
+                            place.empty() || doing == "stands" ? "" : ",", place);
+    }
+    if (!only_changes && !states.empty()) {
+        if (!surfaces.obstacles.empty())
+            text +=
+                fmt::format("{} {} in the box. ",
+                            counted(static_cast<long long>(surfaces.obstacles.size()), "obstacle"),
+                            surfaces.obstacles.size() == 1 ? "stands" : "stand");
+        if ((surfaces.gravity != 0.0).any())
+            text +=
+                fmt::format("Gravity accelerates everything by ({}, {}). ",
+                            plain_number(surfaces.gravity[0]), plain_number(surfaces.gravity[1]));
+    }
+    if (!text.empty()) text.pop_back();
+    return text;
+}
+
+}  // namespace carom

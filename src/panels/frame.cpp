@@ -8,14 +8,28 @@
 #include "panels/precision.h"
 #include "panels/registry.h"
 #include "panels/words/text_panel.h"
+#include "scene/describe.h"
 
 namespace carom {
 Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
+namespace {
+
+// None where the energy changes on the way, or a wall does.
+std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Particles& particles,
+                                                  const Sample& start) {
+    const bool changes = std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
+        return !words_of_surface_event(event, scene.gas).empty();
+    });
+    return changes ? std::nullopt : equilibrium(scene.gas.box, particles, start);
+}
+
+}  // namespace
+
 PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start)
     : scene_(scene),
       particles_(particles),
-      equilibrium_(equilibrium(scene.gas.box, particles, start)) {
+      equilibrium_(lasting_equilibrium(scene, particles, start)) {
     const PanelContext context{scene, particles_, frame_count(scene.film), equilibrium_};
     const LayoutSpec& layout = scene.film.layout;
     refuse_long_words(scene);
@@ -40,7 +54,7 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
                    const std::vector<PanelSpec>& specs)
     : scene_(scene),
       particles_(particles),
-      equilibrium_(equilibrium(scene.gas.box, particles, start)) {
+      equilibrium_(lasting_equilibrium(scene, particles, start)) {
     constexpr bool in_film = false;
     const PanelContext context{scene, particles_, frames, equilibrium_, in_film};
     for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});

@@ -62,14 +62,6 @@ BoxWords words_of(const Box& box) {
     return {fmt::format("in a {} with solid walls", size), ""};
 }
 
-std::string event_subject(std::int32_t surface, const Gas& gas) {
-    constexpr std::array walls{"left", "right", "lower", "upper"};
-    const auto k = static_cast<std::size_t>(surface);
-    if (k < walls.size())
-        return fmt::format("The {} {}", walls[k], gas.box.dimension == 1 ? "end" : "wall");
-    return fmt::format("The partition “{}”", gas.box.surfaces.names().at(k));
-}
-
 std::string words_of(const Membrane& membrane, const Gas& gas, int axis) {
     std::vector<std::string> passes;
     for (const std::int32_t s : membrane.species)
@@ -87,23 +79,6 @@ std::string words_of(const Membrane& membrane, const Gas& gas, int axis) {
     add(membrane.upward, axis == 0 ? "to the right" : "upwards");
     add(membrane.downward, axis == 0 ? "to the left" : "downwards");
     return fmt::format("lets {} through", listed(passes));
-}
-
-// As it follows a name: "is a heat bath of temperature 2".
-std::string words_of(const Behaviour& behaviour, const Gas& gas, int axis) {
-    if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return fmt::format("is a heat bath of temperature {}", bath->temperature);
-    if (const auto* driven = std::get_if<Driven>(&behaviour))
-        return fmt::format(
-            "moves at velocity {}{}", driven->velocity,
-            std::isinf(driven->until) ? "" : fmt::format(" until time {}", driven->until));
-    if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return fmt::format(
-            "is a piston of mass {}{}", piston->mass,
-            piston->force == 0.0 ? "" : fmt::format(", pushed by a force of {}", piston->force));
-    if (const auto* membrane = std::get_if<Membrane>(&behaviour))
-        return words_of(*membrane, gas, axis);
-    return "is solid";
 }
 
 std::string words_of(const Partition& partition, const std::string& subject, const Gas& gas) {
@@ -141,6 +116,31 @@ std::string words_of_gravity(const Eigen::Array2d& g, int dimension) {
 
 }  // namespace
 
+std::string name_of_surface(std::int32_t surface, const Gas& gas) {
+    constexpr std::array walls{"left", "right", "lower", "upper"};
+    const auto k = static_cast<std::size_t>(surface);
+    if (k < walls.size())
+        return fmt::format("The {} {}", walls[k], gas.box.dimension == 1 ? "end" : "wall");
+    const char* kind = surface < gas.box.surfaces.first_obstacle() ? "partition" : "obstacle";
+    return fmt::format("The {} “{}”", kind, gas.box.surfaces.names().at(k));
+}
+
+std::string words_of(const Behaviour& behaviour, const Gas& gas, int axis) {
+    if (const auto* bath = std::get_if<Bath>(&behaviour))
+        return fmt::format("is a heat bath of temperature {}", bath->temperature);
+    if (const auto* driven = std::get_if<Driven>(&behaviour))
+        return fmt::format(
+            "moves at velocity {}{}", driven->velocity,
+            std::isinf(driven->until) ? "" : fmt::format(" until time {}", driven->until));
+    if (const auto* piston = std::get_if<Piston>(&behaviour))
+        return fmt::format(
+            "is a piston of mass {}{}", piston->mass,
+            piston->force == 0.0 ? "" : fmt::format(", pushed by a force of {}", piston->force));
+    if (const auto* membrane = std::get_if<Membrane>(&behaviour))
+        return words_of(*membrane, gas, axis);
+    return "is solid";
+}
+
 std::string words_of(const Perturbation& nudge) {
     const auto length = [&](std::size_t axis) {
         return parse_number(nudge.by[axis]).value_or(0.0);
@@ -155,12 +155,12 @@ std::vector<std::string> words_of_surfaces(const Gas& gas) {
     std::int32_t surface = 0;
     for (const Behaviour& side : surfaces.sides) {
         if (!std::holds_alternative<Reflecting>(side))
-            sentences.push_back(event_subject(surface, gas) + " " +
+            sentences.push_back(name_of_surface(surface, gas) + " " +
                                 words_of(side, gas, surface / 2));
         ++surface;
     }
     for (const Partition& one : surfaces.partitions)
-        sentences.push_back(words_of(one, event_subject(surface++, gas), gas));
+        sentences.push_back(words_of(one, name_of_surface(surface++, gas), gas));
     if (!surfaces.obstacles.empty()) sentences.push_back(words_of(surfaces.obstacles));
     if ((surfaces.gravity != 0.0).any())
         sentences.push_back("Gravity " + words_of_gravity(surfaces.gravity, gas.box.dimension));
@@ -194,7 +194,7 @@ std::string heat_words(const Heat& heat, const Gas& gas) {
 
 std::string words_of_surface_event(const RunEvent& event, const Gas& gas) {
     const auto with = [&](std::int32_t surface, const std::string& what) {
-        return event_subject(surface, gas) + " " + what;
+        return name_of_surface(surface, gas) + " " + what;
     };
     if (const auto* set = std::get_if<SetOpen>(&event.action))
         return with(set->surface, set->is_open ? "opens" : "closes");
@@ -225,9 +225,9 @@ std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run
     else if (std::holds_alternative<Heat>(event.action))
         return "The energy goes back that the gas had been given or had lost";
     else if (const auto* move = std::get_if<MoveSurface>(&event.action))
-        return event_subject(move->surface, gas) + " does again what it did before";
+        return name_of_surface(move->surface, gas) + " does again what it did before";
     else if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-        return event_subject(change->surface, gas) + " does again what it did before";
+        return name_of_surface(change->surface, gas) + " does again what it did before";
     return words_of_surface_event(undone, gas);
 }
 

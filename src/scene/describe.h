@@ -12,6 +12,13 @@ namespace carom {
 /// What the film shows, in a plain sentence or two.
 std::string describe(const Scene& scene);
 
+/// "The left wall", "The partition “divider”", "The obstacle “peg”": by its number (surface.h).
+std::string name_of_surface(std::int32_t surface, const Gas& gas);
+
+/// What one does that stands across an axis, as it follows its name: "is a heat bath of temperature
+/// 2".
+std::string words_of(const Behaviour& behaviour, const Gas& gas, int axis);
+
 /// What surfaces there are and what they do, each in a sentence without its full stop; none if
 /// there are only walls that reflect. Obstacles and gravity come last, a sentence each.
 std::vector<std::string> words_of_surfaces(const Gas& gas);

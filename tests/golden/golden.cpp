@@ -208,6 +208,8 @@ TEST_CASE("small pictures of the scenes are as they were") {
     compare("wire", "9", "dark");
     compare("ring", "14", "light");
     compare("single-collision", "7", "light");
+    compare("walls", "5", "print");
+    compare("pistons", "8", "dark");
 }
 
 TEST_CASE("a vector picture is as it was, line by line") {

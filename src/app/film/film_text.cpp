@@ -69,6 +69,11 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
             if (words.empty()) continue;
             if (const auto frame = shown_from(event.at)) at(*frame).events.push_back(words);
         }
+    for (const MirroredEvent& again : mirrored_events(scene.run)) {
+        if (again.at < begins) continue;
+        if (const auto frame = shown_from(again.at))
+            at(*frame).events.push_back(words_of_surface_event(again, scene.run, scene.gas));
+    }
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = scene.film.end_card;
@@ -134,6 +139,9 @@ std::string picture_text(const Scene& scene) {
     }
     std::string text = "In the picture, " + coloring(scene) + ".";
     if (!panels.empty()) text += " Beside the particles: " + listed(panels) + ".";
+    const bool is_described = scene.description == describe(scene);
+    for (const std::string& words : words_of_surfaces(scene.gas))
+        if (!is_described) text += " " + words + ".";
     return text;
 }
 
@@ -235,17 +243,13 @@ FilmTextMaker::FilmTextMaker(const Scene& scene, const FrameSpan& span,
     : scene_(scene), span_(span), particles_(particles), moments_(moments_of(scene, span, ticks)) {}
 
 void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-    if (first_of_gas_ < 0 && !is_card(tick.phase) && tick.frame >= span_.first)
-        first_of_gas_ = tick.frame;
     if (next_ == moments_.size() || moments_[next_].frame != tick.frame) return;
     Moment& moment = moments_[next_++];
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
     moment.collisions = advanced.counts.particle;
     constexpr bool only_changes = true;
-    moment.surfaces =
-        words_of_surfaces(scene_.gas, advanced.surfaces,
-                          moment.frame == first_of_gas_ ? !only_changes : only_changes);
+    moment.surfaces = words_at_present(scene_.gas, advanced.surfaces, only_changes);
     moment.mean_speed = speed.mean();
     moment.mean_energy = energy.mean();
     moment.shares = class_shares(speed, moment.mean_speed);

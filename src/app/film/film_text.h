@@ -50,7 +50,7 @@ struct Moment {
     std::string mark = {};                 ///< the words of places that are marked just now
     std::string end_card = {};
     std::string caption = {};   ///< that comes up just now
-    std::string surfaces = {};  ///< those that move or are open; at first, all
+    std::string surfaces = {};  ///< those that move or are open
     std::int64_t collisions = 0;
     double mean_speed = 0.0, mean_energy = 0.0;
     std::vector<double> species_energy = {};
@@ -76,7 +76,6 @@ class FilmTextMaker {
     const Particles& particles_;
     std::vector<Moment> moments_;  ///< in order
     std::size_t next_ = 0;         ///< to be seen
-    int first_of_gas_ = -1;        ///< the first frame of the span that shows it
 };
 
 /// What their files are called, by what they hold: the film's name without its extension, and this.

@@ -150,7 +150,13 @@ class Course {
                          reversals_.reports(),
                          seconds_,
                          surfaces_.reports(simulation_.surfaces())};
-        if (!report.surfaces.empty()) report.account = simulation_.energy_account();
+        const bool is_heated = std::ranges::any_of(run_.events, [](const RunEvent& event) {
+            return std::holds_alternative<Heat>(event.action);
+        });
+        if (!report.surfaces.empty() || is_heated) {
+            report.account = simulation_.energy_account();
+            report.summary.largest_energy_error = std::nullopt;
+        }
         return report;
     }
 

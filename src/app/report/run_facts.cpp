@@ -131,7 +131,7 @@ Facts surfaces(const RunReport& report) {
                             {"heat", number_or_null(its.heat)},
                             {"position", std::move(position)}});
     }
-    return {{"surfaces", std::move(list), "", "\n" + surface_rows(report.surfaces)}};
+    return {{"surfaces", std::move(list), "", surface_rows(report.surfaces) + "\n"}};
 }
 
 Fact momentum(const RunSummary& summary) {

@@ -40,10 +40,11 @@ struct LinePanel::View {
     Rect plot;         // of the world lines
     double line_y;     // the height of the line
     double scale;      // pixels of a length
+    double low;        // the place at the left end
     Scale time;        // time before now
     bool rods;         // beads of true length are drawn as rods, else as disks
     bool larger_rods;  // and those drawn larger than they are
-    double x(double place) const { return plot.x + place * scale; }
+    double x(double place) const { return plot.x + (place - low) * scale; }
 };
 
 // A picture being drawn.
@@ -78,6 +79,7 @@ struct LinePanel::Drawing {
 
     void draw_ground() const;
     void draw_end(double side) const;
+    void draw_acting_ends() const;
     void draw_captions() const;
 
     void draw() const;
@@ -104,7 +106,9 @@ LinePanel::View LinePanel::view(const DrawContext& dc) const {
     view.line_y = dc.area.y + 3.4 * u;
     view.plot = {dc.area.x + 3.4 * u, dc.area.y + 7.6 * u + arrows, dc.area.width - 4.0 * u,
                  dc.area.height - 8.0 * u - arrows};
-    view.scale = view.plot.width / map_->length();
+    if (!ends_.is_plain()) view.plot.width -= 2.6 * u;  // for what is outside of the right end
+    view.low = -ends_.before();
+    view.scale = view.plot.width / (map_->length() + ends_.before() + ends_.beyond());
     view.time = {0.0, memory_, view.plot.y, view.plot.bottom()};
     double filled = 0.0, longest = 0.0, longest_larger = 0.0;
     for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
@@ -131,7 +135,10 @@ void LinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
 
 void LinePanel::Drawing::draw_ground() const {
     canvas.fill(v.plot, dc.theme.ground);
-    for (const double side : {-1.0, 1.0}) draw_end(side);
+    if (panel.ends_.is_plain())
+        for (const double side : {-1.0, 1.0}) draw_end(side);
+    else
+        panel.ends_.draw_gravity(canvas, dc, {v.plot.x + v.plot.width / 2, dc.area.y + 0.9 * u});
     canvas.stroke_line({v.plot.x, v.line_y}, {v.plot.right(), v.line_y}, 0.12 * u, dc.theme.wall);
     draw_y_axis(canvas, v.plot, v.time, axis_style(dc));
     draw_captions();
@@ -147,6 +154,22 @@ void LinePanel::Drawing::draw_end(double side) const {
     else
         canvas.fill({side < 0.0 ? x - thick : x, top, thick, bottom - top}, dc.theme.wall);
     canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, dc.theme.wall, dash);
+}
+
+// Those that act, and the world lines of those that move. What beads gain in drawing is between the
+// two.
+void LinePanel::Drawing::draw_acting_ends() const {
+    const double growth = map.length() - context.scene.gas.box.size[0];
+    for (std::size_t side = 0; side < now.ends.size(); ++side) {
+        const LineEnds::End& end = now.ends[side];
+        const double off = side == 0 ? 0.0 : growth, x = v.x(end.place + off);
+        panel.ends_.draw(canvas, dc, end, side, x, v.line_y);
+        std::vector<Point> path;
+        for (const Point& at : end.path)
+            path.push_back({v.x(at.y + off), v.time(std::min(now.time - at.x, panel.memory_))});
+        if (path.size() < 2) path = {{x, v.plot.y}, {x, v.plot.bottom()}};
+        canvas.stroke_path(path, 0.1 * u, dc.theme.wall);
+    }
 }
 
 // What the axis is, what the lines are, and that beads are not as large as they look.
@@ -167,6 +190,7 @@ void LinePanel::Drawing::draw_captions() const {
 }
 
 void LinePanel::Drawing::draw() const {
+    draw_acting_ends();
     canvas.clip_to(v.plot);
     draw_lines();
     draw_reversals();
@@ -187,7 +211,7 @@ void LinePanel::Drawing::draw() const {
 
 // Where a bead is seen: on a ring more than once, where it reaches over the cut.
 std::vector<Point> LinePanel::Drawing::seen_at(double place, double radius) const {
-    const double x = around_once(place * v.scale);
+    const double x = around_once((place - v.low) * v.scale);
     std::vector<Point> seen;
     for (const double shift : {0.0, -v.plot.width, v.plot.width}) {
         const Point at{v.plot.x + x + shift, v.line_y};
@@ -331,8 +355,9 @@ void LinePanel::Drawing::draw_arrows() const {
     for (Eigen::Index i = 0; i < count(); ++i) {
         const auto velocity = static_cast<double>(now.velocity(i, 0));
         const double row = (velocity > 0.0 ? -0.5 : 0.5) * arrows_apart * u;
-        panel.arrows_.draw(canvas, dc, field, {v.plot.x + around_once(place(i) * v.scale), y + row},
-                           0.0, {velocity, 0.0}, dc.theme.page);
+        panel.arrows_.draw(canvas, dc, field,
+                           {v.plot.x + around_once((place(i) - v.low) * v.scale), y + row}, 0.0,
+                           {velocity, 0.0}, dc.theme.page);
     }
     canvas.release_clip();
 }

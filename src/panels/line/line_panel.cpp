@@ -6,6 +6,7 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
+#include "panels/surfaces/surface_words.h"
 #include "stats/histogram.h"
 
 namespace carom {
@@ -25,6 +26,7 @@ void LinePanel::survey(const FrameInput& input) {
     if (!map_) map_.emplace(context_, input.sample);
     colors_.survey(input);
     arrows_.survey(input);
+    ends_.survey(input);
     survey_flashes(input);
     const CollisionCounts& counts = input.advanced.counts;
     bends_.push_back(
@@ -78,7 +80,7 @@ void LinePanel::fix_axes() {
 }
 
 void LinePanel::archive(Archive& archive) {
-    archive(colors_, arrows_, flashes_, map_, memory_);
+    archive(colors_, arrows_, flashes_, map_, memory_, ends_);
     if (archive.is_reading()) lines_.emplace(context_, *map_, colors_, memory_);
 }
 
@@ -96,7 +98,16 @@ std::shared_ptr<const PanelState> LinePanel::state(const FrameInput& input) {
             line, {state->time, places[i], state->shades[static_cast<std::size_t>(i)]}));
     }
     state->reversals = lines_->reversals(state->time);
+    state->ends = ends_.see(input, memory_);
     return state;
+}
+
+std::string LinePanel::account(const PanelState& state) const {
+    std::vector<SurfaceState> states;
+    for (const LineEnds::End& end : static_cast<const State&>(state).ends)
+        states.push_back(end.state);
+    if (!states.empty()) states.resize(4);
+    return words_at_present(context_.scene.gas, states);
 }
 
 // Masses that differ are shown unasked.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "panels/gas/particle_panel.h"
+#include "panels/line/line_ends.h"
 #include "panels/line/line_map.h"
 #include "panels/line/world_lines.h"
 
@@ -13,7 +14,7 @@ namespace carom {
 
 class LinePanel : public ParticlePanel {
   public:
-    explicit LinePanel(const PanelContext& context) : ParticlePanel(context) {}
+    explicit LinePanel(const PanelContext& context) : ParticlePanel(context), ends_(context) {}
 
     void survey(const FrameInput& input) override;
     void fix_axes() override;
@@ -23,6 +24,9 @@ class LinePanel : public ParticlePanel {
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
     bool wants_collisions() const override { return true; }
+
+    /// The ends, where they act.
+    std::string account(const PanelState& state) const override;
 
     /// For tests: the simulated time that the world lines show.
     double memory() const { return memory_; }
@@ -38,9 +42,11 @@ class LinePanel : public ParticlePanel {
         double time = 0.0;
         std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last
         std::vector<double> reversals;                     // simulated times in memory
+        std::vector<LineEnds::End> ends;                   // none of those that only reflect
         std::size_t bytes() const override {
             std::size_t sum = ParticleState::bytes();
             for (const auto& line : lines) sum += line.size() * sizeof(WorldLines::Bend);
+            for (const LineEnds::End& end : ends) sum += end.path.size() * sizeof(Point);
             return sum;
         }
     };
@@ -52,6 +58,7 @@ class LinePanel : public ParticlePanel {
     bool is_ring() const { return context_.scene.gas.box.is_periodic(0); }
     Labels shown_labels() const;
 
+    LineEnds ends_;
     std::optional<LineMap> map_;  // from the first frame on
     std::vector<Bends> bends_;    // at each frame of the first pass
     double memory_ = 1.0;

@@ -36,6 +36,26 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     return subject;
 }
 
+namespace {
+
+// What has happened, in a word; empty for what has its own mark, or none.
+std::string series_event_word(const RunEvent& event) {
+    if (const auto* set = std::get_if<SetOpen>(&event.action))
+        return set->is_open ? "opened" : "closed";
+    if (const auto* heat = std::get_if<Heat>(&event.action)) {
+        const double* energy = std::get_if<double>(&heat->amount);
+        return energy != nullptr && *energy < 0.0 ? "cooled" : "heated";
+    }
+    if (const auto* move = std::get_if<MoveSurface>(&event.action))
+        return move->velocity == 0.0 ? "stopped" : "moved";
+    if (std::holds_alternative<HoldPiston>(event.action)) return "held";
+    if (std::holds_alternative<ReleasePiston>(event.action)) return "released";
+    if (std::holds_alternative<ChangeSurface>(event.action)) return "wall changed";
+    return "";
+}
+
+}  // namespace
+
 SeriesPanel::SeriesPanel(const PanelContext& context, SeriesSubject subject)
     : context_(context), subject_(std::move(subject)) {
     record_.compared = subject_.compared;
@@ -55,6 +75,9 @@ void SeriesPanel::finish_record() {
     if (subject_.reference) run.level = subject_.reference();
     for (const double at : reversal_times(context_.scene.run))
         run.turns.push_back(folded_time(context_.scene.run, at));
+    for (const RunEvent& event : context_.scene.run.events)
+        if (const std::string word = series_event_word(event); !word.empty())
+            run.events.emplace_back(folded_time(context_.scene.run, event.at), word);
 }
 
 void SeriesPanel::archive(Archive& archive) {
@@ -133,6 +156,7 @@ void SeriesPanel::make_plot() {
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
     add_levels();
     add_turns();
+    add_events();
     if (subject_.add) subject_.add(record_, whole_);
 }
 
@@ -244,6 +268,33 @@ void SeriesPanel::add_turns() {
                           .align = on_left ? Align::right : Align::left,
                           .step = {0.0, -0.5}}};
         marker.label = std::move(label);
+        whole_.layers.emplace_back(std::move(marker));
+    }
+}
+
+// The same, dashed, where a wall or a partition changes what it does, or the gas is heated.
+void SeriesPanel::add_events() {
+    constexpr std::size_t most_named = 6;
+    const std::vector<std::pair<double, std::string>> events = record_.common_events();
+    for (const auto& [at, word] : events) {
+        plot::Marker marker;
+        marker.part = "event";
+        marker.of = word;
+        marker.still = true;
+        marker.column = whole_.columns[0];
+        marker.value = at;
+        marker.stroke = {.width = 0.06, .dashes = {0.2, 0.4}};
+        if (events.size() <= most_named) {
+            const bool on_left = at > 0.5 * (whole_.x.low + whole_.x.high);
+            plot::Label label;
+            label.words = {word};
+            label.anchors = {{.at = {at, 1.0},
+                              .y_is_share = true,
+                              .offset = {on_left ? -0.4 : 0.4, -0.5},
+                              .align = on_left ? Align::right : Align::left,
+                              .step = {0.0, -0.5}}};
+            marker.label = std::move(label);
+        }
         whole_.layers.emplace_back(std::move(marker));
     }
 }

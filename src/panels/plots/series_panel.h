@@ -62,6 +62,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     void add_run(std::size_t run);
     void add_levels();
     void add_turns();
+    void add_events();
 
     PanelContext context_;
     SeriesSubject subject_;

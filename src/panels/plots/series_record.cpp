@@ -14,6 +14,21 @@ std::optional<ReferenceLevel> SeriesRecord::common_level() const {
     return first;
 }
 
+std::vector<std::pair<double, std::string>> SeriesRecord::common_events() const {
+    std::vector<std::pair<double, std::string>> events;
+    for (const SeriesRun& run : runs)
+        if (run.events != runs.front().events) return {};
+    for (const auto& [at, word] : runs.front().events) {
+        const auto known = std::ranges::find(events, at, &std::pair<double, std::string>::first);
+        if (known == events.end())
+            events.emplace_back(at, word);
+        else if (known->second.find(word) == std::string::npos)
+            known->second += ", " + word;
+    }
+    std::ranges::sort(events);
+    return events;
+}
+
 std::vector<double> SeriesRecord::common_turns() const {
     for (const SeriesRun& run : runs)
         if (run.turns != runs.front().turns) return {};

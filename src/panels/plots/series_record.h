@@ -25,9 +25,13 @@ struct SeriesRun {
     std::vector<std::vector<double>> errors = {};  ///< standard errors of means over runs, or none
     std::optional<ReferenceLevel> level = {};
     std::vector<double> turns = {};  ///< times of reversals, folded
-    std::string name = {};           ///< beside others
+    std::vector<std::pair<double, std::string>> events =
+        {};                 ///< what happens to surfaces, and heat: folded times and a word each
+    std::string name = {};  ///< beside others
 
-    void archive(Archive& archive) { archive(time, reversals, lines, errors, level, turns, name); }
+    void archive(Archive& archive) {
+        archive(time, reversals, lines, errors, level, turns, events, name);
+    }
 };
 
 struct SeriesRecord {
@@ -42,6 +46,10 @@ struct SeriesRecord {
 
     /// The reversals of all runs, or none where they differ.
     std::vector<double> common_turns() const;
+
+    /// The events of all runs, in order of time, those of one time together; none where they
+    /// differ.
+    std::vector<std::pair<double, std::string>> common_events() const;
 
     void archive(Archive& archive) { archive(runs, runs_in_mean, compared); }
 };

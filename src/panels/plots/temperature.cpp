@@ -1,10 +1,32 @@
 // The temperature against time, of all particles or of those chosen.
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <vector>
+
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/mechanics.h"
 
 namespace carom {
+namespace {
+
+// The temperature of all baths of the run, where they have but one.
+std::optional<double> only_bath(const Scene& scene) {
+    std::vector<double> all;
+    const auto add = [&](const Behaviour& behaviour) {
+        if (const auto* bath = std::get_if<Bath>(&behaviour)) all.push_back(bath->temperature);
+    };
+    for (const Behaviour& side : scene.gas.box.surfaces.sides) add(side);
+    for (const Partition& one : scene.gas.box.surfaces.partitions) add(one.behaviour);
+    for (const RunEvent& event : scene.run.events)
+        if (const auto* change = std::get_if<ChangeSurface>(&event.action)) add(change->behaviour);
+    const bool is_one = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);
+    return is_one ? std::optional(all.front()) : std::nullopt;
+}
+
+}  // namespace
 
 std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject = subject_of_choices(context, spec, "Temperature");
@@ -15,6 +37,8 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
                               .temperature());
         return now;
     };
+    if (const std::optional<double> bath = only_bath(context.scene))
+        subject.reference = [bath] { return ReferenceLevel{"bath", *bath}; };
     subject.quantity = "temperature";
     subject.unit = reduced::energy;
     return std::make_unique<SeriesPanel>(context, std::move(subject));

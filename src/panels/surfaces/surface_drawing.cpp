@@ -1,12 +1,11 @@
 // The drawing of surfaces.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
-#include "draw/arrow.h"
 #include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
 
@@ -14,37 +13,6 @@ namespace carom {
 namespace {
 
 constexpr double hatch_apart = 0.55;  // units
-constexpr double infinite_length = std::numeric_limits<double>::infinity();
-constexpr std::size_t bottom_side = 2, top_side = 3;
-
-bool is_upright(std::size_t side) { return side < bottom_side; }
-
-// Lines that rise to the right across a polygon, a pixel grid of them for the whole picture.
-void hatch_polygon(Canvas& canvas, const std::vector<Point>& corners, double apart, double width,
-                   Color color) {
-    constexpr double root = std::numbers::sqrt2;
-    double low = infinite_length, high = -infinite_length;
-    for (const Point& at : corners) {
-        low = std::min(low, (at.x + at.y) / root);
-        high = std::max(high, (at.x + at.y) / root);
-    }
-    for (double off = std::ceil(low / apart) * apart; off < high; off += apart) {
-        std::vector<double> along;  // where the line crosses the edges
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Point &a = corners[k], &b = corners[(k + 1) % corners.size()];
-            const double from = (a.x + a.y) / root - off, to = (b.x + b.y) / root - off;
-            if ((from > 0.0) == (to > 0.0)) continue;
-            const double share = from / (from - to);
-            along.push_back(((a.x - a.y) + share * ((b.x - b.y) - (a.x - a.y))) / root);
-        }
-        std::ranges::sort(along);
-        for (std::size_t k = 0; k + 1 < along.size(); k += 2)
-            canvas.stroke_line({(off + along[k]) / root, (off - along[k]) / root},
-                               {(off + along[k + 1]) / root, (off - along[k + 1]) / root}, width,
-                               color);
-    }
-}
-
 std::vector<Point> corners_of(const Rect& rect) {
     return {{rect.x, rect.y},
             {rect.right(), rect.y},
@@ -95,9 +63,6 @@ struct SurfaceView::Brush {
     void draw_outline() const;
     void draw_obstacle(const Obstacle& obstacle, Point shift) const;
     void draw_obstacles() const;
-    void draw_bath(const Rect& band, bool upright, double temperature) const;
-    void draw_ticks(std::size_t side, double offset) const;
-    void draw_arrow_along(Point from, Point step) const;
     void draw_side(std::size_t side) const;
     void draw_side_arrow(std::size_t side) const;
     void draw_side_mark(std::size_t side) const;
@@ -205,55 +170,15 @@ void SurfaceView::Brush::draw_obstacles() const {
 
 // ------------------------------------------------------------------------------------------- sides
 
-void SurfaceView::Brush::draw_bath(const Rect& band, bool upright, double temperature) const {
-    const Color color = view.bath_color(temperature, theme);
-    canvas.fill(band, color);
-    const double depth = upright ? band.width : band.height;
-    const double length = upright ? band.height : band.width;
-    const double period = 1.2 * u, inset = 0.3 * u;
-    std::vector<Point> wave;
-    for (double along = inset; along <= length - inset; along += period / 12.0) {
-        const double aside =
-            depth / 2 + 0.24 * depth * std::sin(2.0 * std::numbers::pi * along / period);
-        wave.push_back(upright ? Point{band.x + aside, band.y + along}
-                               : Point{band.x + along, band.y + aside});
-    }
-    if (wave.size() > 1) canvas.stroke_path(wave, 0.13 * u, letters_on(color, theme));
-}
-
-// Slanted lines away from the box.
-void SurfaceView::Brush::draw_ticks(std::size_t side, double offset) const {
-    const double deep = 0.8 * SurfaceSize::hatch * u, apart = 0.75 * u;
-    const Rect band = outside(side, offset, deep);
-    const double length = is_upright(side) ? band.height : band.width;
-    for (double along = 0.2 * u; along + deep < length; along += apart) {
-        const Point root = is_upright(side)
-                               ? Point{side == 0 ? band.right() : band.x, band.y + along + deep}
-                               : Point{band.x + along, side == top_side ? band.bottom() : band.y};
-        const Point end =
-            is_upright(side)
-                ? Point{side == 0 ? band.x : band.right(), band.y + along}
-                : Point{band.x + along + deep, side == top_side ? band.y : band.bottom()};
-        canvas.stroke_line(root, end, 0.12 * u, theme.muted);
-    }
-}
-
-void SurfaceView::Brush::draw_arrow_along(Point from, Point step) const {
-    draw_arrow(canvas, from, {from.x + step.x, from.y + step.y},
-               {.shaft = 0.24 * u,
-                .head_length = 0.85 * u,
-                .head_width = 0.85 * u,
-                .edge = 0.08 * u,
-                .color = theme.ink,
-                .edge_color = theme.page});
-}
-
 void SurfaceView::Brush::draw_side(std::size_t side) const {
     if (const auto* bath = std::get_if<Bath>(&behaviour(side)))
-        draw_bath(outside(side, 0.0, SurfaceSize::bath * u), is_upright(side), bath->temperature);
+        draw_bath(canvas, dc, outside(side, 0.0, SurfaceSize::bath * u), is_upright(side),
+                  view.bath_color(bath->temperature, theme));
     const bool is_bar = is<Piston>(side) || is_imposed(side);
     if (is_bar) canvas.fill(outside(side, 0.0, SurfaceSize::bar * u), theme.muted);
-    if (is_imposed(side)) draw_ticks(side, SurfaceSize::bar * u);
+    if (is_imposed(side))
+        draw_ticks(canvas, dc, outside(side, SurfaceSize::bar * u, 0.8 * SurfaceSize::hatch * u),
+                   side);
     if (is_bar) draw_side_arrow(side);
     draw_side_mark(side);
 }
@@ -271,8 +196,8 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
                 SurfaceSize::arrow * u);
     const Point middle{band.x + band.width / 2, band.y + band.height / 2};
     const double half = 0.45 * SurfaceSize::arrow * u * sign;
-    draw_arrow_along({middle.x - half * up.x, middle.y - half * up.y},
-                     {2.0 * half * up.x, 2.0 * half * up.y});
+    draw_surface_arrow(canvas, dc, {middle.x - half * up.x, middle.y - half * up.y},
+                       {2.0 * half * up.x, 2.0 * half * up.y});
 }
 
 // Of the lower and the upper side: beside its arrow, or in the middle beyond it.
@@ -383,8 +308,8 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
     const double away = 0.25 * u;  // from the wall
     const Point middle{first.x + first.width / 2 + (upright ? 0.0 : away),
                        first.y + first.height / 2 - (upright ? away : 0.0)};
-    draw_arrow_along(
-        {middle.x + sign * off * up.x, middle.y + sign * off * up.y},
+    draw_surface_arrow(
+        canvas, dc, {middle.x + sign * off * up.x, middle.y + sign * off * up.y},
         {0.8 * SurfaceSize::arrow * sign * u * up.x, 0.8 * SurfaceSize::arrow * sign * u * up.y});
 }
 
@@ -434,7 +359,7 @@ void SurfaceView::Brush::draw_gravity() const {
     const double length = 2.0 * u;
     const Point middle{view.whole(map, u).x + 1.1 * u, map.frame.y + 2.0 * u};
     const Point step{length * g[0] / size, -length * g[1] / size};
-    draw_arrow_along({middle.x - step.x / 2, middle.y - step.y / 2}, step);
+    draw_surface_arrow(canvas, dc, {middle.x - step.x / 2, middle.y - step.y / 2}, step);
     TextStyle style = label_style(dc);
     style.color = theme.ink;
     style.align = Align::center;

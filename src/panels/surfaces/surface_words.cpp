@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "scene/describe.h"
 #include "util/text.h"
 
 namespace carom {
@@ -20,16 +20,6 @@ std::string speeds_mark(const Membrane::Speeds& speeds) {
                            plain_number(speeds.slower_than));
     if (from) return "v > " + plain_number(speeds.faster_than);
     return to ? "v < " + plain_number(speeds.slower_than) : "all";
-}
-
-std::string speeds_words(const Membrane::Speeds& speeds, const char* where) {
-    if (!(speeds.faster_than < speeds.slower_than)) return "";
-    std::vector<std::string> bounds;
-    if (speeds.faster_than > 0.0)
-        bounds.push_back("faster than " + plain_number(speeds.faster_than));
-    if (std::isfinite(speeds.slower_than))
-        bounds.push_back("slower than " + plain_number(speeds.slower_than));
-    return fmt::format("{} {}", bounds.empty() ? "all" : "those " + listed(bounds), where);
 }
 
 std::vector<std::string> names_of_passing(const Gas& gas, const Membrane& membrane) {
@@ -52,33 +42,11 @@ std::string membrane_mark(const Gas& gas, const Membrane& membrane, int axis) {
     return text;
 }
 
-std::string membrane_words(const Gas& gas, const Membrane& membrane, int axis) {
-    std::vector<std::string> passing = names_of_passing(gas, membrane);
-    for (const std::string& words :
-         {speeds_words(membrane.upward, axis == 0 ? "to the right" : "upwards"),
-          speeds_words(membrane.downward, axis == 0 ? "to the left" : "downwards")})
-        if (!words.empty()) passing.push_back(words);
-    return passing.empty() ? "lets none through" : "lets through " + listed(passing);
-}
-
-std::string subject_of_surface(const Box& box, std::size_t k) {
-    constexpr std::array walls{"left", "right", "lower", "upper"};
-    if (k < walls.size())
-        return fmt::format("The {} {}", walls[k], box.dimension == 1 ? "end" : "wall");
-    return fmt::format("The partition “{}”", box.surfaces.partitions[k - walls.size()].name);
-}
-
 std::string doing_of(const Gas& gas, const SurfaceState& state, int axis) {
     if (state.is_open) return "is open";
-    if (const auto* bath = std::get_if<Bath>(&state.behaviour))
-        return "is a heat bath of temperature " + plain_number(bath->temperature);
-    if (const auto* membrane = std::get_if<Membrane>(&state.behaviour))
-        return membrane_words(gas, *membrane, axis);
-    if (const auto* piston = std::get_if<Piston>(&state.behaviour)) {
-        const std::string force =
-            piston->force == 0.0 ? "" : " and a force of " + plain_number(piston->force) + " on it";
-        return "is a piston of mass " + plain_number(piston->mass) + force;
-    }
+    const bool reflects = std::holds_alternative<Reflecting>(state.behaviour);
+    if (!reflects && !std::holds_alternative<Driven>(state.behaviour))
+        return words_of(state.behaviour, gas, axis);
     const bool moves = state.motion && state.motion->velocity != 0.0;
     return moves ? "moves at " + three_digits(state.motion->velocity) : "stands";
 }
@@ -116,8 +84,8 @@ std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t
            (mark.empty() ? "" : ", " + mark);
 }
 
-std::string words_of_surfaces(const Gas& gas, std::span<const SurfaceState> states,
-                              bool only_changes) {
+std::string words_at_present(const Gas& gas, std::span<const SurfaceState> states,
+                             bool only_changes) {
     const Surfaces& surfaces = gas.box.surfaces;
     std::string text;
     const std::size_t count = states.empty() ? 0 : 4 + surfaces.partitions.size();
@@ -132,19 +100,8 @@ std::string words_of_surfaces(const Gas& gas, std::span<const SurfaceState> stat
                                     three_digits(place_of_surface(gas.box, states, k)))
                       : "";
         const std::string doing = doing_of(gas, state, axis);
-        text += fmt::format("{} {}{}{}. ", subject_of_surface(gas.box, k), doing,
-                            place.empty() || doing == "stands" ? "" : ",", place);
-    }
-    if (!only_changes && !states.empty()) {
-        if (!surfaces.obstacles.empty())
-            text +=
-                fmt::format("{} {} in the box. ",
-                            counted(static_cast<long long>(surfaces.obstacles.size()), "obstacle"),
-                            surfaces.obstacles.size() == 1 ? "stands" : "stand");
-        if ((surfaces.gravity != 0.0).any())
-            text +=
-                fmt::format("Gravity accelerates everything by ({}, {}). ",
-                            plain_number(surfaces.gravity[0]), plain_number(surfaces.gravity[1]));
+        text += fmt::format("{} {}{}{}. ", name_of_surface(static_cast<std::int32_t>(k), gas),
+                            doing, place.empty() || doing == "stands" ? "" : ",", place);
     }
     if (!text.empty()) text.pop_back();
     return text;

@@ -25,9 +25,9 @@ std::string mark_of_surface(const Gas& gas, const Behaviour& behaviour, int axis
 /// "divider, open", "left, T = 2": of a side or a partition, as it is.
 std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k);
 
-/// The surfaces at a moment, in whole sentences; nothing of a plain box. `only_changes`: only of
-/// those that move or are open.
-std::string words_of_surfaces(const Gas& gas, std::span<const SurfaceState> states,
-                              bool only_changes = false);
+/// Walls that act and partitions as they are at a moment, in whole sentences; nothing of a plain
+/// box. `only_changes`: only of those that move or are open.
+std::string words_at_present(const Gas& gas, std::span<const SurfaceState> states,
+                             bool only_changes = false);
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include "draw/text.h"
 #include "panels/archived.h"
 #include "panels/frame.h"
+#include "panels/gas/flights.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/recording.h"
 #include "panels/surfaces/surface_sizes.h"
@@ -235,9 +236,7 @@ TEST_CASE("surfaces are in the account and in the table of the gas") {
     CHECK(gas.account(*shot.frames[0].states[0]) ==
           "The left wall is a heat bath of temperature 2. The partition “piston” is a piston of "
           "mass 20, at x = 9.00. The partition “window” stands at x = 15.0. The partition “door” "
-          "is open. The partition “demon” lets through a, those faster than 1.5 to the right and "
-          "those slower than 0.5 to the left, at x = 19.5. 1 obstacle stands in the box. Gravity "
-          "accelerates everything by (0, −0.5).");
+          "is open. The partition “demon” lets a through, at x = 19.5.");
     const Table table = gas.table(*shot.frames[0].states[0], theme_of(scene.film.theme));
     std::string labels;
     for (const auto& row : table.rows)
@@ -275,4 +274,109 @@ TEST_CASE("a gas that a partition parts, or a side squeezes, has no one pressure
     box = plain;
     box.surfaces.gravity = {0.0, -1.0};
     CHECK_FALSE(has_one_pressure(box, std::vector<SurfaceState>(4)));
+}
+
+TEST_CASE("events of surfaces are marked on time axes, and one bath is a level of temperature") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [20, 10], walls: {left: {temperature: 2}}}\npartitions: [{name: "
+        "door, x: 10}]\ngas: [{name: a, count: 20, radius: 0.2, speed: 1}]\n"
+        "run: {until: 4, events: [{at: 1, open: door}, {at: 1, heat: {of: all, by: 5}}, {at: 3, "
+        "heat: {of: all, by: -5}}]}\n"
+        "film: {seconds: 1, fps: 5, size: [960, 540], panels: [temperature]}\n");
+    Run quiet;  // what happens is told by the scene
+    quiet.until = 4.0;
+    const Simulation start(scene.gas, quiet);
+    PanelSet panels(scene, start.particles(), Simulation(start).sample());
+    panels.record(start, timeline(scene), [](const Tick&, const Sample&, const AdvanceResult&) {});
+    panels.fix_axes();
+    const auto& panel = static_cast<const PlotPanel&>(*panels.panels().at(2).panel);
+    std::string marks;
+    const plot::Plot plot = panel.plot(nullptr);
+    for (const plot::AnyLayer& layer : plot.layers) {
+        if (const auto* marker = std::get_if<plot::Marker>(&layer))
+            marks += marker->of + " " + std::to_string(static_cast<int>(marker->value)) + "; ";
+        if (const auto* level = std::get_if<plot::Level>(&layer))
+            CHECK((level->of == "bath" && level->value == 2.0));
+    }
+    CHECK(marks == "opened, heated 1; cooled 3; ");
+}
+
+TEST_CASE("a particle that falls has its corners where it collides") {
+    Box box{.size = {20.0, 10.0}};
+    box.surfaces.gravity = {0.0, -2.0};
+    Flights flights(box, 1, {0});
+    const Eigen::ArrayXd none;
+    const auto see = [&](double time, double y, double v,
+                         const std::vector<Collision>& collisions) {
+        Tick tick{};
+        tick.time = time;
+        Sample sample{time, Eigen::ArrayXXd(1, 2), Eigen::ArrayXXd(1, 2)};
+        sample.position << 1.0, y;
+        sample.velocity << 0.0, v;
+        AdvanceResult advanced;
+        advanced.collisions = collisions;
+        return flights.see({tick, sample, none, none, advanced});
+    };
+    see(0.0, 4.0, 0.0, {});
+    Collision bounce{};
+    bounce.time = 2.0;
+    bounce.first = 0;
+    bounce.second = Side::bottom;
+    bounce.first_position = {1.0, 0.0};
+    bounce.first_after = {0.0, 4.0};
+    const auto corners = see(3.0, 3.0, 2.0, {bounce});
+    REQUIRE(corners.size() == 1);
+    CHECK(corners[0].place[0] == 0.0);
+    CHECK(corners[0].before[0] == doctest::Approx(-4.0));
+    CHECK(corners[0].after[0] == 4.0);
+}
+
+TEST_CASE("the ends of a wire are drawn where they are, and as what they do") {
+    Scene scene = test::scene_from(
+        "title: T\nbox: {length: 12}\ngas: [{name: a, count: 5, radius: 0.2, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], panels: []}\n");
+    Simulation simulation(scene.gas, scene.run);
+    Surfaces& surfaces = scene.gas.box.surfaces;
+    surfaces.sides = {Bath{2.0}, Piston{5.0, -1.0}, Reflecting{}, Reflecting{}};
+    surfaces.gravity = {-0.5, 0.0};
+    PanelSet panels(scene, simulation.particles(), simulation.sample());
+    std::vector<FrameData> frames;
+    const std::vector<Tick> ticks = timeline(scene);
+    const auto each = [&](const auto& see) {
+        for (const Tick& tick : ticks) {
+            AdvanceResult advanced;
+            advanced.surfaces.resize(4);
+            for (std::size_t k = 0; k < 4; ++k) advanced.surfaces[k].behaviour = surfaces.sides[k];
+            advanced.surfaces[1].motion = {12.0 + tick.time, 1.0};
+            see(tick, simulation.sample(), advanced);
+        }
+    };
+    each([&](const auto&... input) { panels.survey(input...); });
+    panels.fix_axes();
+    each([&](const auto&... input) { frames.push_back(panels.frame_data(input...)); });
+    CHECK(panels.gas().account(*frames.back().states[0]) ==
+          "The left end is a heat bath of temperature 2. The right end is a piston of mass 5, "
+          "pushed by a force of -1, at x = 16.0.");
+    FramePainter painter(panels);
+    TextLog log;
+    const std::vector<std::uint32_t> first = test::pixels_of(painter.paint(frames.front()));
+    std::string marks;
+    for (const DrawnLine& line : log.lines)
+        if (line.markup.find(" = ") != std::string::npos) marks += line.markup + "; ";
+    CHECK(marks == "T = 2; M = 5, F = −1; ");
+    const PixelView last = painter.paint(frames.back()).pixels();
+    // The end is at the right of the plot at last, and was at three quarters of the way.
+    const Theme& theme = theme_of(scene.film.theme);
+    const Grid grid(scene.film.layout, scene.film.size);
+    const Rect area = grid.place(scene.film.layout.gas);
+    const double u = grid.unit(), width = area.width - 6.6 * u;
+    const auto pixel = [&](const auto& pixels, double place) {
+        const double x = area.x + 3.4 * u + place / 16.0 * width + 0.25 * u;
+        return pixels[static_cast<std::size_t>(area.y + 2.0 * u) * 960 +
+                      static_cast<std::size_t>(x)];
+    };
+    CHECK(pixel(first, 12.0) == to_pixel(theme.muted));
+    CHECK(pixel(first, 16.0) == to_pixel(theme.page));
+    CHECK(pixel(last.data, 16.0) == to_pixel(theme.muted));
+    CHECK(pixel(last.data, 12.0) == to_pixel(theme.page));
 }

@@ -1,0 +1,85 @@
+#include "panels/line/line_ends.h"
+
+#include <algorithm>
+
+#include "panels/surfaces/side_extent.h"
+#include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_strokes.h"
+#include "panels/surfaces/surface_words.h"
+
+namespace carom {
+namespace {
+
+constexpr double half_of_end = 2.2;  // units, as other ends of a wire
+
+}  // namespace
+
+LineEnds::LineEnds(const PanelContext& context)
+    : scene_(context.scene),
+      look_(context),
+      length_(context.scene.gas.box.size[0]),
+      extent_{0.0, length_} {}
+
+void LineEnds::survey(const FrameInput& input) {
+    widen_to_sides(extent_, scene_.gas.box, 0, input);
+}
+
+std::vector<LineEnds::End> LineEnds::see(const FrameInput& input, double memory) {
+    const std::vector<SurfaceState>& states = input.advanced.surfaces;
+    std::vector<End> ends;
+    for (std::size_t side = 0; side < 2 && states.size() > 1 && !is_plain(); ++side) {
+        End& end = ends.emplace_back(states[side], place_of_surface(scene_.gas.box, states, side));
+        if (!end.state.motion) continue;
+        std::deque<Point>& path = paths_[side];
+        path.push_back({input.tick.time, end.place});
+        while (path.size() > 2 && path[1].x < input.tick.time - memory) path.pop_front();
+        end.path.assign(path.begin(), path.end());
+    }
+    return ends;
+}
+
+void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::size_t side,
+                    double x, double y) const {
+    const double u = dc.unit, out = side == 0 ? -1.0 : 1.0;
+    const auto band = [&](double offset, double depth) {
+        const double from = x + out * offset * u, to = from + out * depth * u;
+        return Rect{std::min(from, to), y - half_of_end * u, depth * u, 2.0 * half_of_end * u};
+    };
+    const Behaviour& behaviour = end.state.behaviour;
+    const auto* bath = std::get_if<Bath>(&behaviour);
+    const auto* piston = std::get_if<Piston>(&behaviour);
+    const bool is_imposed = piston == nullptr && end.state.motion.has_value();
+    if (bath != nullptr)
+        draw_bath(canvas, dc, band(0.0, SurfaceSize::bath), true,
+                  look_.bath_color(bath->temperature, dc.theme));
+    else
+        canvas.fill(band(0.0, 0.5), end.state.motion ? dc.theme.muted : dc.theme.wall);
+    if (is_imposed) draw_ticks(canvas, dc, band(0.5, 0.4), side);
+    const double along = piston != nullptr ? piston->force
+                         : is_imposed      ? end.state.motion->velocity
+                                           : 0.0;
+    if (along != 0.0) {
+        const double length = along > 0.0 ? 1.8 * u : -1.8 * u;
+        const double middle = x + out * (is_imposed ? 2.0 : 1.6) * u;
+        draw_surface_arrow(canvas, dc, {middle - length / 2, y}, {length, 0.0});
+    }
+    const std::string words = mark_of_surface(scene_.gas, behaviour, 0);
+    if (words.empty()) return;
+    TextStyle style = label_style(dc);
+    style.color = dc.theme.ink;
+    style.align = side == 0 ? Align::left : Align::right;
+    draw_text(canvas, {x + out * SurfaceSize::bath * u, y - (half_of_end + 0.4) * u},
+              escape_markup(words), style);
+}
+
+void LineEnds::draw_gravity(Canvas& canvas, const DrawContext& dc, Point middle) const {
+    const double g = scene_.gas.box.surfaces.gravity[0], u = dc.unit;
+    if (g == 0.0) return;
+    const double length = g > 0.0 ? 2.0 * u : -2.0 * u;
+    draw_surface_arrow(canvas, dc, {middle.x - length / 2, middle.y - 0.36 * u}, {length, 0.0});
+    TextStyle style = label_style(dc);
+    style.color = dc.theme.ink;
+    draw_text(canvas, {middle.x + 1.5 * u, middle.y}, "<i>g</i>", style);
+}
+
+}  // namespace carom

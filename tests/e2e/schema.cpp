@@ -76,6 +76,11 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"reversal_no_way_home", several_places},  // `at` against `until`
     {"radius_too_large", several_places},
     {"sample_every", several_places},
+    {"surface_crushes", several_places},     // velocity and times against the box and the gas
+    {"surface_in_the_way", several_places},  // places against partitions and obstacles
+    {"surface_reaches", several_places},
+    {"surface_reversal", several_places},  // a reversal against walls
+    {"surface_reversal_demon", several_places},
     {"template_caption", other_file},
     {"template_hidden", other_file},
     {"template_link", other_file},

@@ -118,7 +118,7 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
             bind_key("mirror", &EventDraft::is_mirrored, flag(),
                      "Whether it is undone after a reversal of the velocities, as long after "
                      "it as it was before."),
-            bind_key("solid", &EventDraft::solid, one_of<bool>({{"true", true}}),
+            bind_key("solid", &EventDraft::solid, flag(),
                      "Of a `wall` event: the wall only reflects from now on.")};
 }
 
@@ -178,7 +178,7 @@ std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Er
     const auto behaviour = behaviour_of(event, node, errors);
     if (!behaviour || event.solid || !std::holds_alternative<Reflecting>(*behaviour))
         return behaviour;
-    if (find(node, "solid") == nullptr)
+    if (find(node, "solid") == nullptr || given(node, "solid") != nullptr)
         errors.add(node, "a `wall` event needs `temperature`, `mass`, `velocity` or `solid`",
                    "`solid: true` makes it a wall that only reflects");
     return std::nullopt;

@@ -73,6 +73,12 @@ std::string top_lines(const Section& scene) {
     return text;
 }
 
+// A key of the top level that the scene does not give.
+std::string hidden_line(const Section& scene, const std::string& name, const std::string& value) {
+    const Key& key = scene.keys.at(scene.index(name));
+    return "\n" + comment(words_of(key), "") + fmt::format("# {}: {}\n", name, value);
+}
+
 std::string species_lines(const Section& item) {
     const Given light{
         {"name", "light"}, {"count", "160"}, {"radius", "0.5"}, {"mass", "1"}, {"speed", "2"}};
@@ -95,6 +101,8 @@ std::string starter_scene(PanelKinds kinds, const std::string& schema, const std
         "Remove the # in front of a key to use it. Its value is the default, or an example.", "");
     text += top_lines(scene);
     text += heading(scene, "box") + section_lines(inner("box"), {{"size", "[64, 48]"}}, "  ");
+    text += hidden_line(scene, "partitions", "[{name: divider, x: 32}]");
+    text += hidden_line(scene, "obstacles", "[{name: peg, disk: [32, 24], radius: 3}]");
     text += heading(scene, "gas") + species_lines(inner("gas"));
     text += heading(scene, "run") + section_lines(inner("run"), {{"until", "75"}}, "  ");
     text += heading(scene, "film") +

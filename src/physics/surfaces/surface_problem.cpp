@@ -57,6 +57,7 @@ class Search {
             if (const auto kind =
                     problem_of(side, surfaces_.sides[static_cast<std::size_t>(side)], true))
                 add(*kind, side);
+        if (box_.dimension == 1) return look_at_line();
         std::int32_t surface = Surfaces::first_partition;
         for (const Partition& partition : surfaces_.partitions)
             look_at_partition(surface++, partition);
@@ -112,6 +113,14 @@ class Search {
         if (std::holds_alternative<Piston>(behaviour) && !partition.gaps.empty())
             return Kind::piston_gaps;
         return std::nullopt;
+    }
+
+    void look_at_line() {
+        const std::vector<Behaviour> behaviours = behaviours_of(box_);
+        for (std::size_t k = 2; k < behaviours.size(); ++k)
+            if (k >= Surfaces::first_partition ||
+                !std::holds_alternative<Reflecting>(behaviours[k]))
+                add(Kind::not_on_line, static_cast<std::int32_t>(k));
     }
 
     void look_at_partition(std::int32_t surface, const Partition& partition) {
@@ -265,6 +274,9 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::same_corner:
             return {fmt::format("two corners of {} in a row are at one place", name),
                     "leave one of them out"};
+        case Kind::not_on_line:
+            return {fmt::format("{} has no meaning on a line", name),
+                    "a line has a left and a right end, and gravity along it"};
         case Kind::no_surface:
             return {fmt::format("there is no surface {}", p.surface), ""};
         case Kind::not_a_partition:

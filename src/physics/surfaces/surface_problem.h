@@ -32,6 +32,7 @@ struct SurfaceProblem {
         obstacle_outside,   ///< no part of it lies in the box
         obstacle_too_wide,  ///< for a periodic box: it would overlap its own image
         same_corner,        ///< corner `item` is where the next is
+        not_on_line,        ///< a partition or an obstacle, or a side that a line does not have
         no_surface,         ///< the event's surface is not there
         not_a_partition,    ///< what is to open or to close
         not_movable,        ///< an obstacle that is to move or to act

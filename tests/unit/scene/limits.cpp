@@ -126,6 +126,19 @@ TEST_CASE("a command line may set as many values as the limit") {
     CHECK(names(complaint(scene, overrides), most_overrides));
 }
 
+TEST_CASE("a box may have as many partitions and obstacles as the limits") {
+    const auto scene = [](const std::string& key, const std::string& item, int count) {
+        std::string list;
+        for (int i = 0; i < count; ++i) list += item + ", ";
+        return scene_with("{count: 2}") + key + ": [" + list + "]\n";
+    };
+    const std::string partition = "{x: 500}", obstacle = "{disk: [500, 500], radius: 1}";
+    CHECK(complaint(scene("partitions", partition, 64)).empty());
+    CHECK(names(complaint(scene("partitions", partition, 65)), most_partitions));
+    CHECK(complaint(scene("obstacles", obstacle, 1000)).empty());
+    CHECK(names(complaint(scene("obstacles", obstacle, 1001)), most_obstacles));
+}
+
 TEST_CASE("a run may have as many samples as the limit, a film as many frames") {
     CHECK(complaint(scene_with("{count: 2}", "until: 10, sample_every: 1e-6")).empty());
     CHECK(names(complaint(scene_with("{count: 2}", "until: 10, sample_every: 0.999e-6")),

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "physics/reversal/mirrored_events.h"
+#include "physics/surfaces/surface_problem.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -286,4 +287,33 @@ TEST_CASE("the description says what happens on the way back") {
     CHECK(said.find("At time 35, on the way back: The partition “lid” is released. At time 38, on "
                     "the way back: The partition “divider” closes.") != std::string::npos);
     CHECK(said.find("The energy goes back") == std::string::npos);
+}
+
+TEST_CASE("on a line only the ends and gravity act") {
+    Box box{.dimension = 1, .size = {9.0, 0.0}};
+    box.surfaces.sides[0] = Bath{2.0};
+    box.surfaces.gravity = {1.0, 0.0};
+    CHECK(surface_problems(box, {}).empty());
+    box.surfaces.sides[3] = Bath{2.0};
+    box.surfaces.partitions = {{.name = "divider", .at = 3.0}};
+    const auto problems = surface_problems(box, {});
+    REQUIRE(problems.size() == 2);
+    CHECK(problems[0].kind == SurfaceProblem::Kind::not_on_line);
+    CHECK(problems[0].surface == 3);
+    CHECK(to_text(problems[1], box).message == "`divider` has no meaning on a line");
+}
+
+TEST_CASE("what a scene cannot write is a problem too") {
+    Box box{.size = {9.0, 9.0}};
+    box.surfaces.sides[1] = Bath{-1.0};
+    Run run;
+    run.events = {{1.0, SetOpen{7, true}}, {2.0, HoldPiston{-1}}};
+    const auto problems = surface_problems(box, run);
+    REQUIRE(problems.size() == 3);
+    CHECK(problems[0].kind == SurfaceProblem::Kind::not_finite);
+    CHECK(problems[0].surface == 1);
+    CHECK(problems[1].kind == SurfaceProblem::Kind::no_surface);
+    CHECK(problems[1].event == 0);
+    CHECK(problems[2].event == 1);
+    for (const SurfaceProblem& problem : problems) CHECK(!to_text(problem, box).message.empty());
 }

@@ -160,8 +160,17 @@ void SeriesPanel::make_plot() {
     if (subject_.add) subject_.add(record_, whole_);
 }
 
+bool SeriesPanel::has_numbers() const {
+    for (const SeriesRun& run : record_.runs)
+        for (const std::vector<double>& line : run.lines)
+            if (std::ranges::any_of(line, [](double value) { return std::isfinite(value); }))
+                return true;
+    return false;
+}
+
 // Under the title: what the lines are, and what the mean is of.
 std::vector<std::string> SeriesPanel::notes() const {
+    if (!has_numbers()) return {"not defined for this gas"};
     std::vector<std::string> all = subject_.notes;
     const auto append = [&](const std::vector<std::string>& more) {
         std::vector<std::string> both;

@@ -57,6 +57,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     bool rests_at_zero() const;
     plot::Axis axis_up() const;
     void make_plot();
+    bool has_numbers() const;
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
     void add_run(std::size_t run);

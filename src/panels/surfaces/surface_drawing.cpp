@@ -39,6 +39,12 @@ struct SurfaceView::Brush {
         std::string words;
     };
 
+    struct SideMark {
+        std::string words;
+        bool has_arrow = false;
+        double shift = 0.0;  // of the arrow from the middle to the left, and of the words with it
+    };
+
     const Behaviour& behaviour(std::size_t k) const { return states[k].behaviour; }
     template <class Kind>
     bool is(std::size_t k) const {
@@ -65,6 +71,7 @@ struct SurfaceView::Brush {
     void draw_obstacles() const;
     void draw_side(std::size_t side) const;
     void draw_side_arrow(std::size_t side) const;
+    SideMark beside_mark(std::size_t side) const;
     void draw_side_mark(std::size_t side) const;
     void draw_line(Point from, Point to, std::size_t k) const;
     void draw_partition(std::size_t k) const;
@@ -135,8 +142,9 @@ void SurfaceView::Brush::draw_obstacle(const Obstacle& obstacle, Point shift) co
         const double radius = std::max(disk->radius, 0.1 * u / map.scale);
         for (int k = 0; k < count; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / count;
-            add(disk->center[0] + radius * std::cos(angle),
-                disk->center[1] + radius * std::sin(angle));
+            const double inside = radius - 0.5 * wide / map.scale;
+            add(disk->center[0] + inside * std::cos(angle),
+                disk->center[1] + inside * std::sin(angle));
         }
         const Point center = map.pixel({disk->center[0] + shift.x, disk->center[1] + shift.y});
         canvas.fill_circle(center, radius * map.scale, fill);
@@ -194,19 +202,34 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
     const Rect band =
         outside(side, (SurfaceSize::bar + (is_imposed(side) ? SurfaceSize::hatch : 0.1)) * u,
                 SurfaceSize::arrow * u);
-    const Point middle{band.x + band.width / 2, band.y + band.height / 2};
+    const Point middle{band.x + band.width / 2 - beside_mark(side).shift, band.y + band.height / 2};
     const double half = 0.45 * SurfaceSize::arrow * u * sign;
     draw_surface_arrow(canvas, dc, {middle.x - half * up.x, middle.y - half * up.y},
                        {2.0 * half * up.x, 2.0 * half * up.y});
 }
 
-// Of the lower and the upper side: beside its arrow, or in the middle beyond it.
-void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
-    if (is_upright(side)) return;
-    const std::string words = mark_of_surface(view.scene_.gas, behaviour(side), 1);
-    if (words.empty()) return;
+// What fits beside the arrow of the lower or the upper side, or beyond the side: all, or but the
+// last of it. The arrow makes room where it must.
+SurfaceView::Brush::SideMark SurfaceView::Brush::beside_mark(std::size_t side) const {
+    if (is_upright(side)) return {};
+    const std::string all = mark_of_surface(view.scene_.gas, behaviour(side), 1);
     const auto* piston = std::get_if<Piston>(&behaviour(side));
     const bool has_arrow = piston != nullptr && piston->force != 0.0;
+    const double taken = has_arrow ? 1.8 * u : 0.0;
+    const std::size_t comma = all.rfind(", ");
+    const std::string last = comma == std::string::npos ? all : all.substr(comma + 2);
+    for (const std::string& words : {all, last}) {
+        const double width = measure_text(escape_markup(words), label_style(dc)).width;
+        if (width + taken > room.width) continue;
+        const double excess = has_arrow ? 0.5 * taken + width - room.width / 2 : 0.0;
+        return {words, has_arrow, std::max(0.0, excess)};
+    }
+    return {"", has_arrow, 0.0};
+}
+
+void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
+    const auto [words, has_arrow, shift] = beside_mark(side);
+    if (words.empty()) return;
     TextStyle style = label_style(dc);
     style.color = theme.ink;
     style.align = has_arrow ? Align::left : Align::center;
@@ -214,7 +237,7 @@ void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
     const Rect band =
         outside(side, from * u, (has_arrow ? SurfaceSize::arrow : SurfaceSize::mark) * u);
     draw_text(canvas,
-              {band.x + band.width / 2 + (has_arrow ? 0.9 * u : 0.0),
+              {band.x + band.width / 2 + (has_arrow ? 0.9 * u - shift : 0.0),
                band.y + band.height / 2 + 0.36 * u},
               escape_markup(words), style);
 }
@@ -337,6 +360,16 @@ void SurfaceView::Brush::draw_marks() const {
     std::ranges::stable_sort(marks, {}, &Mark::middle);
     const Rect all = view.whole(map, u);
     const double gap = 1.2 * u;
+    const auto width_of = [&](const Mark& one) {
+        return measure_text(one.words, style).width + gap;
+    };
+    const auto all_widths = [&] {
+        double sum = -gap;
+        for (const Mark& one : marks) sum += width_of(one);
+        return sum;
+    };
+    while (!marks.empty() && all_widths() > all.width)  // the longest says the most, but not there
+        marks.erase(std::ranges::max_element(marks, {}, width_of));
     std::vector<double> lefts;
     double least = all.x;
     for (const Mark& one : marks) {

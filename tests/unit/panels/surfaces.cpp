@@ -1,6 +1,7 @@
 // Surfaces that act, as panels see them.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -379,4 +380,26 @@ TEST_CASE("the ends of a wire are drawn where they are, and as what they do") {
     CHECK(pixel(first, 16.0) == to_pixel(theme.page));
     CHECK(pixel(last.data, 16.0) == to_pixel(theme.muted));
     CHECK(pixel(last.data, 12.0) == to_pixel(theme.page));
+}
+
+TEST_CASE("a narrow box has as many words on its surfaces as it has room for") {
+    Scene scene = test::scene_from(
+        "title: T\nbox: {size: [4, 16]}\ngas: [{name: a, count: 5, radius: 0.2, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], panels: [{kind: "
+        "pressure}]}\n");
+    scene.gas.box.surfaces.sides = {Bath{2.0}, Bath{1.5}, Reflecting{}, Piston{200.0, -0.5}};
+    const test::Shot shot(scene, 1);
+    TextLog log;  // from the first on, as some is drawn once for all frames
+    FramePainter painter(*shot.panels);
+    painter.paint(shot.frames[0]);
+    std::string marks;
+    for (const DrawnLine& line : log.lines) {
+        if (line.markup.find(" = ") != std::string::npos) marks += line.markup + "; ";
+        CHECK_FALSE(line.is_cut);
+        CHECK(line.ink.x >= 0.0);
+    }
+    CHECK(marks == "F = −0.5; T = 1.5; T = 2; ");
+    CHECK(std::ranges::any_of(log.lines, [](const DrawnLine& line) {
+        return line.markup == "not defined for this gas";
+    }));
 }

@@ -68,13 +68,13 @@ class Search {
     void look_at_events(const Run& run) {
         std::vector<Behaviour> behaviours = behaviours_of(box_);
         std::vector<bool> held(behaviours.size());
+        const auto first = std::ranges::find_if(behaviours, loses_memory);
+        if (first != behaviours.end())
+            forgetful_ = static_cast<std::int32_t>(first - behaviours.begin());
         for (event_ = 0; *event_ < run.events.size(); ++*event_) {
             const auto& action = run.events[*event_].action;
-            if (std::holds_alternative<ReverseVelocities>(action)) {
-                const auto first = std::ranges::find_if(behaviours, loses_memory);
-                if (first != behaviours.end())
-                    add(Kind::forgets, static_cast<std::int32_t>(first - behaviours.begin()));
-            }
+            if (std::holds_alternative<ReverseVelocities>(action) && forgetful_ >= 0)
+                add(Kind::forgets, forgetful_);
             if (const auto* its = std::get_if<SetOpen>(&action);
                 its != nullptr && is_there(its->surface) && !is_partition(its->surface))
                 add(Kind::not_a_partition, its->surface);
@@ -169,6 +169,7 @@ class Search {
         if (const auto kind = problem_of(surface, behaviour, false)) return add(*kind, surface);
         behaviours[static_cast<std::size_t>(surface)] = behaviour;
         held[static_cast<std::size_t>(surface)] = false;
+        if (forgetful_ < 0 && loses_memory(behaviour)) forgetful_ = surface;
     }
 
     void hold(std::int32_t surface, bool is_held, const std::vector<Behaviour>& behaviours,
@@ -183,6 +184,7 @@ class Search {
     const Box& box_;
     const Surfaces& surfaces_;
     std::optional<std::size_t> event_;
+    std::int32_t forgetful_ = -1;  // the first surface, if any, that has forgotten something
     std::vector<SurfaceProblem> found_;
 };
 

@@ -317,3 +317,23 @@ TEST_CASE("what a scene cannot write is a problem too") {
     CHECK(problems[2].event == 1);
     for (const SurfaceProblem& problem : problems) CHECK(!to_text(problem, box).message.empty());
 }
+
+TEST_CASE("what a wall has once forgotten stays forgotten; what it forgets later does not matter") {
+    Box box{.size = {9.0, 9.0}};
+    Run run;
+    run.events = {{1.0, ChangeSurface{1, Bath{2.0}}},
+                  {2.0, ChangeSurface{1, Reflecting{}}},
+                  {3.0, ReverseVelocities{}}};
+    const auto problems = surface_problems(box, run);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].kind == SurfaceProblem::Kind::forgets);
+    CHECK(problems[0].surface == 1);
+    CHECK(problems[0].event == 2);
+    run.events = {{3.0, ReverseVelocities{}}, {4.0, ChangeSurface{1, Bath{2.0}}}};
+    CHECK(surface_problems(box, run).empty());
+    // A membrane that lets whole species through remembers, one that looks at speeds does not.
+    box.surfaces.partitions = {{.name = "skin", .at = 3.0, .behaviour = Membrane{{0}}}};
+    CHECK(surface_problems(box, run).empty());
+    box.surfaces.partitions[0].behaviour = Membrane{{0}, {}, {0.0, 1.0}};
+    CHECK(surface_problems(box, run).size() == 1);
+}

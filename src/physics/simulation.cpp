@@ -18,12 +18,14 @@
 #include "physics/placement/overlap.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
+#include "physics/surfaces/surface_problem.h"
 
 namespace carom {
 namespace {
 
 using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>,
-                          EventLoop<2, double, true>>;
+                          EventLoop<1, double, true>, EventLoop<2, double, true>,
+                          EventLoop<1, Real, true>, EventLoop<2, Real, true>>;
 
 bool beads_are_apart(const Box& box, const Particles& particles, const Sample& state) {
     const double tolerance = touching_tolerance * box.size[0];
@@ -58,12 +60,36 @@ bool is_number(const std::string& text) {
     return !text.empty() && *end == '\0' && std::isfinite(value);
 }
 
-void check_events(const std::vector<RunEvent>& events, double present, Eigen::Index particles) {
+SurfaceAction surface_action(const decltype(RunEvent::action)& action) {
+    return std::visit(
+        [](const auto& its) -> SurfaceAction {
+            if constexpr (std::is_constructible_v<SurfaceAction, decltype(its)>)
+                return its;
+            else
+                throw std::logic_error("this event does not change a surface");
+        },
+        action);
+}
+
+// Whether it changes a surface, and not velocities or positions.
+bool changes_surface(const RunEvent& event) {
+    return std::visit(
+        [](const auto& its) { return std::is_constructible_v<SurfaceAction, decltype(its)>; },
+        event.action);
+}
+
+void check_events(const std::vector<RunEvent>& events, double present, Eigen::Index particles,
+                  const Box& box) {
     double before = present;
     for (const RunEvent& event : events) {
         require(event.at >= before && std::isfinite(event.at),
                 "events lie ahead, in order of their times");
         before = event.at;
+        if (changes_surface(event)) {
+            const std::int32_t surface = surface_of(surface_action(event.action));
+            require(surface >= 0 && surface < box.surfaces.first_obstacle(),
+                    "an event changes a side or a partition of the box");
+        }
         const auto* perturbation = std::get_if<Perturbation>(&event.action);
         if (perturbation == nullptr) continue;
         require(perturbation->particle >= 0 && perturbation->particle < particles,
@@ -71,10 +97,6 @@ void check_events(const std::vector<RunEvent>& events, double present, Eigen::In
         require(is_number(perturbation->by[0]) && is_number(perturbation->by[1]),
                 "a perturbation is by decimal numbers");
     }
-}
-
-bool forgets(const Behaviour& behaviour) {
-    return std::holds_alternative<Bath>(behaviour) || std::holds_alternative<Membrane>(behaviour);
 }
 
 bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
@@ -85,28 +107,28 @@ bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Samp
     return true;
 }
 
-// Surfaces that act are known to doubles in a plane.
 void check_surfaces(const Box& box, const Particles& particles, const Sample& start,
                     const Run& run) {
-    if (box.surfaces.are_plain()) return;
-    require(box.dimension == 2 && run.bits == bits_of_double,
-            "surfaces that act, obstacles and gravity are known in two dimensions and in doubles");
-    if (const char* wrong = what_is_wrong(box)) throw std::invalid_argument(wrong);
-    const std::vector<Behaviour> behaviours = behaviours_of(box);
-    require(reversal_times(run).empty() || std::ranges::none_of(behaviours, forgets),
-            "a run with a heat bath or a membrane cannot be reversed: these have no memory");
-    require(is_clear_of_surfaces(box, particles, start), "particles lie clear of all surfaces");
+    const std::vector<SurfaceProblem> problems = surface_problems(box, run);
+    if (!problems.empty()) throw std::invalid_argument(to_text(problems[0], box).message);
+    require(box.surfaces.are_plain() || is_clear_of_surfaces(box, particles, start),
+            "particles lie clear of all surfaces");
+}
+
+// Whether it needs the loop of boxes with surfaces.
+bool needs_surfaces(const RunEvent& event) {
+    return changes_surface(event) || std::holds_alternative<Heat>(event.action);
 }
 
 // Returns the bits.
-int check_run(const Run& run, Eigen::Index particles) {
+int check_run(const Run& run, Eigen::Index particles, const Box& box) {
     require(run.bits.has_value(),
             "the bits of the run are unset: start_run() and bits_for_return() find them");
     require(*run.bits == bits_of_double || (*run.bits >= least_bits && *run.bits <= most_bits),
             "the bits of a run are 53, those of a double, or from 64 to 16384");
     require(run.equilibrate >= 0.0 && std::isfinite(run.equilibrate),
             "the time to equilibrate is finite and not negative");
-    check_events(run.events, 0.0, particles);
+    check_events(run.events, 0.0, particles, box);
     return *run.bits;
 }
 
@@ -139,8 +161,9 @@ struct Simulation::Implementation {
         : box(its_box),
           particles(std::move(its_particles)),
           events(run.events),
-          bits((check_surfaces(its_box, particles, start, run), check_run(run, particles.count()))),
-          loop(loop_for(its_box, particles, bits)),
+          bits(
+              (check_surfaces(box, particles, start, run), check_run(run, particles.count(), box))),
+          loop(loop_for(its_box, particles, run, bits)),
           present(start) {
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
@@ -153,17 +176,24 @@ struct Simulation::Implementation {
         at_start = energies();
     }
 
-    static Loop loop_for(const Box& box, const Particles& particles, int bits) {
+    template <typename Scalar, bool has_surfaces>
+    static Loop loop_in(const Box& box, const Particles& particles, int bits) {
         const Arithmetic arithmetic{.bits = bits};
-        if (!box.surfaces.are_plain())
-            return Loop(std::in_place_type<EventLoop<2, double, true>>, box, particles, arithmetic);
-        if (bits > bits_of_double) {
-            if (box.dimension == 1)
-                return Loop(std::in_place_type<EventLoop<1, Real>>, box, particles, arithmetic);
-            return Loop(std::in_place_type<EventLoop<2, Real>>, box, particles, arithmetic);
-        }
-        if (box.dimension == 1) return Loop(std::in_place_type<EventLoop<1>>, box, particles);
-        return Loop(std::in_place_type<EventLoop<2>>, box, particles);
+        if (box.dimension == 1)
+            return Loop(std::in_place_type<EventLoop<1, Scalar, has_surfaces>>, box, particles,
+                        arithmetic);
+        return Loop(std::in_place_type<EventLoop<2, Scalar, has_surfaces>>, box, particles,
+                    arithmetic);
+    }
+
+    static Loop loop_for(const Box& box, const Particles& particles, const Run& run, int bits) {
+        const bool is_plain =
+            box.surfaces.are_plain() && std::ranges::none_of(run.events, needs_surfaces);
+        if (bits > bits_of_double)
+            return is_plain ? loop_in<Real, false>(box, particles, bits)
+                            : loop_in<Real, true>(box, particles, bits);
+        return is_plain ? loop_in<double, false>(box, particles, bits)
+                        : loop_in<double, true>(box, particles, bits);
     }
 
     void advance(double time, const TimeCallback& on_progress) {
@@ -232,7 +262,33 @@ struct Simulation::Implementation {
         else if (std::holds_alternative<ReverseVelocities>(action))
             reverse();
         else
-            throw std::invalid_argument("no run changes surfaces yet");
+            change(event);
+    }
+
+    void change(std::size_t event) {
+        const auto& action = events[event].action;
+        const bool is_mirrored = events[event].is_mirrored;
+        std::optional<std::int32_t> in_the_way;
+        bool is_done = true;
+        with_loop([&](auto& its) {
+            if constexpr (requires { its.heat(Heat{}, true, 0.0); }) {
+                if (const auto* heat = std::get_if<Heat>(&action))
+                    is_done = its.heat(*heat, is_mirrored, present.time);
+                else
+                    in_the_way = its.change(surface_action(action), is_mirrored, present.time);
+            }
+        });
+        sampled = false;
+        if (in_the_way)
+            throw RunEventError(
+                event, fmt::format("the partition cannot close at time {:g}: particle {} is in its "
+                                   "way",
+                                   present.time, *in_the_way));
+        if (!is_done)
+            throw RunEventError(
+                event, fmt::format("heat cannot be taken at time {:g}: the particles do not have "
+                                   "so much, or stand still",
+                                   present.time));
     }
 
     std::vector<SurfaceState> surfaces() const {
@@ -260,7 +316,6 @@ struct Simulation::Implementation {
         for (std::size_t k = 0; k < states.size(); ++k) {
             const SurfaceState& state = states[k];
             account.heat += state.heat;
-            if (std::holds_alternative<Driven>(state.behaviour)) account.work += state.work;
             const auto* piston = std::get_if<Piston>(&state.behaviour);
             if (piston == nullptr) continue;
             const auto axis = k < 4 ? static_cast<Eigen::Index>(k / 2)
@@ -274,12 +329,15 @@ struct Simulation::Implementation {
 
     EnergyAccount energy_account() const {
         EnergyAccount account = energies();
-        const auto total = [](const EnergyAccount& its) {
-            return its.kinetic + its.potential + its.pistons;
-        };
+        std::visit(
+            [&](const auto& its) {
+                account.work = its.driven_work();
+                account.heat += its.heat_of_events();
+            },
+            loop);
         const double most = std::max({account.kinetic, std::abs(account.potential), account.pistons,
                                       std::abs(account.work), std::abs(account.heat)});
-        const double error = total(account) - total(at_start) - account.work - account.heat;
+        const double error = account.in_all() - at_start.in_all() - account.work - account.heat;
         account.relative_error = most > 0.0 ? std::abs(error) / most : 0.0;
         return account;
     }
@@ -351,7 +409,7 @@ void Simulation::measure_return(std::vector<double> times, bool ends_branch) {
 
 void Simulation::replace_events(std::vector<RunEvent> events) {
     Implementation& its = *implementation_;
-    check_events(events, its.present.time, its.particles.count());
+    check_events(events, its.present.time, its.particles.count(), its.box);
     its.events = std::move(events);
     its.next_event = 0;
 }

@@ -126,6 +126,7 @@ struct SurfaceState : SurfaceTotals {
     };
     Behaviour behaviour = Reflecting{};  ///< which events of the run change
     bool is_open = false;                ///< a partition that is not there
+    bool is_held = false;                ///< a piston that stands still
     std::optional<Motion> motion = {};   ///< of one that moves, or has moved
 };
 
@@ -139,6 +140,9 @@ struct EnergyAccount {
     double work = 0.0;       ///< of driven surfaces on the gas and on pistons
     double heat = 0.0;       ///< from baths, and by events that heat
     double relative_error = 0.0;  ///< of the sum, in units of the largest of its terms
+
+    /// What is in the gas and in pistons.
+    double in_all() const { return kinetic + potential + pistons; }
 };
 
 }  // namespace carom

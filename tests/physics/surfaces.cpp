@@ -317,9 +317,11 @@ TEST_CASE("what has no memory is not reversed") {
     Run run;
     run.events = {{1.0, ReverseVelocities{}}};
     CHECK_THROWS_AS(start.simulation(run), std::invalid_argument);
-    run.events.clear();
-    run.bits = 128;
+    start.box.surfaces.sides[0] = Reflecting{};
+    run.events.insert(run.events.begin(), {0.5, ChangeSurface{0, Bath{1.0}}});
     CHECK_THROWS_AS(start.simulation(run), std::invalid_argument);
+    run.events[0].action = ChangeSurface{0, Driven{0.1}};
+    start.simulation(run);
 }
 
 TEST_CASE("surfaces that cannot be are refused") {

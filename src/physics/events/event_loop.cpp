@@ -32,15 +32,12 @@ std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x)
     return values;
 }
 
-template <typename Geometry>
-std::int32_t movers_of(const Geometry& geometry) {
-    if constexpr (std::is_same_v<Geometry, OpenPlane>)
-        return static_cast<std::int32_t>(geometry.movers().size());
-    else
-        return 0;
-}
-
 }  // namespace
+}  // namespace carom
+
+#include "physics/events/event_loop_surfaces.h"
+
+namespace carom {
 
 template <int Dimension, typename Scalar, bool has_surfaces>
 EventLoop<Dimension, Scalar, has_surfaces>::EventLoop(const Box& box, const Particles& particles,
@@ -48,7 +45,7 @@ EventLoop<Dimension, Scalar, has_surfaces>::EventLoop(const Box& box, const Part
     : box_(box),
       bodies_(Geometry::bodies_of(particles)),
       geometry_(box, particles, arithmetic),
-      queue_(static_cast<std::int32_t>(particles.count()) + movers_of(geometry_)),
+      queue_(static_cast<std::int32_t>(particles.count()) + events_of_surfaces()),
       bits_(arithmetic.bits) {
     if constexpr (!of_doubles) clock_ = MpClock(arithmetic.bits);
     number_.reserve(bodies_.size());
@@ -60,7 +57,8 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::forget() {
     counts_ = {};
     impulses_ = {};
-    if constexpr (has_surfaces) geometry_.forget();
+    heat_of_events_ = 0.0;
+    if constexpr (has_surfaces) geometry_.surfaces().forget();
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
@@ -77,7 +75,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::start(const Sample& state) {
         body_has_changed(b);
     }
     put_in_order();
-    if constexpr (has_surfaces) geometry_.begin(state.time);
+    if constexpr (has_surfaces) {
+        geometry_.surfaces().shift_epoch(-now_);
+        stop_driven_surfaces_later();
+    }
     geometry_.enter(bodies_);
     predict_all();
 }
@@ -124,9 +125,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::predict_all() {
         predictions.push_back(std::exchange(bodies_[k].prediction, {}));
     }
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].prediction = predictions[k];
-    if constexpr (has_surfaces)
-        for (std::size_t k = 0; k < geometry_.movers().size(); ++k)
-            times.push_back(geometry_.mover_event(k));
+    for (std::int32_t k = 0; k < events_of_surfaces(); ++k)
+        times.push_back(surface_event(static_cast<std::size_t>(k)));
     queue_.reset(std::move(times));
 }
 
@@ -135,8 +135,13 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::move_epoch_to(const Scalar& local_time) {
     now_ = local_time;
     for (Body& b : bodies_) advance_body(b, now_);
-    if constexpr (has_surfaces) geometry_.move_epoch_to(now_);
+    const Scalar before = now_;
     now_ = clock_.move_epoch_to(now_);
+    if constexpr (has_surfaces) {
+        geometry_.surfaces().advance(before);
+        geometry_.surfaces().shift_epoch(before - now_);
+        changes_.shift_epoch(before - now_);
+    }
     for (Body& b : bodies_) {
         b.time = now_;
         body_has_changed(b);
@@ -150,7 +155,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::reverse(double time) {
         for (Scalar& v : b.v) v = -v;
         body_has_changed(b);
     }
-    if constexpr (has_surfaces) geometry_.reverse();
+    if constexpr (has_surfaces) {
+        geometry_.surfaces().reverse();
+        changes_.reverse(now_);
+    }
     predict_all();
 }
 
@@ -190,7 +198,7 @@ std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::overlapped(
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
     if constexpr (has_surfaces)
-        if (const auto surface = geometry_.overlapped(b, now_))
+        if (const auto surface = geometry_.surfaces().overlapped(b, now_))
             return Partner::of_surface(*surface);
     const double radius = geometry_.properties(bodies_, moved).radius;
     for (std::size_t a = 0; a < Dimension; ++a) {
@@ -287,7 +295,10 @@ std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
                 b.time -= shift;
                 b.prediction.contact_time -= shift;
             }
-            if constexpr (has_surfaces) geometry_.shift_epoch(shift);
+            if constexpr (has_surfaces) {
+                geometry_.surfaces().shift_epoch(shift);
+                changes_.shift_epoch(shift);
+            }
             if (!Geometry::is_resorted(bodies_.size()) ||
                 ++cycles_since_sorted_ < cycles_between_sorts)
                 continue;
@@ -301,18 +312,14 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collision* collision) {
     if constexpr (has_surfaces) {
         if (static_cast<std::size_t>(i) >= bodies_.size()) {
-            process_mover(static_cast<std::size_t>(i) - bodies_.size());
+            process_surface_event(static_cast<std::size_t>(i) - bodies_.size());
             return false;
         }
     }
     const Prediction event = body(i).prediction;
     const auto& exact_time = queue_.time(i);
     const auto time = static_cast<double>(exact_time);
-    if (time > static_cast<double>(now_))
-        at_one_instant_ = 0;
-    else
-        refuse_to_stall();
-    now_ = exact_time;
+    move_on_to(exact_time);
     if (event.contact_time <= time) {
         if constexpr (has_surfaces)
             if (event.partner < 0) return hit(i, event, collision);
@@ -340,6 +347,15 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
     geometry_.cross(bodies_, i, side, now_);
     queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, now_));
     return false;
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::move_on_to(const Scalar& time) {
+    if (static_cast<double>(time) > static_cast<double>(now_))
+        at_one_instant_ = 0;
+    else
+        refuse_to_stall();
+    now_ = time;
 }
 
 // Touching starts take some events at time 0, but far fewer than this. An instant is a double's:
@@ -426,74 +442,13 @@ void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side
                   Eigen::Array2d::Zero()};
 }
 
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::process_mover(std::size_t k) {
-    if constexpr (has_surfaces) {
-        const double time = queue_.time(static_cast<std::int32_t>(bodies_.size() + k));
-        if (time > now_)
-            at_one_instant_ = 0;
-        else
-            refuse_to_stall();
-        now_ = time;
-        const auto other = geometry_.process_mover(k, now_);
-        look_for_hits(k);
-        if (other) look_for_hits(*other);
-    }
-}
-
-// A mover's motion has changed: which disks it reaches, and when it changes again.
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::look_for_hits(std::size_t k) {
-    if constexpr (has_surfaces) {
-        geometry_.look_for_hits(
-            bodies_, k, now_, [&](std::int32_t i) { return queue_.time(i); },
-            [&](std::int32_t i, double time) { queue_.schedule(i, time); });
-        queue_.schedule(static_cast<std::int32_t>(bodies_.size() + k), geometry_.mover_event(k));
-    }
-}
-
-// True if the disk was reflected. A mover may have changed its motion since this was predicted.
-template <int Dimension, typename Scalar, bool has_surfaces>
-bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Prediction& event,
-                                                     Collision* collision) {
-    bool reflected = false;
-    if constexpr (has_surfaces) {
-        const std::int32_t which = -1 - event.partner;
-        const Barrier& barrier = geometry_.barrier(which);
-        Body& b = body(i);
-        auto before = b.v;
-        if (geometry_.changes_of(barrier) == event.partner_collisions) {
-            advance_body(b, now_);
-            before = b.v;
-            const auto surface_before = geometry_.velocity_of(barrier, now_);
-            reflected = geometry_.hit(b, which, now_);
-            if (reflected && collision)
-                *collision = {clock_.absolute(now_),
-                              number_of(i),
-                              Partner::of_surface(barrier.surface),
-                              in_plane(b.x),
-                              in_plane(geometry_.contact_point(b, barrier, now_)),
-                              in_plane(before),
-                              in_plane(surface_before),
-                              in_plane(b.v),
-                              in_plane(geometry_.velocity_of(barrier, now_))};
-        }
-        if (reflected) {
-            ++b.collisions;
-            ++counts_.wall;
-            if (const auto side = static_cast<std::size_t>(barrier.surface); side < 4)
-                impulses_.wall[side] += std::abs(b.v[side / 2] - before[side / 2]) / b.inverse_mass;
-        }
-        predict_next(i);
-        if (reflected && barrier.mover >= 0) look_for_hits(static_cast<std::size_t>(barrier.mover));
-    }
-    return reflected;
-}
-
 template class EventLoop<1>;
 template class EventLoop<2>;
-template class EventLoop<2, double, true>;
 template class EventLoop<1, Real>;
 template class EventLoop<2, Real>;
+template class EventLoop<1, double, true>;
+template class EventLoop<2, double, true>;
+template class EventLoop<1, Real, true>;
+template class EventLoop<2, Real, true>;
 
 }  // namespace carom

@@ -29,11 +29,16 @@
 #include "physics/multiprecision/mp_plane.h"
 #include "physics/particles.h"
 #include "physics/plane/plane.h"
+#include "physics/run.h"
+#include "physics/surfaces/change_history.h"
+#include "physics/surfaces/open_line.h"
 #include "physics/surfaces/open_plane.h"
+#include "physics/surfaces/surface_events.h"
 
 namespace carom {
 
-/// `has_surfaces`: the box has surfaces that act, obstacles or gravity.
+/// `has_surfaces`: the box has surfaces that act, obstacles or gravity, or events change surfaces
+/// or velocities.
 template <int Dimension, typename Scalar = double, bool has_surfaces = false>
 class EventLoop {
   public:
@@ -53,8 +58,19 @@ class EventLoop {
     bool advance_one(double time, Collision& collision);
 
     /// Turns all velocities round at `time`, which is not before the last event processed nor after
-    /// the next, and predicts all events anew.
+    /// the next, and predicts all events anew. What change() and heat() changed at t is changed
+    /// back at 2 `time` - t.
     void reverse(double time);
+
+    /// Carries out what an event does to a surface, at `time` as for reverse(), and predicts all
+    /// events anew. Unless `is_mirrored` it is not changed back after a reversal. Returns the
+    /// particle that is in the way of a partition that would close, if any: then nothing is done.
+    std::optional<std::int32_t> change(const SurfaceAction& action, bool is_mirrored,
+                                       double time) requires has_surfaces;
+
+    /// The same for velocities, which are scaled about their mean. Returns false, and does nothing,
+    /// if there is not so much energy.
+    bool heat(const Heat& heat, bool is_mirrored, double time) requires has_surfaces;
 
     /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and predicts
     /// all events anew. Returns what it would overlap then, if anything: a particle or a
@@ -79,16 +95,26 @@ class EventLoop {
     /// none where there are only walls.
     std::vector<SurfaceState> surfaces(double time) const {
         if constexpr (has_surfaces)
-            return geometry_.states(clock_.local(time));
+            return geometry_.surfaces().states(clock_.local(time));
         else
             return {};
     }
 
+    /// The work of driven surfaces and events since then, and the heat by events.
+    double driven_work() const {
+        if constexpr (has_surfaces)
+            return geometry_.surfaces().driven_work();
+        else
+            return 0.0;
+    }
+    double heat_of_events() const { return heat_of_events_; }
+
   private:
     static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
-    using Disks =
-        std::conditional_t<has_surfaces, OpenPlane, std::conditional_t<of_doubles, Plane, MpPlane>>;
-    using Geometry = std::conditional_t<Dimension == 1, Line<Scalar>, Disks>;
+    using Disks = std::conditional_t<of_doubles, Plane, MpPlane>;
+    using PlainGeometry = std::conditional_t<Dimension == 1, Line<Scalar>, Disks>;
+    using OpenGeometry = std::conditional_t<Dimension == 1, OpenLine<Scalar>, OpenPlane<Scalar>>;
+    using Geometry = std::conditional_t<has_surfaces, OpenGeometry, PlainGeometry>;
     using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
     using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
     using Body = typename Geometry::Body;
@@ -115,8 +141,15 @@ class EventLoop {
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
     bool hit(std::int32_t i, const Prediction& event, Collision* collision);
-    void process_mover(std::size_t k);
+    void process_surface_event(std::size_t k);
     void look_for_hits(std::size_t k);
+    std::int32_t events_of_surfaces() const;
+    Scalar surface_event(std::size_t k) const;
+    void carry_out(const Change<Scalar>& change);
+    void scale(const Scaling<Scalar>& scaling);
+    bool counts_for(const Body& body, const std::optional<std::int32_t>& species) const;
+    void stop_driven_surfaces_later();
+    void move_on_to(const Scalar& time);
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);
 
@@ -128,6 +161,8 @@ class EventLoop {
     Clock clock_;
     Scalar now_ = 0.0;  ///< local
     int bits_;
+    ChangeHistory<Scalar> changes_;
+    double heat_of_events_ = 0.0;
     int cycles_since_sorted_ = 0;
     FetchAhead fetch_ahead_;
     CollisionCounts counts_;
@@ -139,8 +174,11 @@ class EventLoop {
 
 extern template class EventLoop<1>;
 extern template class EventLoop<2>;
-extern template class EventLoop<2, double, true>;
 extern template class EventLoop<1, Real>;
 extern template class EventLoop<2, Real>;
+extern template class EventLoop<1, double, true>;
+extern template class EventLoop<2, double, true>;
+extern template class EventLoop<1, Real, true>;
+extern template class EventLoop<2, Real, true>;
 
 }  // namespace carom

@@ -5,17 +5,18 @@
 #include <utility>
 
 #include "physics/collision/pair_collision.h"
+#include "physics/surfaces/barrier_contact.h"
 
 namespace carom {
 
-template <typename Scalar>
-Line<Scalar>::Line(const Box& box, const Particles& particles, const Arithmetic&)
+template <typename Scalar, typename BodyType>
+Line<Scalar, BodyType>::Line(const Box& box, const Particles& particles, const Arithmetic&)
     : length_(box.size[0]),
       periodic_(box.is_periodic(0)),
       count_(static_cast<std::int32_t>(particles.count())) {}
 
-template <typename Scalar>
-std::vector<std::int32_t> Line<Scalar>::order(const Bodies& bodies) {
+template <typename Scalar, typename BodyType>
+std::vector<std::int32_t> Line<Scalar, BodyType>::order(const Bodies& bodies) {
     std::vector<std::int32_t> numbers = PlainBodies<Body>::order(bodies);
     std::stable_sort(numbers.begin(), numbers.end(), [&](std::int32_t a, std::int32_t b) {
         return bodies[static_cast<std::size_t>(a)].x[0] < bodies[static_cast<std::size_t>(b)].x[0];
@@ -23,32 +24,38 @@ std::vector<std::int32_t> Line<Scalar>::order(const Bodies& bodies) {
     return numbers;
 }
 
-template <typename Scalar>
-void Line<Scalar>::enter(Bodies& bodies) {
+template <typename Scalar, typename BodyType>
+void Line<Scalar, BodyType>::enter(Bodies& bodies) {
     for (Body& body : bodies) body.turns = 0;
 }
 
 // From the right end of one body to the left end of the next; `around`: across the end of a
 // periodic line.
-template <typename Scalar>
-Scalar Line<Scalar>::gap(const Body& left, const Body& right, const Scalar& now,
-                         bool around) const {
+template <typename Scalar, typename BodyType>
+Scalar Line<Scalar, BodyType>::gap(const Body& left, const Body& right, const Scalar& now,
+                                   bool around) const {
     const Scalar apart = position_at(right, 0, now) - position_at(left, 0, now);
     const double turns = right.turns - left.turns + (around ? 1 : 0);
     return (apart + turns * length_) - (left.radius + right.radius);
 }
 
-template <typename Scalar>
-void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
-                                const Scalar& now, Event<Scalar>& first) const {
+template <typename Scalar, typename BodyType>
+void Line<Scalar, BodyType>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
+                                          const Scalar& now, Event<Scalar>& first) const {
     const bool at_end = i == (to_the_right ? last() : 0);
     if (at_end && (!periodic_ || count_ == 1)) return;
     const std::int32_t j = at_end ? last() - i : to_the_right ? i + 1 : i - 1;
     const Body& left = bodies[static_cast<std::size_t>(to_the_right ? i : j)];
     const Body& right = bodies[static_cast<std::size_t>(to_the_right ? j : i)];
-    const Scalar approach = left.v[0] - right.v[0];
-    if (!(approach > 0.0)) return;
-    const Scalar time = now + std::max(Scalar(0.0), gap(left, right, now, at_end)) / approach;
+    const Scalar approach = velocity_at(left, 0, now) - velocity_at(right, 0, now);
+    Scalar time = now;
+    if constexpr (requires { left.a; }) {
+        const Scalar apart = std::max(Scalar(0.0), gap(left, right, now, at_end));
+        time += fall_time<Scalar>(apart, -approach, right.a[0] - left.a[0]);
+    } else {
+        if (!(approach > 0.0)) return;
+        time += std::max(Scalar(0.0), gap(left, right, now, at_end)) / approach;
+    }
     if (time > first.time || (time == first.time && j >= first.partner)) return;
     first.time = time;
     first.contact_time = rounded_down(time);
@@ -56,10 +63,17 @@ void Line<Scalar>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_th
     first.partner_collisions = bodies[static_cast<std::size_t>(j)].collisions & most_collisions;
 }
 
+template <typename Scalar, typename BodyType>
+void Line<Scalar, BodyType>::predict_neighbours(const Bodies& bodies, std::int32_t i,
+                                                const Scalar& now, Event<Scalar>& first) const {
+    predict_pair(bodies, i, true, now, first);
+    predict_pair(bodies, i, false, now, first);
+}
+
 // The wall beside the first or the last bead, or the end of a periodic line.
-template <typename Scalar>
-void Line<Scalar>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
-                               Event<Scalar>& first) const {
+template <typename Scalar, typename BodyType>
+void Line<Scalar, BodyType>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                                         Event<Scalar>& first) const {
     const Body& body = bodies[static_cast<std::size_t>(i)];
     const bool up = body.v[0] > 0.0;
     if (!periodic_ && i != (up ? last() : 0)) return;
@@ -72,18 +86,17 @@ void Line<Scalar>::predict_end(const Bodies& bodies, std::int32_t i, const Scala
     first.border = ((periodic_ ? first_cell_side : 0U) + (up ? 1U : 0U)) & 7U;
 }
 
-template <typename Scalar>
-Scalar Line<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const {
+template <typename Scalar, typename BodyType>
+Scalar Line<Scalar, BodyType>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const {
     Event<Scalar> first;
-    predict_pair(bodies, i, true, now, first);
-    predict_pair(bodies, i, false, now, first);
+    predict_neighbours(bodies, i, now, first);
     predict_end(bodies, i, now, first);
     bodies[static_cast<std::size_t>(i)].prediction = first;
     return std::move(first.time);
 }
 
-template <typename Scalar>
-void Line<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
+template <typename Scalar, typename BodyType>
+void Line<Scalar, BodyType>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
     Body& body = bodies[static_cast<std::size_t>(i)];
     advance_body(body, now);
     body.x[0] += side == 1 ? -length_ : length_;
@@ -92,9 +105,9 @@ void Line<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar&
 
 // Beads of equal mass exchange their velocities to the last bit. Of two alone on a ring either may
 // be the left one.
-template <typename Scalar>
-bool Line<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
-                           Contact<1>& contact) const {
+template <typename Scalar, typename BodyType>
+bool Line<Scalar, BodyType>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
+                                     Contact<1>& contact) const {
     Body& a = bodies[static_cast<std::size_t>(i)];
     Body& b = bodies[static_cast<std::size_t>(j)];
     const bool ring_of_two = periodic_ && count_ == 2;
@@ -106,12 +119,16 @@ bool Line<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
     const Scalar w = as_precise_as(a.v[0], a.inverse_mass) + b.inverse_mass;
     if (!(w > 0.0))
         throw std::runtime_error(
-            "two beads of infinite mass meet: on a wire they can neither pass nor yield; give one "
+            "two beads of infinite mass meet: on a line they can neither pass nor yield; give one "
             "of them a finite mass, or let them move apart");
     const double sigma = a.radius + b.radius;
     const bool around = &left > &right;
     const auto depth = static_cast<double>(-gap(left, right, a.time, around));
-    const Scalar impulse = 2.0 * (left.v[0] - right.v[0]) / w;  // 2 v / (w1 + w2)
+    Scalar impulse = 2.0 * (left.v[0] - right.v[0]) / w;  // 2 v / (w1 + w2)
+    if constexpr (requires { a.a; })
+        impulse =
+            divided_by_sum<Scalar>(2.0 * (left.v[0] - right.v[0]), as_precise_as(w, a.inverse_mass),
+                                   as_precise_as(w, b.inverse_mass));
     contact.separation = {a_is_left ? sigma : -sigma};
     contact.virial = sigma * static_cast<double>(impulse);
     contact.overlap = sigma > 0.0 ? std::max(0.0, depth / sigma) : 0.0;
@@ -124,9 +141,10 @@ bool Line<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
     return true;
 }
 
-template <typename Scalar>
-std::optional<std::int32_t> Line<Scalar>::overlapped(const Bodies& bodies, std::int32_t i,
-                                                     const Scalar& now, double slack) const {
+template <typename Scalar, typename BodyType>
+std::optional<std::int32_t> Line<Scalar, BodyType>::overlapped(const Bodies& bodies, std::int32_t i,
+                                                               const Scalar& now,
+                                                               double slack) const {
     const auto at = [&](std::int32_t k) -> const Body& {
         return bodies[static_cast<std::size_t>(k)];
     };
@@ -140,5 +158,7 @@ std::optional<std::int32_t> Line<Scalar>::overlapped(const Bodies& bodies, std::
 
 template class Line<double>;
 template class Line<Real>;
+template class Line<double, FallingDisk<double>>;
+template class Line<Real, FallingDisk<Real>>;
 
 }  // namespace carom

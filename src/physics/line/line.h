@@ -13,6 +13,7 @@
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/particles.h"
+#include "physics/surfaces/falling_disk.h"
 #include "util/large_pages.h"
 
 namespace carom {
@@ -29,10 +30,11 @@ struct Bead {
     Prediction prediction;
 };
 
-template <typename Scalar>
-class Line : public PlainBodies<Bead<Scalar>> {
+/// Of beads, or of beads that fall (surfaces/open_line.h).
+template <typename Scalar, typename BodyType = Bead<Scalar>>
+class Line : public PlainBodies<BodyType> {
   public:
-    using Body = Bead<Scalar>;
+    using Body = BodyType;
     using Bodies = LargeVector<Body>;
 
     Line(const Box& box, const Particles& particles, const Arithmetic& = {});
@@ -62,13 +64,18 @@ class Line : public PlainBodies<Bead<Scalar>> {
     std::optional<std::int32_t> overlapped(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                            double slack) const;
 
-  private:
+  protected:
     std::int32_t last() const { return count_ - 1; }
+    bool is_periodic() const { return periodic_; }
+    void predict_neighbours(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                            Event<Scalar>& first) const;
+    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                     Event<Scalar>& first) const;
+
+  private:
     Scalar gap(const Body& left, const Body& right, const Scalar& now, bool around) const;
     void predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,
                       Event<Scalar>& first) const;
-    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
-                     Event<Scalar>& first) const;
 
     double length_;
     bool periodic_;
@@ -77,5 +84,7 @@ class Line : public PlainBodies<Bead<Scalar>> {
 
 extern template class Line<double>;
 extern template class Line<Real>;
+extern template class Line<double, FallingDisk<double>>;
+extern template class Line<Real, FallingDisk<Real>>;
 
 }  // namespace carom

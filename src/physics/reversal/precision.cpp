@@ -55,10 +55,13 @@ struct TrialResult {
 /// Goes through all branches of a run, in the bits of the simulation that it is given at time 0.
 class ReturnTrial {
   public:
-    ReturnTrial(const Simulation& start, const ReversalSchedule& schedule,
-                const TrialCallback& on_progress)
-        : simulation_(start), schedule_(schedule), on_progress_(on_progress) {
-        simulation_.replace_events({});
+    ReturnTrial(const Simulation& start, const std::vector<RunEvent>& events,
+                const ReversalSchedule& schedule, const TrialCallback& on_progress)
+        : simulation_(start),
+          events_(without_perturbations(events)),
+          schedule_(schedule),
+          on_progress_(on_progress) {
+        simulation_.replace_events(events_of_next_branch());
         simulation_.record_collisions(true);
         const std::vector<MirrorTimes>& mirrors = schedule.mirror_times();
         for (std::size_t k = 0; k < mirrors.size(); ++k) {
@@ -74,8 +77,7 @@ class ReturnTrial {
         auto next = visits_.begin();
         int direction = 1;
         for (const Branch& branch : schedule_.branches()) {
-            if (branch.direction != direction)
-                simulation_.replace_events({{branch.begin, ReverseVelocities{}}});
+            if (branch.direction != direction) simulation_.replace_events(events_of_next_branch());
             direction = branch.direction;
             for (; next != visits_.end() && next->time <= branch.end; ++next) {
                 if (!advance(branch, next->time, history)) return {.same_partners = false};
@@ -100,6 +102,18 @@ class ReturnTrial {
         std::optional<ExactPositions> positions;
         std::vector<std::ptrdiff_t> checkpoint;
     };
+
+    // From a reversal to before the next: positions at its time are compared before it.
+    std::vector<RunEvent> events_of_next_branch() {
+        const auto from = events_.begin() + static_cast<std::ptrdiff_t>(next_event_);
+        const auto begin = has_begun_ && from != events_.end() ? from + 1 : from;
+        const auto end = std::find_if(begin, events_.end(), [](const RunEvent& event) {
+            return std::holds_alternative<ReverseVelocities>(event.action);
+        });
+        next_event_ = static_cast<std::size_t>(end - events_.begin());
+        has_begun_ = true;
+        return {from, end};
+    }
 
     void compare(std::size_t mirror, const CollisionHistory& history, double tolerance,
                  double fastest, TrialResult& result) const {
@@ -130,6 +144,9 @@ class ReturnTrial {
     }
 
     Simulation simulation_;
+    std::vector<RunEvent> events_;
+    std::size_t next_event_ = 0;
+    bool has_begun_ = false;
     const ReversalSchedule& schedule_;
     const TrialCallback& on_progress_;
     std::vector<Visit> visits_;
@@ -175,11 +192,14 @@ class PrecisionSearch {
         return run_.tolerance * (smallest > 0.0 ? smallest : spacing);
     }
 
-    // Of each particle with others on the longest branch, in doubles: only the number counts.
+    // Of each particle with others on the longest branch, in doubles: only the number counts, and
+    // what a gas that does not return is in the way of is not closed.
     void count_collisions() {
         Simulation simulation(gas_, in_bits(run_, bits_of_double),
                               in_trial(on_progress_, bits_of_double));
-        simulation.replace_events(without_perturbations(run_.events));
+        std::vector<RunEvent> events = without_perturbations(run_.events);
+        for (RunEvent& event : events) event.is_mirrored = false;
+        simulation.replace_events(std::move(events));
         std::int64_t before = 0;
         for (const Branch& branch : schedule_.branches()) {
             const std::int64_t now = simulation.advance_to(branch.end).counts.particle;
@@ -209,7 +229,8 @@ class PrecisionSearch {
         const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * run_.until;
         CollisionHistory history(particles.count(),
                                  (fastest > 0.0 ? tolerance_ / fastest : 0.0) + round_off);
-        return ReturnTrial(start, schedule_, on_progress_).run(history, tolerance_, fastest);
+        return ReturnTrial(start, run_.events, schedule_, on_progress_)
+            .run(history, tolerance_, fastest);
     }
 
     std::string after_how_many() const {

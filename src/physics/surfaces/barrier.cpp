@@ -8,9 +8,9 @@ namespace {
 
 // From wall to wall, but for the gaps, whose ends are corners.
 void add_partition(const Box& box, const Partition& partition, std::int32_t surface,
-                   std::int32_t mover, std::vector<Barrier>& barriers) {
+                   std::vector<Barrier>& barriers) {
     const auto axis = static_cast<std::size_t>(partition.axis), along = 1 - axis;
-    Barrier line{.surface = surface, .mover = mover};
+    Barrier line{.surface = surface};
     line.normal[axis] = axis == 0 ? -1.0 : 1.0;  // the line goes up, or to the right
     line.place[axis] = partition.at;
     if (partition.gaps.empty()) {
@@ -21,7 +21,7 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     double from = 0.0;
     const auto add_corner = [&](double where) {
         if (!(where > 0.0 && where < end)) return;
-        Barrier corner{.kind = Barrier::Kind::circle, .surface = surface, .mover = mover};
+        Barrier corner{.kind = Barrier::Kind::circle, .surface = surface};
         corner.place[axis] = partition.at;
         corner.place[along] = where;
         barriers.push_back(corner);
@@ -83,15 +83,6 @@ void add_images(const Box& box, std::size_t axis, double reach, std::vector<Barr
     }
 }
 
-// The distance of a point from a barrier, without sign.
-double distance_from(const Barrier& barrier, const Eigen::Array2d& point) {
-    const double x = point[0] - barrier.place[0], y = point[1] - barrier.place[1];
-    if (barrier.kind == Barrier::Kind::circle) return std::hypot(x, y) - barrier.radius;
-    const double along = x * barrier.normal[1] - y * barrier.normal[0];
-    if (!barrier.is_endless() && (along < 0.0 || along > barrier.length)) return never<double>;
-    return std::abs(x * barrier.normal[0] + y * barrier.normal[1]);
-}
-
 // By the number of sides to its right.
 bool is_inside(const Obstacle::Lines& lines, const Eigen::Array2d& point) {
     bool inside = false;
@@ -105,6 +96,14 @@ bool is_inside(const Obstacle::Lines& lines, const Eigen::Array2d& point) {
 }
 
 }  // namespace
+
+double distance_from(const Barrier& barrier, const Eigen::Array2d& point) {
+    const double x = point[0] - barrier.place[0], y = point[1] - barrier.place[1];
+    if (barrier.kind == Barrier::Kind::circle) return std::hypot(x, y) - barrier.radius;
+    const double along = x * barrier.normal[1] - y * barrier.normal[0];
+    if (!barrier.is_endless() && (along < 0.0 || along > barrier.length)) return never<double>;
+    return std::abs(x * barrier.normal[0] + y * barrier.normal[1]);
+}
 
 double Barrier::end_along(std::size_t axis, bool high) const {
     const double extent = kind == Kind::circle ? (high ? radius : -radius)
@@ -122,68 +121,6 @@ bool moves(const Behaviour& behaviour) {
     return std::holds_alternative<Driven>(behaviour) || std::holds_alternative<Piston>(behaviour);
 }
 
-namespace {
-
-bool is_valid(const Behaviour& behaviour) {
-    const auto finite = [](auto... values) { return (std::isfinite(values) && ...); };
-    if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return bath->temperature > 0.0 && finite(bath->temperature);
-    if (const auto* driven = std::get_if<Driven>(&behaviour))
-        return finite(driven->velocity) && driven->until >= 0.0;
-    if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return piston->mass > 0.0 && finite(piston->mass, piston->force, piston->velocity);
-    return true;
-}
-
-bool is_valid(const Box& box, const Partition& line) {
-    if (line.axis != 0 && line.axis != 1) return false;
-    double before = 0.0;
-    for (const auto& [from, to] : line.gaps) {
-        if (!(from >= before && to > from && to <= box.length(1 - line.axis))) return false;
-        before = to;
-    }
-    return line.at >= 0.0 && line.at <= box.length(line.axis) && is_valid(line.behaviour);
-}
-
-bool is_valid(const Obstacle& obstacle) {
-    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
-        return disk->center.isFinite().all() && disk->radius >= 0.0 && std::isfinite(disk->radius);
-    const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
-    if (corners.size() < (is_closed ? 3 : 2)) return false;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        if (!corners[k].isFinite().all()) return false;
-        const bool ends = k + 1 == corners.size();
-        if ((!ends || is_closed) && (corners[k] == corners[ends ? 0 : k + 1]).all()) return false;
-    }
-    return true;
-}
-
-}  // namespace
-
-const char* what_is_wrong(const Box& box) {
-    const Surfaces& surfaces = box.surfaces;
-    const auto valid = [&](const Partition& line) { return is_valid(box, line); };
-    if (!std::ranges::all_of(surfaces.sides, [](const auto& side) { return is_valid(side); }))
-        return "temperatures and masses of walls are positive and finite";
-    if (!std::ranges::all_of(surfaces.partitions, valid))
-        return "partitions lie in the box, their gaps in order, and what they do is finite";
-    if (!std::ranges::all_of(surfaces.obstacles, [](const Obstacle& one) { return is_valid(one); }))
-        return "obstacles are finite, and no two corners in a row are one";
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!box.is_periodic(axis)) continue;
-        for (const int side : {2 * axis, 2 * axis + 1})
-            if (!std::holds_alternative<Reflecting>(surfaces.sides[static_cast<std::size_t>(side)]))
-                return "a periodic side does nothing: there is no wall";
-        for (const Partition& line : surfaces.partitions)
-            if (line.axis == axis && moves(line.behaviour))
-                return "a partition does not move along a periodic axis";
-    }
-    for (const Partition& line : surfaces.partitions)
-        if (std::holds_alternative<Piston>(line.behaviour) && !line.gaps.empty())
-            return "a piston has no gaps";
-    return surfaces.gravity.isFinite().all() ? nullptr : "gravity is finite";
-}
-
 std::vector<Behaviour> behaviours_of(const Box& box) {
     const Surfaces& surfaces = box.surfaces;
     std::vector<Behaviour> behaviours(surfaces.sides.begin(), surfaces.sides.end());
@@ -193,21 +130,18 @@ std::vector<Behaviour> behaviours_of(const Box& box) {
     return behaviours;
 }
 
-std::vector<Barrier> barriers_of(const Box& box, double reach) {
+std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open) {
     const Surfaces& surfaces = box.surfaces;
     std::vector<Barrier> barriers;
-    std::int32_t surface = 0, mover = 0;
-    for (; surface < 4; ++surface) {
+    std::int32_t surface = 0;
+    for (; surface < Surfaces::first_partition; ++surface) {
         const int axis = surface / 2;
-        if (box.is_periodic(axis)) continue;
-        const Behaviour& behaviour = surfaces.sides[static_cast<std::size_t>(surface)];
+        if (box.is_periodic(axis) || axis >= box.dimension) continue;
         const double at = surface % 2 == 0 ? 0.0 : box.length(axis);
-        add_partition(box, {.name = "", .axis = axis, .at = at}, surface,
-                      moves(behaviour) ? mover++ : -1, barriers);
+        add_partition(box, {.name = "", .axis = axis, .at = at}, surface, barriers);
     }
     for (const Partition& partition : surfaces.partitions) {
-        const std::int32_t its = moves(partition.behaviour) ? mover++ : -1;
-        if (!partition.is_open) add_partition(box, partition, surface, its, barriers);
+        if (with_open || !partition.is_open) add_partition(box, partition, surface, barriers);
         ++surface;
     }
     for (const Obstacle& obstacle : surfaces.obstacles) add_obstacle(obstacle, surface++, barriers);

@@ -1,48 +1,44 @@
-// A surface that moves along its normal: where it is, and when it changes its motion by itself.
+// A surface that moves, or may be made to move, along its normal: where it is.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "physics/collision/pair_collision.h"
-#include "physics/gas.h"
+#include "physics/surfaces/barrier_contact.h"
 
 namespace carom {
 
+template <typename Scalar>
 struct Mover {
-    std::int32_t surface = 0;
+    bool is_mobile = false;  ///< has ever moved
     std::size_t axis = 0;
-    double place = 0.0, velocity = 0.0, acceleration = 0.0;  ///< at its own time
-    double time = 0.0;                                       ///< local
-    double inverse_mass = 0.0;                               ///< 0: driven
-    double change_at = never<double>;  ///< local; a driven one has velocity `then` from then on
-    double then = 0.0;
-    double changed_at = -never<double>;  ///< when it has, and the velocity before
-    double before = 0.0;
-    double low = 0.0, high = 0.0;  ///< between these it may move without a new registration
-    std::uint32_t changes = 0;     ///< of its velocity
+    Scalar place = 0.0, velocity = 0.0;  ///< at its own time
+    Scalar acceleration = 0.0;
+    Scalar time = 0.0;             ///< local
+    double inverse_mass = 0.0;     ///< 0: nothing that hits it changes its motion
+    Scalar low = 0.0, high = 0.0;  ///< between these it may move without a new registration
+    std::uint32_t changes = 0;     ///< of its motion
 
-    double place_at(double now) const;
-    double velocity_at(double now) const { return velocity + acceleration * (now - time); }
+    Scalar place_at(const Scalar& now) const {
+        const Scalar t = now - time;
+        return place + t * (velocity + 0.5 * t * acceleration);
+    }
+    Scalar velocity_at(const Scalar& now) const { return velocity + acceleration * (now - time); }
 
     /// Moves it on to a time.
-    void advance(double now);
+    void advance(const Scalar& now) {
+        place = place_at(now);
+        velocity = velocity_at(now);
+        time = now;
+    }
 
     /// When it leaves the part of the box where it is registered.
-    double registered_until() const;
-
-    /// Carries out its own change, at that time.
-    void change();
-
-    /// Makes its own time, to which it has been advanced, the epoch.
-    void move_epoch(double shift);
-
-    /// Reverses its motion, at the epoch; what has changed before changes back.
-    void reverse();
+    Scalar registered_until() const {
+        return time + std::min(fall_time<Scalar>(place - low, velocity, acceleration),
+                               fall_time<Scalar>(high - place, -velocity, -acceleration));
+    }
 };
-
-/// The movers of a box, in the order of surfaces. `change_at` is a time on the user's clock.
-std::vector<Mover> movers_of(const Box& box);
 
 }  // namespace carom

@@ -1,0 +1,223 @@
+// The part of the event loop that only boxes with surfaces that act have: hits of surfaces, events
+// of the surfaces themselves, and what the run's events change. Included by event_loop.cpp alone.
+#pragma once
+
+#include <cmath>
+
+#include "physics/events/event_loop.h"
+
+namespace carom {
+
+// Surfaces have an event for each mover, and the next change of the history.
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::events_of_surfaces() const {
+    if constexpr (has_surfaces)
+        return static_cast<std::int32_t>(geometry_.surfaces().mover_count()) + 1;
+    else
+        return 0;
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+Scalar EventLoop<Dimension, Scalar, has_surfaces>::surface_event(std::size_t k) const {
+    if constexpr (has_surfaces) {
+        const auto& surfaces = geometry_.surfaces();
+        return k < surfaces.mover_count() ? surfaces.mover_event(k) : changes_.next_time();
+    } else {
+        return never<double>;
+    }
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size_t k) {
+    if constexpr (has_surfaces) {
+        const Scalar time = queue_.time(static_cast<std::int32_t>(bodies_.size() + k));
+        move_on_to(time);
+        if (k == geometry_.surfaces().mover_count()) {
+            move_epoch_to(now_);
+            carry_out(changes_.take_next());
+            geometry_.resettle(bodies_);
+            predict_all();
+            return;
+        }
+        const auto other = geometry_.surfaces().process_mover(k, now_);
+        look_for_hits(k);
+        if (other) look_for_hits(*other);
+    }
+}
+
+// A mover's motion has changed: which particles it reaches, and when it changes again.
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::look_for_hits(std::size_t k) {
+    if constexpr (has_surfaces) {
+        geometry_.look_for_hits(bodies_, k, now_, [&](std::int32_t i, const Scalar& time) {
+            if (!(time < queue_.time(i))) return false;
+            queue_.schedule(i, time);
+            return true;
+        });
+        // It may meet the other movers at other times now.
+        for (std::size_t mover = 0; mover < geometry_.surfaces().mover_count(); ++mover)
+            queue_.schedule(static_cast<std::int32_t>(bodies_.size() + mover),
+                            surface_event(mover));
+    }
+}
+
+// True if the particle was reflected. A mover may have changed its motion since this was predicted.
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Prediction& event,
+                                                     Collision* collision) {
+    bool reflected = false;
+    if constexpr (has_surfaces) {
+        auto& surfaces = geometry_.surfaces();
+        const std::int32_t which = -1 - event.partner;
+        const Barrier& barrier = surfaces.barrier(which);
+        Body& b = body(i);
+        if (surfaces.changes_of(barrier) == event.partner_collisions) {
+            advance_body(b, now_);
+            const auto before = b.v;
+            const auto surface_before = surfaces.velocity_of(barrier, now_);
+            reflected = surfaces.hit(b, which, now_);
+            if (reflected) {
+                ++b.collisions;
+                ++counts_.wall;
+                if (const auto side = static_cast<std::size_t>(barrier.surface); side < 4)
+                    impulses_.wall[side] +=
+                        std::abs(static_cast<double>(b.v[side / 2] - before[side / 2])) /
+                        b.inverse_mass;
+            }
+            if (reflected && collision)
+                *collision = {clock_.absolute(now_),
+                              number_of(i),
+                              Partner::of_surface(barrier.surface),
+                              in_plane(b.x),
+                              in_plane(surfaces.contact_point(b, barrier, now_)),
+                              in_plane(before),
+                              in_plane(surface_before),
+                              in_plane(b.v),
+                              in_plane(surfaces.velocity_of(barrier, now_))};
+        }
+        predict_next(i);
+        if (reflected && surfaces.is_mobile(barrier))
+            look_for_hits(static_cast<std::size_t>(barrier.surface));
+    }
+    return reflected;
+}
+
+// -------------------------------------------------------------------------- what events change
+
+// Where a driven surface has an end of its motion.
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::stop_driven_surfaces_later() {
+    if constexpr (has_surfaces) {
+        const std::vector<Behaviour> behaviours = behaviours_of(box_);
+        for (std::size_t k = 0; k < behaviours.size(); ++k) {
+            const auto* driven = std::get_if<Driven>(&behaviours[k]);
+            if (driven == nullptr || !std::isfinite(driven->until)) continue;
+            const auto surface = static_cast<std::int32_t>(k);
+            const auto moving = geometry_.surfaces().control(surface, now_);
+            auto still = moving;
+            still.velocity = 0.0;
+            changes_.add_ahead(
+                {clock_.local(driven->until), SurfaceChange<Scalar>{surface, moving, still}});
+        }
+    }
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
+    const SurfaceAction& action, bool is_mirrored, double time) requires has_surfaces {
+    move_epoch_to(clock_.local(time));
+    auto& surfaces = geometry_.surfaces();
+    const std::int32_t surface = surface_of(action);
+    const auto before = surfaces.control(surface, now_);
+    const auto after = control_after(before, action);
+    if (before.is_open && !after.is_open)
+        for (std::size_t k = 0; k < bodies_.size(); ++k)
+            if (surfaces.overlapped(bodies_[k], now_, surface)) return number_[k];
+    if (is_mirrored) changes_.add_behind({now_, SurfaceChange<Scalar>{surface, before, after}});
+    surfaces.set_control(surface, after, now_);
+    geometry_.resettle(bodies_);
+    predict_all();
+    return std::nullopt;
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const Change<Scalar>& change) {
+    if constexpr (has_surfaces) {
+        if (const auto* scaling = std::get_if<Scaling<Scalar>>(&change.what)) {
+            scale(*scaling);
+            return;
+        }
+        const auto& its = std::get<SurfaceChange<Scalar>>(change.what);
+        auto& surfaces = geometry_.surfaces();
+        if (surfaces.control(its.surface, now_).is_open && !its.after.is_open)
+            for (std::size_t k = 0; k < bodies_.size(); ++k)
+                if (surfaces.overlapped(bodies_[k], now_, its.surface))
+                    throw std::runtime_error(fmt::format(
+                        "a partition closes again at t = {:g}, as the run goes back, but particle "
+                        "{} is in its way: the run has not come back with {} bits",
+                        clock_.absolute(now_), number_[k], bits_));
+        surfaces.set_control(its.surface, its.after, now_);
+    }
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::counts_for(
+    const Body& body, const std::optional<std::int32_t>& species) const {
+    if constexpr (has_surfaces)
+        return body.inverse_mass > 0.0 && (!species || body.species == *species);
+    else
+        return false;
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::scale(const Scaling<Scalar>& scaling) {
+    if constexpr (has_surfaces)
+        for (Body& b : bodies_) {
+            if (!counts_for(b, scaling.species)) continue;
+            for (std::size_t a = 0; a < Dimension; ++a) {
+                const auto before = static_cast<double>(b.v[a]);
+                b.v[a] = scaling.mean[a] + scaling.factor * (b.v[a] - scaling.mean[a]);
+                const auto after = static_cast<double>(b.v[a]);
+                heat_of_events_ += 0.5 * (after * after - before * before) / b.inverse_mass;
+            }
+        }
+}
+
+// About the velocity of the centre of mass, the energy in which stays.
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_mirrored,
+                                                      double time) requires has_surfaces {
+    using std::sqrt;
+    move_epoch_to(clock_.local(time));
+    Scalar mass = with_bits(0.0), energy = with_bits(0.0);
+    std::array<Scalar, 2> mean{with_bits(0.0), with_bits(0.0)};
+    double count = 0.0;
+    for (const Body& b : bodies_) {
+        if (!counts_for(b, heat.species)) continue;
+        count += 1.0;
+        const Scalar its = with_bits(1.0) / b.inverse_mass;
+        mass += its;
+        for (std::size_t a = 0; a < Dimension; ++a) mean[a] += its * b.v[a];
+    }
+    if (count < 2.0) return false;
+    for (Scalar& v : mean) v = v / mass;
+    for (const Body& b : bodies_) {
+        if (!counts_for(b, heat.species)) continue;
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            const Scalar v = b.v[a] - mean[a];
+            energy += 0.5 * v * v / b.inverse_mass;
+        }
+    }
+    const auto* to = std::get_if<Temperature>(&heat.amount);
+    const Scalar wanted = to != nullptr ? Scalar(0.5 * Dimension * (count - 1.0) * to->value)
+                                        : energy + std::get<double>(heat.amount);
+    if (!(energy > 0.0) || !(wanted > 0.0)) return false;
+    const Change<Scalar> change{now_, Scaling<Scalar>{heat.species, sqrt(wanted / energy), mean}};
+    carry_out(change);
+    if (is_mirrored) changes_.add_behind(change);
+    geometry_.resettle(bodies_);
+    predict_all();
+    return true;
+}
+
+}  // namespace carom

@@ -1,0 +1,129 @@
+// When a disk reaches a barrier. Free functions on numbers, for doubles and for many bits. Times
+// are counted from the present.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "physics/collision/accelerated_contact.h"
+#include "physics/collision/pair_collision.h"
+#include "physics/multiprecision/multiprecision.h"
+#include "physics/surfaces/barrier.h"
+
+namespace carom {
+
+/// The first time at which the coordinate x + v t + a t^2 / 2 falls to 0: 0 when it is not above 0
+/// and falls. It may rise first. `never` when it does not.
+template <typename Scalar>
+Scalar fall_time(const Scalar& x, const Scalar& v, const Scalar& a) {
+    using std::sqrt;
+    if (!(x > 0.0) && (v < 0.0 || (v == 0.0 && a < 0.0))) return Scalar(0.0);
+    if (a == 0.0) return v < 0.0 ? Scalar(x / -v) : Scalar(never<double>);
+    const Scalar square = difference_of_products(v, v, Scalar(2.0 * a), x);
+    if (a < 0.0) {  // concave: at the later root
+        if (!(square > 0.0)) return Scalar(never<double>);
+        const Scalar root = sqrt(square);
+        return v > 0.0 ? Scalar((v + root) / -a) : Scalar(2.0 * x / (root - v));
+    }
+    if (!(v < 0.0) || !(x > 0.0) || !(square > 0.0)) return Scalar(never<double>);
+    return 2.0 * x / (sqrt(square) - v);
+}
+
+/// x / (a + b), rounded as if the sum were exact. The error of a rounded sum of two inverse masses
+/// is the same at each collision of the two, and would make their energy drift.
+template <typename Scalar>
+Scalar divided_by_sum(const Scalar& x, const Scalar& a, const Scalar& b) {
+    using std::fma;
+    const Scalar sum = a + b;
+    const Scalar b_rounded = sum - a;
+    const Scalar error = (a - (sum - b_rounded)) + (b - b_rounded);
+    const Scalar quotient = x / sum;
+    return quotient + (fma(-quotient, sum, x) - quotient * error) / sum;
+}
+
+/// The motion of a disk as a barrier sees it, from the barrier's place.
+template <typename Scalar>
+struct BarrierMotion {
+    std::array<Scalar, 2> x, v, a;
+    double radius;
+};
+
+template <typename Scalar>
+Scalar dot(const std::array<double, 2>& a, const std::array<Scalar, 2>& b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+/// Bound on the rounding error of r . (v2 - v1) of numbers with so many bits, as
+/// approach_round_off() gives it for doubles; `fast`: |v1| + |v2| along each axis.
+inline double approach_error(double x, double y, double fast_x, double fast_y, int bits) {
+    return std::ldexp(8.0 * (std::abs(x) * fast_x + std::abs(y) * fast_y), -bits);
+}
+
+/// As contact_time(), for any scalar with sqrt.
+template <typename Scalar>
+Scalar plain_contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, double round_off) {
+    if constexpr (HasLimits<Scalar>) {
+        return contact_time(m, sigma, round_off);
+    } else {
+        using std::sqrt;
+        const Scalar approach = m.x * m.vx + m.y * m.vy;
+        if (!(approach < -round_off)) return Scalar(never<double>);
+        const Scalar gap = m.x * m.x + m.y * m.y - sigma * sigma;
+        if (!(gap > 0.0)) return Scalar(0.0);
+        const Scalar miss = m.x * m.vy - m.y * m.vx;
+        const Scalar square = sigma * sigma * (m.vx * m.vx + m.vy * m.vy) - miss * miss;
+        return square > 0.0 ? gap / (sqrt(square) - approach) : Scalar(never<double>);
+    }
+}
+
+/// Time until two disks touch, `never` if they do not; `a` is the acceleration of the second as
+/// seen from the first.
+template <typename Scalar>
+Scalar falling_contact_time(const RelativeMotion<Scalar>& m, const std::array<Scalar, 2>& a,
+                            const Scalar& sigma, double round_off, int bits) {
+    if (a[0] == 0.0 && a[1] == 0.0) return plain_contact_time(m, sigma, round_off);
+    return accelerated_contact_time<Scalar>({m.x, m.y, m.vx, m.vy, a[0], a[1]}, sigma,
+                                            Scalar(round_off), bits);
+}
+
+/// Time until a disk touches a line on either side, `never` if it does not. Where `left_it`, the
+/// disk is just about to go through the line, or away from it, at this very time.
+template <typename Scalar>
+Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, bool left_it) {
+    const auto reaches_it = [&](const Scalar& t) {
+        if (!(t < never<double>)) return false;
+        if (line.is_endless()) return true;
+        const Scalar x = m.x[0] + t * (m.v[0] + 0.5 * t * m.a[0]);
+        const Scalar y = m.x[1] + t * (m.v[1] + 0.5 * t * m.a[1]);
+        const Scalar share = x * line.normal[1] - y * line.normal[0];
+        return share >= 0.0 && share <= line.length;
+    };
+    const Scalar x = dot(line.normal, m.x), v = dot(line.normal, m.v), a = dot(line.normal, m.a);
+    const double side = x < 0.0 ? -1.0 : 1.0;
+    Scalar first = never<double>;
+    if (!left_it || side * v > 0.0) {
+        const Scalar t = fall_time<Scalar>(side * x - m.radius, side * v, side * a);
+        if (reaches_it(t)) first = t;
+    }
+    // From the other side, after it has gone round an end of the line, or through it.
+    if (side * a > 0.0 || left_it) {
+        const Scalar t = fall_time<Scalar>(-side * x - m.radius, -side * v, -side * a);
+        if (t > 0.0 && t < first && reaches_it(t)) first = t;
+    }
+    return first;
+}
+
+/// Time until a disk touches a circle, `never` if it does not.
+template <typename Scalar>
+Scalar circle_time(const Barrier& circle, const BarrierMotion<Scalar>& m, int bits) {
+    const Scalar sigma = as_precise_as(m.x[0], circle.radius) + m.radius;
+    if (!(sigma > 0.0)) return Scalar(never<double>);
+    const auto size = [](const Scalar& number) { return std::abs(static_cast<double>(number)); };
+    const double round_off =
+        approach_error(size(m.x[0]), size(m.x[1]), size(m.v[0]), size(m.v[1]), bits);
+    return falling_contact_time<Scalar>({m.x[0], m.x[1], m.v[0], m.v[1]}, m.a, sigma, round_off,
+                                        bits);
+}
+
+}  // namespace carom

@@ -1,0 +1,49 @@
+// The line of line.h with ends that act, and gravity along it: which beads touch, which ends they
+// reach, and when. For doubles and for many bits. Knows no queue and no clock.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "physics/collision/loop_types.h"
+#include "physics/line/line.h"
+#include "physics/surfaces/open_plane.h"
+
+namespace carom {
+
+template <typename Scalar>
+class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
+  public:
+    using Base = Line<Scalar, FallingDisk<Scalar>>;
+    using Body = FallingDisk<Scalar>;
+    using Bodies = LargeVector<Body>;
+
+    OpenLine(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
+
+    static Bodies bodies_of(const Particles& particles) {
+        return falling_bodies_of<Scalar>(particles);
+    }
+
+    SurfaceSet<Scalar>& surfaces() { return surfaces_; }
+    const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
+
+    // As those of Line and OpenPlane.
+    void enter(Bodies& bodies);
+    void resettle(Bodies& bodies);
+    Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
+    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) const {
+        return predict(bodies, i, now);
+    }
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
+    void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
+                       const Earlier<Scalar>& earlier) const;
+
+  private:
+    SurfaceSet<Scalar> surfaces_;
+};
+
+extern template class OpenLine<double>;
+extern template class OpenLine<Real>;
+
+}  // namespace carom

@@ -1,0 +1,37 @@
+// What an event of the run does to a surface: the control that it has from then on.
+#pragma once
+
+#include <variant>
+
+#include "physics/run.h"
+#include "physics/surfaces/surface_set.h"
+
+namespace carom {
+
+using SurfaceAction = std::variant<SetOpen, MoveSurface, HoldPiston, ReleasePiston, ChangeSurface>;
+
+inline std::int32_t surface_of(const SurfaceAction& action) {
+    return std::visit([](const auto& its) { return its.surface; }, action);
+}
+
+template <typename Scalar>
+SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const SurfaceAction& action) {
+    if (const auto* its = std::get_if<SetOpen>(&action)) {
+        control.is_open = its->is_open;
+    } else if (const auto* moved = std::get_if<MoveSurface>(&action)) {
+        control.behaviour = Driven{.velocity = moved->velocity};
+        control.velocity = moved->velocity;
+    } else if (const auto* changed = std::get_if<ChangeSurface>(&action)) {
+        control = {.behaviour = changed->behaviour, .is_open = control.is_open};
+        if (const auto* driven = std::get_if<Driven>(&changed->behaviour))
+            control.velocity = driven->velocity;
+        if (const auto* piston = std::get_if<Piston>(&changed->behaviour))
+            control.velocity = piston->velocity;
+    } else {
+        control.is_held = std::holds_alternative<HoldPiston>(action);
+        control.velocity = 0.0;
+    }
+    return control;
+}
+
+}  // namespace carom

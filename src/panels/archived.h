@@ -33,7 +33,8 @@ inline void archive_parts(Archive& archive, SurfaceState::Motion& its) {
     archive(its.place, its.velocity);
 }
 inline void archive_parts(Archive& archive, SurfaceState& its) {
-    archive(its.hits, its.impulse, its.work, its.heat, its.behaviour, its.is_open, its.motion);
+    archive(its.hits, its.impulse, its.work, its.heat, its.behaviour, its.is_open, its.is_held,
+            its.motion);
 }
 
 /// All but the collisions themselves.

@@ -48,7 +48,7 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
     const Behaviour& behaviour = end.state.behaviour;
     const auto* bath = std::get_if<Bath>(&behaviour);
     const auto* piston = std::get_if<Piston>(&behaviour);
-    const bool is_imposed = piston == nullptr && end.state.motion.has_value();
+    const bool is_imposed = end.state.is_held || (piston == nullptr && end.state.motion);
     if (bath != nullptr)
         draw_bath(canvas, dc, band(0.0, SurfaceSize::bath), true,
                   look_.bath_color(bath->temperature, dc.theme));

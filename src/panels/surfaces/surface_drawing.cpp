@@ -50,11 +50,7 @@ struct SurfaceView::Brush {
     bool is(std::size_t k) const {
         return std::holds_alternative<Kind>(behaviour(k));
     }
-    // A piston that stands until it is released.
-    bool is_held(std::size_t k) const {
-        return std::holds_alternative<Piston>(view.behaviours_[k].front()) && !is<Piston>(k);
-    }
-    bool is_imposed(std::size_t k) const { return is<Driven>(k) || is_held(k); }
+    bool is_imposed(std::size_t k) const { return is<Driven>(k) || states[k].is_held; }
 
     // Of a side, outside of the room, in units.
     double thickness(std::size_t side) const {
@@ -255,7 +251,7 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
                 0.15 * u, theme.ink);
         return;
     }
-    Color color = is<Reflecting>(k) && !is_held(k) ? theme.wall : theme.muted;
+    Color color = is<Reflecting>(k) ? theme.wall : theme.muted;
     if (const auto* bath = std::get_if<Bath>(&behaviour(k)))
         color = view.bath_color(bath->temperature, theme);
     canvas.stroke_line(from, to, SurfaceSize::thick * u, color);
@@ -307,7 +303,7 @@ void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
 void SurfaceView::Brush::draw_ends(std::size_t k) const {
     const Partition& partition = box.surfaces.partitions[k - 4];
     const auto* membrane = std::get_if<Membrane>(&behaviour(k));
-    const bool reflects = is<Reflecting>(k) && !is_held(k);
+    const bool reflects = is<Reflecting>(k);
     if (states[k].is_open || reflects || (membrane != nullptr && !is_demon(*membrane))) return;
     const double at = place_of_surface(box, states, k);
     const Point foot = map.pixel({at, at});

@@ -46,7 +46,7 @@ std::string doing_of(const Gas& gas, const SurfaceState& state, int axis) {
     if (state.is_open) return "is open";
     const bool reflects = std::holds_alternative<Reflecting>(state.behaviour);
     if (!reflects && !std::holds_alternative<Driven>(state.behaviour))
-        return words_of(state.behaviour, gas, axis);
+        return words_of(state.behaviour, gas, axis) + (state.is_held ? ", held" : "");
     const bool moves = state.motion && state.motion->velocity != 0.0;
     return moves ? "moves at " + three_digits(state.motion->velocity) : "stands";
 }
@@ -81,7 +81,7 @@ std::string mark_of_surface(const Gas& gas, const Behaviour& behaviour, int axis
 std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k) {
     const std::string mark = mark_of_surface(gas, state.behaviour, axis_of_surface(gas.box, k));
     return gas.box.surfaces.names()[k] + (state.is_open ? ", open" : "") +
-           (mark.empty() ? "" : ", " + mark);
+           (state.is_held ? ", held" : "") + (mark.empty() ? "" : ", " + mark);
 }
 
 std::string words_at_present(const Gas& gas, std::span<const SurfaceState> states,

@@ -403,3 +403,32 @@ TEST_CASE("a narrow box has as many words on its surfaces as it has room for") {
         return line.markup == "not defined for this gas";
     }));
 }
+
+TEST_CASE("a piston that is held is hatched, in the box and on a wire, and said to be held") {
+    for (const std::string box : {"size: [20, 10]", "length: 20"}) {
+        CAPTURE(box);
+        Scene scene = test::scene_from(
+            "title: T\nbox: {" + box +
+            "}\ngas: [{name: a, count: 3, radius: 0.2, speed: 1}]\n"
+            "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], panels: []}\n");
+        Simulation simulation(scene.gas, scene.run);
+        scene.gas.box.surfaces.sides[1] = Piston{5.0, -1.0};
+        PanelSet panels(scene, simulation.particles(), simulation.sample());
+        AdvanceResult advanced;
+        advanced.surfaces.resize(4);
+        advanced.surfaces[1].behaviour = scene.gas.box.surfaces.sides[1];
+        advanced.surfaces[1].motion = {20.0, 0.0};
+        panels.survey({}, simulation.sample(), advanced);
+        panels.fix_axes();
+        FramePainter painter(panels);
+        std::vector<std::vector<std::uint32_t>> pictures;
+        for (const bool is_held : {false, true}) {
+            advanced.surfaces[1].is_held = is_held;
+            const FrameData frame = panels.frame_data({}, simulation.sample(), advanced);
+            pictures.push_back(test::pixels_of(painter.paint(frame)));
+            const std::string account = panels.gas().account(*frame.states[0]);
+            CHECK((account.find(", held, at x = 20.0.") != std::string::npos) == is_held);
+        }
+        CHECK(pictures[0] != pictures[1]);
+    }
+}

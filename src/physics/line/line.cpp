@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "physics/collision/falling_motion.h"
 #include "physics/collision/pair_collision.h"
-#include "physics/surfaces/barrier_contact.h"
 
 namespace carom {
 

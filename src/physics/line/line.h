@@ -13,7 +13,7 @@
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/particles.h"
-#include "physics/surfaces/falling_disk.h"
+#include "physics/plane/falling_disk.h"
 #include "util/large_pages.h"
 
 namespace carom {

@@ -15,7 +15,7 @@
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/plane/cell_grid.h"
-#include "physics/surfaces/falling_disk.h"
+#include "physics/plane/falling_disk.h"
 #include "physics/surfaces/surface_set.h"
 
 namespace carom {

@@ -20,9 +20,8 @@ auto& at(auto& things, std::integral auto i) { return things[static_cast<std::si
 // without end.
 constexpr double most_times_energy = 1e8;
 
-// The radius that surfaces see of a point, in units of the box: far more than what it flies in the
-// rounding error of a time, which is up to some 1e-13.
-constexpr double side_of_points = 1e-11;
+// The radius that surfaces see of a point, in units of the box, so that it has a side of a line.
+constexpr double side_of_points = 1e-13;
 
 template <typename Scalar>
 Scalar dot(const std::array<Scalar, 2>& a,
@@ -234,10 +233,25 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
     ++hit.changes;
 }
 
+// A point that is fast has flown through the line within the rounding error of a time. It came from
+// the side that it flies away from.
+template <typename Scalar>
+void SurfaceSet<Scalar>::keep_on_its_side(Body& body, const Barrier& line,
+                                          const Scalar& now) const {
+    const BarrierMotion<Scalar> m = motion_of(body, line, now);
+    const double side = dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
+    const double distance = side * static_cast<double>(dot(line.normal, m.x));
+    if (distance >= 0.5 * least_radius_) return;
+    for (std::size_t k = 0; k < 2; ++k)
+        body.x[k] += Scalar(side * (least_radius_ - distance) * line.normal[k]);
+}
+
 template <typename Scalar>
 bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     const Barrier& its = barrier(k);
     const Behaviour& behaviour = at(behaviours_, its.surface);
+    if (its.kind == Barrier::Kind::line && body.radius < least_radius_)
+        keep_on_its_side(body, its, now);
     const BarrierMotion<Scalar> m = motion_of(body, its, now);
     const Scalar approach = its.kind == Barrier::Kind::line
                                 ? dot(its.normal, m.x) * dot(its.normal, m.v)

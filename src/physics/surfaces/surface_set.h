@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "physics/gas.h"
+#include "physics/plane/falling_disk.h"
 #include "physics/run.h"
 #include "physics/surface.h"
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/barrier_contact.h"
-#include "physics/surfaces/falling_disk.h"
 #include "physics/surfaces/mover.h"
 
 namespace carom {
@@ -108,6 +108,7 @@ class SurfaceSet {
     double energy_of_piston(std::size_t mover) const;
     void set_motion(std::size_t mover, const Scalar& velocity);
     void register_mover(Mover<Scalar>& mover) const;
+    void keep_on_its_side(Body& body, const Barrier& line, const Scalar& now) const;
     void reflect(Body& body, const Barrier& barrier, const Scalar& now);
     void leave_bath(Body& body, const Barrier& barrier, double temperature, std::int64_t hit,
                     const Scalar& now);

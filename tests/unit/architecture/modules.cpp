@@ -40,7 +40,7 @@ struct Parts {
 
 const std::map<std::string, Parts> parts_of_module{
     {"physics",
-     {{"collision", "plane", "surfaces", "multiprecision", "line", "placement", "theory", "events",
+     {{"collision", "plane", "multiprecision", "line", "surfaces", "placement", "theory", "events",
        "physics", "reversal"},
       {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h", "surface.h"}}},
     {"scene",

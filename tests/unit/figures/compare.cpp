@@ -286,7 +286,7 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "`position-histogram`, `temperature`, `entropy`, `pressure`, `mean-squared-displacement` "
           "or `return-distance`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
-              .find("`seeds` and `compare` cannot be combined") != std::string::npos);
+              .find("`compare` and `seeds` cannot be combined") != std::string::npos);
     CHECK(
         message_of(bars + ", compare: {seeds: 1}}\n").find("expected a whole number from 2 to 6") !=
         std::string::npos);

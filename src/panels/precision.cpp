@@ -16,7 +16,7 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
     } catch (const PlacementError& error) {
         throw scene_error(scene, error);
     } catch (const RunEventError& error) {
-        refuse(scene.event_places.at(error.event()), error.what(), "a smaller one may have room");
+        refuse(scene.event_places.at(error.event()), error.what(), error.hint());
     } catch (const std::invalid_argument& error) {
         refuse(scene.surfaces_place, error.what(), "");
     }

@@ -252,7 +252,8 @@ struct Simulation::Implementation {
             fmt::format("the nudge at time {:g} would push particle {} into {}", present.time,
                         perturbation.particle,
                         obstacle->is_surface() ? "a wall"
-                                               : fmt::format("particle {}", obstacle->particle())));
+                                               : fmt::format("particle {}", obstacle->particle())),
+            "a smaller one may have room");
     }
 
     void apply(std::size_t event) {
@@ -281,14 +282,18 @@ struct Simulation::Implementation {
         sampled = false;
         if (in_the_way)
             throw RunEventError(
-                event, fmt::format("the partition cannot close at time {:g}: particle {} is in its "
-                                   "way",
-                                   present.time, *in_the_way));
+                event,
+                fmt::format("the partition cannot close at time {:g}: particle {} is in its "
+                            "way",
+                            present.time, *in_the_way),
+                "close it a little earlier or later");
         if (!is_done)
             throw RunEventError(
-                event, fmt::format("heat cannot be taken at time {:g}: the particles do not have "
-                                   "so much, or stand still",
-                                   present.time));
+                event,
+                fmt::format("heat cannot be taken at time {:g}: the particles do not have "
+                            "so much, or stand still",
+                            present.time),
+                "take less, or take it later");
     }
 
     std::vector<SurfaceState> surfaces() const {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "physics/advance_result.h"
@@ -25,12 +26,14 @@ namespace carom {
 /// or into a wall, a partition that would close on a particle.
 class RunEventError : public std::runtime_error {
   public:
-    RunEventError(std::size_t event, const std::string& what)
-        : std::runtime_error(what), event_(event) {}
-    std::size_t event() const { return event_; }  ///< index in Run::events
+    RunEventError(std::size_t event, const std::string& what, std::string hint)
+        : std::runtime_error(what), event_(event), hint_(std::move(hint)) {}
+    std::size_t event() const { return event_; }       ///< index in Run::events
+    const std::string& hint() const { return hint_; }  ///< what to change
 
   private:
     std::size_t event_;
+    std::string hint_;
 };
 
 class Simulation {

@@ -102,10 +102,12 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::put_in_ord
 // The same at any time, with the events already predicted.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::resort() {
-    if constexpr (std::is_same_v<Geometry, Plane>) {
-        const std::vector<std::int32_t> before = put_in_order();
-        queue_.renumber(before);
+    if constexpr (Dimension == 2 && of_doubles) {
+        std::vector<std::int32_t> before = put_in_order();
         geometry_.renumber(bodies_, before);
+        for (std::int32_t k = 0; k < events_of_surfaces(); ++k)
+            before.push_back(static_cast<std::int32_t>(before.size()));
+        queue_.renumber(before);
         last_pair_[0] = last_pair_[1] = -1;  // it collided in the cycle before
     }
 }

@@ -4,23 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "physics/collision/pair_collision.h"
+#include "physics/plane/order_of_cells.h"
 
 namespace carom {
 namespace {
-
-// Below this number the disks fit into the processor's nearest caches in any order.
-constexpr std::size_t least_sorted = 4096;
-
-// The bits of a number, with a zero between each two.
-constexpr std::uint64_t spread_bits(std::uint64_t bits) {
-    bits = (bits | bits << 8) & 0x00FF00FFU;
-    bits = (bits | bits << 4) & 0x0F0F0F0FU;
-    bits = (bits | bits << 2) & 0x33333333U;
-    return (bits | bits << 1) & 0x55555555U;
-}
 
 template <typename Bodies>
 auto& at(Bodies& bodies, std::int32_t i) {
@@ -58,21 +47,11 @@ Plane::Bodies Plane::bodies_of(const Particles& particles) {
     return Bodies(static_cast<std::size_t>(particles.count()));
 }
 
-bool Plane::is_resorted(std::size_t count) { return count >= least_sorted; }
+bool Plane::is_resorted(std::size_t count) { return count >= least_in_order_of_cells; }
 
 std::vector<std::int32_t> Plane::order(const Bodies& bodies) {
-    std::vector<std::int32_t> numbers(bodies.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    if (bodies.size() < least_sorted) return numbers;
-    std::vector<std::uint64_t> keys(bodies.size());
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        const Cell cell = grid_.cell_at(bodies[k].x[0], bodies[k].x[1]);
-        keys[k] = (spread_bits(cell[0]) | spread_bits(cell[1]) << 1) << 32 | k;
-    }
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t k = 0; k < keys.size(); ++k)
-        numbers[k] = static_cast<std::int32_t>(keys[k] & 0xFFFFFFFFU);
-    properties_.renumber(numbers);
+    std::vector<std::int32_t> numbers = order_of_cells(grid_, bodies);
+    if (is_resorted(bodies.size())) properties_.renumber(numbers);
     return numbers;
 }
 
@@ -82,11 +61,7 @@ void Plane::enter(Bodies& bodies) {
 }
 
 void Plane::renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
-    std::vector<std::int32_t> now(before.size());
-    for (std::size_t k = 0; k < before.size(); ++k)
-        now[static_cast<std::size_t>(before[k])] = static_cast<std::int32_t>(k);
-    for (Body& body : bodies)
-        body.prediction.partner = now[static_cast<std::size_t>(body.prediction.partner)];
+    renumber_partners(bodies, before);
     fill_grid(bodies);
 }
 

@@ -20,6 +20,37 @@ double size_of(const Scalar& number) {
     return std::abs(static_cast<double>(number));
 }
 
+// A disk in doubles, at the present.
+struct View {
+    std::array<double, 2> x, v, a;
+    double now;
+
+    template <typename Scalar>
+    View(const FallingDisk<Scalar>& d, const Scalar& time) : now(static_cast<double>(time)) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            x[k] = static_cast<double>(position_at(d, k, time));
+            v[k] = static_cast<double>(velocity_at(d, k, time));
+            a[k] = static_cast<double>(d.a[k]);
+        }
+    }
+};
+
+// A quick look at a disk that falls as the one that looks: whether it certainly does not touch that
+// until a time (quick_look() and might_touch_within(), with their margins).
+[[gnu::always_inline]] inline bool surely_misses(const View& view, const FallingDisk<double>& b,
+                                                 double sigma, double shift_x, double shift_y,
+                                                 double before) {
+    const double t = view.now - b.time;
+    const double fall_x = t * b.a[0], fall_y = t * b.a[1];
+    const RelativeMotion<double> m{b.x[0] + t * (b.v[0] + 0.5 * fall_x) + shift_x - view.x[0],
+                                   b.x[1] + t * (b.v[1] + 0.5 * fall_y) + shift_y - view.x[1],
+                                   b.v[0] + fall_x - view.v[0], b.v[1] + fall_y - view.v[1]};
+    const QuickLook<double> look = quick_look(m, sigma);
+    const bool might = (look.approach > 0.0) & (look.slack >= 0.0) &
+                       might_touch_within(m, sigma, look.approach, before - view.now);
+    return !might & (b.a == view.a);
+}
+
 }  // namespace
 
 template <typename Scalar>
@@ -76,13 +107,23 @@ void OpenPlane<Scalar>::list_barriers() {
 
 template <typename Scalar>
 void OpenPlane<Scalar>::enter(Bodies& bodies) {
-    grid_.clear();
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        Body& body = bodies[k];
+    for (Body& body : bodies)
         body.cell = grid_.cell_at(static_cast<double>(body.x[0]), static_cast<double>(body.x[1]));
-        grid_.add(static_cast<std::int32_t>(k), body.radius, body.cell);
-    }
+    fill_grid(bodies);
     resettle(bodies);
+}
+
+template <typename Scalar>
+void OpenPlane<Scalar>::fill_grid(const Bodies& bodies) {
+    grid_.clear();
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        grid_.add(static_cast<std::int32_t>(k), bodies[k].radius, bodies[k].cell);
+}
+
+template <typename Scalar>
+void OpenPlane<Scalar>::renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
+    renumber_partners(bodies, before);
+    fill_grid(bodies);
 }
 
 template <typename Scalar>
@@ -151,31 +192,70 @@ Scalar OpenPlane<Scalar>::border_time(const Body& body, const Scalar& now,
     return now + first;
 }
 
+// Of the disks in some cells.
 template <typename Scalar>
-Scalar OpenPlane<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) {
-    Body& body = at(bodies, i);
-    First first;
-    grid_.for_each_near(
-        body.radius, body.cell, [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
-            std::size_t count = 0;
-            grid_.append(slots, near_, count);
-            for (std::size_t k = 0; k < count; ++k) {
-                const std::int32_t j = near_[k];
-                if (j == i) continue;
-                const Scalar time = now + pair_time(body, at(bodies, j), {shift_x, shift_y}, now);
-                if (time < first.time || (time == first.time && j < first.partner))
-                    first = {time, j, at(bodies, j).collisions & most_collisions};
-            }
-        });
+auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now,
+                                     First& first) {
+    const Body& body = at(bodies, i);
+    return [this, &bodies, &now, &first, &body, i, view = View(body, now)](
+               const CellGrid::Slots& slots, double shift_x, double shift_y) {
+        const std::array<double, 2> shift{shift_x, shift_y};
+        std::size_t count = 0;
+        grid_.append(slots, near_, count);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::int32_t j = near_[k];
+            const Body& other = at(bodies, j);
+            if (j == i) continue;
+            if constexpr (of_doubles)
+                if (surely_misses(view, other, body.radius + other.radius, shift_x, shift_y,
+                                  first.time))
+                    continue;
+            const Scalar time = now + pair_time(body, other, shift, now);
+            if (time < first.time || (time == first.time && j < first.partner))
+                first = {time, j, other.collisions & most_collisions};
+        }
+    };
+}
+
+// The contact, a hit of a surface, or the border of the cell. With doubles the body keeps a contact
+// that may come after the border; with many bits two times may be one double.
+template <typename Scalar>
+Scalar OpenPlane<Scalar>::next_event(Body& body, const Scalar& now, First& first) {
     look_at_barriers(body, now, first);
     std::uint32_t side = 0;
     Scalar border = border_time(body, now, side);
     const bool is_contact = first.time <= border;
-    body.prediction = {.contact_time = is_contact ? rounded_down(first.time) : never<double>,
-                       .partner = first.partner,
-                       .partner_collisions = first.partner_collisions & most_collisions,
-                       .border = side & 7U};
+    body.prediction = {
+        .contact_time = of_doubles || is_contact ? rounded_down(first.time) : never<double>,
+        .partner = first.partner,
+        .partner_collisions = first.partner_collisions & most_collisions,
+        .border = side & 7U};
     return is_contact ? std::move(first.time) : std::move(border);
+}
+
+template <typename Scalar>
+Scalar OpenPlane<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) {
+    Body& body = at(bodies, i);
+    First first;
+    grid_.for_each_near(body.radius, body.cell, search_slots(bodies, i, now, first));
+    return next_event(body, now, first);
+}
+
+template <typename Scalar>
+Scalar OpenPlane<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i, int side,
+                                                 const Scalar& now) {
+    if constexpr (of_doubles) {
+        Body& body = at(bodies, i);
+        // Beyond a periodic side it meets other images of the same barriers.
+        if (grid_.is_last(body.cell, side ^ 1)) return predict(bodies, i, now);
+        First first{body.prediction.contact_time, body.prediction.partner,
+                    body.prediction.partner_collisions};
+        grid_.for_each_newly_near(body.radius, body.cell, side,
+                                  search_slots(bodies, i, now, first));
+        return next_event(body, now, first);
+    } else {
+        return predict(bodies, i, now);
+    }
 }
 
 template <typename Scalar>

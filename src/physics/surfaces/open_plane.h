@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "physics/collision/loop_types.h"
@@ -16,6 +17,7 @@
 #include "physics/particles.h"
 #include "physics/plane/cell_grid.h"
 #include "physics/plane/falling_disk.h"
+#include "physics/plane/order_of_cells.h"
 #include "physics/surfaces/surface_set.h"
 
 namespace carom {
@@ -49,6 +51,15 @@ class OpenPlane : public PlainBodies<FallingDisk<Scalar>> {
     SurfaceSet<Scalar>& surfaces() { return surfaces_; }
     const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
 
+    // As those of Plane.
+    static bool is_resorted(std::size_t count) {
+        return of_doubles && count >= least_in_order_of_cells;
+    }
+    std::vector<std::int32_t> order(const Bodies& bodies) const {
+        return order_of_cells(grid_, bodies);
+    }
+    void renumber(Bodies& bodies, const std::vector<std::int32_t>& before);
+
     /// Takes the bodies as they are at the present, and the surfaces.
     void enter(Bodies& bodies);
     /// The same, of bodies that are where they were.
@@ -56,9 +67,8 @@ class OpenPlane : public PlainBodies<FallingDisk<Scalar>> {
 
     /// Finds out what happens next to a body, which keeps it, and returns when (local time).
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
-    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) {
-        return predict(bodies, i, now);
-    }
+    /// The same for a body that has just crossed the side of a cell.
+    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
     /// The body goes over to the next cell.
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
@@ -79,11 +89,15 @@ class OpenPlane : public PlainBodies<FallingDisk<Scalar>> {
         std::int32_t partner = 0;
         std::uint32_t partner_collisions = 0;
     };
+    static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
+    void fill_grid(const Bodies& bodies);
     void list_barriers();
     double reach_of(std::size_t axis) const;
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
                      const Scalar& now) const;
     void look_at_barriers(const Body& body, const Scalar& now, First& first) const;
+    auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
+    Scalar next_event(Body& body, const Scalar& now, First& first);
     Scalar border_time(const Body& body, const Scalar& now, std::uint32_t& side) const;
 
     Box box_;

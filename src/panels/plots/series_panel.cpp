@@ -21,6 +21,19 @@ const Role muted{.of = Role::Of::muted};
 
 std::string time_column() { return column_name("time", reduced::time); }
 
+// A word beside an upright line, where the axis has more room, as low as no line crosses it.
+plot::Label label_beside(const plot::Axis& axis, double at, const std::string& word) {
+    const bool on_left = at > 0.5 * (axis.low + axis.high);
+    plot::Label label;
+    label.words = {word};
+    label.anchors = {{.at = {at, 1.0},
+                      .y_is_share = true,
+                      .offset = {on_left ? -0.4 : 0.4, -0.5},
+                      .align = on_left ? Align::right : Align::left,
+                      .step = {0.0, -0.5}}};
+    return label;
+}
+
 }  // namespace
 
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec,
@@ -260,7 +273,7 @@ void SeriesPanel::add_levels() {
     }
 }
 
-// A thin line where the time axis turns back, with the word as low as no line crosses it.
+// A thin line where the time axis turns back.
 void SeriesPanel::add_turns() {
     for (const double at : record_.common_turns()) {
         plot::Marker marker;
@@ -268,15 +281,7 @@ void SeriesPanel::add_turns() {
         marker.still = true;
         marker.column = whole_.columns[0];
         marker.value = at;
-        const bool on_left = at > 0.5 * (whole_.x.low + whole_.x.high);
-        plot::Label label;
-        label.words = {"reversed"};
-        label.anchors = {{.at = {at, 1.0},
-                          .y_is_share = true,
-                          .offset = {on_left ? -0.4 : 0.4, -0.5},
-                          .align = on_left ? Align::right : Align::left,
-                          .step = {0.0, -0.5}}};
-        marker.label = std::move(label);
+        marker.label = label_beside(whole_.x, at, "reversed");
         whole_.layers.emplace_back(std::move(marker));
     }
 }
@@ -293,17 +298,7 @@ void SeriesPanel::add_events() {
         marker.column = whole_.columns[0];
         marker.value = at;
         marker.stroke = {.width = 0.06, .dashes = {0.2, 0.4}};
-        if (events.size() <= most_named) {
-            const bool on_left = at > 0.5 * (whole_.x.low + whole_.x.high);
-            plot::Label label;
-            label.words = {word};
-            label.anchors = {{.at = {at, 1.0},
-                              .y_is_share = true,
-                              .offset = {on_left ? -0.4 : 0.4, -0.5},
-                              .align = on_left ? Align::right : Align::left,
-                              .step = {0.0, -0.5}}};
-            marker.label = std::move(label);
-        }
+        if (events.size() <= most_named) marker.label = label_beside(whole_.x, at, word);
         whole_.layers.emplace_back(std::move(marker));
     }
 }

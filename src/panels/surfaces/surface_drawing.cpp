@@ -268,9 +268,10 @@ void SurfaceView::Brush::draw_partition(std::size_t k) const {
     };
     const double begin = inside.low[along], end = inside.high[along];
     if (states[k].is_open) {
-        const double stub = 1.2 * u / map.scale;
-        canvas.stroke_line(pixel(begin), pixel(begin + stub), SurfaceSize::line * u, theme.wall);
-        canvas.stroke_line(pixel(end - stub), pixel(end), SurfaceSize::line * u, theme.wall);
+        const double end_length = 1.2 * u / map.scale;
+        canvas.stroke_line(pixel(begin), pixel(begin + end_length), SurfaceSize::line * u,
+                           theme.wall);
+        canvas.stroke_line(pixel(end - end_length), pixel(end), SurfaceSize::line * u, theme.wall);
         return;
     }
     double from = begin;

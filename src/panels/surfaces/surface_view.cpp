@@ -6,6 +6,7 @@
 
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/surfaces/barrier.h"
 
 namespace carom {
 namespace {
@@ -83,10 +84,7 @@ double SurfaceView::thickness_of(std::size_t side) const {
 }
 
 bool SurfaceView::may_move(std::size_t k) const {
-    return std::ranges::any_of(behaviours_[k], [](const Behaviour& behaviour) {
-        return std::holds_alternative<Driven>(behaviour) ||
-               std::holds_alternative<Piston>(behaviour);
-    });
+    return std::ranges::any_of(behaviours_[k], moves);
 }
 
 SurfaceView::Margins SurfaceView::margins_of() const {

@@ -92,4 +92,12 @@ template <typename Mask, typename Number>
     return mask ? a : b;
 }
 
+/// The same where the mask is made of several, each of which is 0 or ~0 in a lane: of these the
+/// compiler would make branches.
+template <typename Two>
+[[gnu::always_inline]] inline Two select_bits(const TwoMasks& mask, const Two& a, const Two& b) {
+    return reinterpret_cast<Two>((mask & reinterpret_cast<TwoMasks>(a)) |
+                                 (~mask & reinterpret_cast<TwoMasks>(b)));
+}
+
 }  // namespace carom

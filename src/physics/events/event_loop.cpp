@@ -102,7 +102,7 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::put_in_ord
 // The same at any time, with the events already predicted.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::resort() {
-    if constexpr (Dimension == 2 && of_doubles) {
+    if constexpr (is_large) {
         std::vector<std::int32_t> before = put_in_order();
         geometry_.renumber(bodies_, before);
         for (std::int32_t k = 0; k < events_of_surfaces(); ++k)
@@ -228,8 +228,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
-        if constexpr (std::is_same_v<Geometry, Plane>)
-            fetch_ahead_.step(bodies_, geometry_, queue_);
+        if constexpr (is_large) fetch_ahead_.step(bodies_, geometry_, queue_);
         if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
         if (--until_look == 0) {
             throw_if_interrupted();
@@ -328,7 +327,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
         const std::int32_t j = event.partner;
         const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
                          collide(i, j, collision);
-        if constexpr (std::is_same_v<Geometry, Plane>) {
+        if constexpr (is_large) {
             std::array<double, 2> when;
             if (met && geometry_.predict_both(bodies_, i, j, now_, when)) {
                 queue_.schedule(i, when[0]);

@@ -118,6 +118,12 @@ class EventLoop {
     using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
     using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
     using Body = typename Geometry::Body;
+    /// Planes of doubles search so many disks that memory is slow.
+    static constexpr bool is_large = of_doubles && Dimension == 2;
+    struct None {};
+    using Prefetching =
+        typename std::conditional_t<is_large, std::type_identity<FetchAhead<Geometry>>,
+                                    std::type_identity<None>>::type;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
@@ -164,7 +170,7 @@ class EventLoop {
     ChangeHistory<Scalar> changes_;
     double heat_of_events_ = 0.0;
     int cycles_since_sorted_ = 0;
-    FetchAhead fetch_ahead_;
+    [[no_unique_address]] Prefetching fetch_ahead_;
     CollisionCounts counts_;
     ImpulseTotals impulses_;
     Scalar last_collision_ = -1.0;

@@ -1,5 +1,7 @@
 #include "physics/events/fetch_ahead.h"
 
+#include <algorithm>
+
 namespace carom {
 namespace {
 
@@ -18,33 +20,41 @@ constexpr std::uint32_t most_waiting = 32;
 
 }  // namespace
 
-void FetchAhead::ask(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
-    look_ahead(queue);
+template <typename Geometry>
+void FetchAhead<Geometry>::ask(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
+    look_ahead(bodies, queue);
     // when a year begins none of its buckets has been looked at
-    if (queue.buckets_looked_at() < buckets_ahead / 2) look_ahead(queue);
+    if (queue.buckets_looked_at() < buckets_ahead / 2) look_ahead(bodies, queue);
     if (begin_ == end_) return;
     if (end_ - begin_ > most_waiting) begin_ = end_ - most_waiting;
     fetch(bodies, plane, queue);
     if (end_ - begin_ > many_waiting) fetch(bodies, plane, queue);
 }
 
-void FetchAhead::look_ahead(EventQueue& queue) {
+// The events of surfaces, which need no disk, have the numbers behind those of the disks.
+template <typename Geometry>
+void FetchAhead<Geometry>::look_ahead(const Bodies& bodies, EventQueue& queue) {
     std::array<std::int32_t, 3> who;
     const std::uint32_t more = queue.look_ahead(buckets_ahead, who);
-    for (std::uint32_t k = 0; k < who.size(); ++k) coming(end_ + k) = who[k];
+    const auto last = static_cast<std::int32_t>(bodies.size()) - 1;
+    for (std::uint32_t k = 0; k < who.size(); ++k) coming(end_ + k) = std::min(who[k], last);
     end_ += more;
 }
 
-void FetchAhead::fetch(const Plane::Bodies& bodies, Plane& plane, EventQueue& queue) {
+template <typename Geometry>
+void FetchAhead<Geometry>::fetch(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
     const std::uint32_t k = begin_++;
     plane.fetch_disk_ahead(bodies, coming(k));
     const std::int32_t second = coming(k - partner_after);
-    const std::int32_t partner = Plane::partner_ahead(bodies, second, queue.time(second));
+    const std::int32_t partner = Geometry::partner_ahead(bodies, second, queue.time(second));
     plane.fetch_disk_ahead(bodies, partner);
     queue.fetch(partner);
     const std::int32_t third = coming(k - cells_after), last = coming(k - neighbours_after);
     plane.fetch_cells_ahead(bodies, third, queue.time(third));
     plane.fetch_neighbours_ahead(bodies, last, queue.time(last));
 }
+
+template class FetchAhead<Plane>;
+template class FetchAhead<OpenPlane<double>>;
 
 }  // namespace carom

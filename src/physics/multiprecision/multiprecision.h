@@ -177,8 +177,10 @@ class Real {
 inline double as_precise_as(double, double value) { return value; }
 inline Real as_precise_as(const Real& other, double value) { return {value, other.bits()}; }
 
-/// The nearest double that is not larger, for arithmetic written for any scalar.
+/// The nearest double that is not larger, or not smaller, for arithmetic written for any scalar.
 inline double rounded_down(double value) { return value; }
 inline double rounded_down(const Real& value) { return value.rounded_down(); }
+inline double rounded_up(double value) { return value; }
+inline double rounded_up(const Real& value) { return value.rounded_up(); }
 
 }  // namespace carom

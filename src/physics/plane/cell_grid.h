@@ -103,10 +103,10 @@ class CellGrid {
     template <typename Function>
     void for_each_newly_near(double radius, Cell cell, int side, Function&& f) const;
 
-    /// Calls f(slots) for every cell with disks whose centres may lie between two places on an
-    /// axis.
+    /// Calls f(slots) for every cell with small disks in some columns (axis 0) or rows, the last
+    /// one included, and for all with large disks.
     template <typename Function>
-    void for_each_in_band(std::size_t axis, double low, double high, Function&& f) const;
+    void for_each_in_band(std::size_t axis, int first, int last, Function&& f) const;
 
     /// Appends the particles of a cell to `list`, of which `size` entries are used; there is always
     /// room for `spare` more.
@@ -333,12 +333,8 @@ void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&
 }
 
 template <typename Function>
-void CellGrid::for_each_in_band(std::size_t axis, double low, double high, Function&& f) const {
-    const auto cell = [&](double place) {
-        return static_cast<int>(
-            std::clamp(std::floor(place / cell_size_[axis]), 0.0, double(last_cell_[axis])));
-    };
-    for (int k = cell(low); k <= cell(high); ++k) {
+void CellGrid::for_each_in_band(std::size_t axis, int first, int last, Function&& f) const {
+    for (int k = first; k <= last; ++k) {
         for (int l = 0; l <= last_cell_[1 - axis]; ++l) {
             Cell in_band{};
             in_band[axis] = static_cast<std::uint16_t>(k);

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
@@ -29,8 +30,10 @@ struct Viewer {
 };
 
 // The input of a search: all disks, the numbers of those to test, and the images of them.
+template <typename Body>
 struct Scope {
-    const DiskState* disks;
+    static constexpr bool falls = !std::is_same_v<Body, DiskState>;
+    const Body* disks;
     const DiskProperties& properties;
     const Pairing& pairing;
     const std::int32_t* near;
@@ -38,20 +41,33 @@ struct Scope {
     /// Earlier than now by more than a contact's time is rounded.
     double just_before = now - 8 * std::numeric_limits<double>::epsilon() * std::abs(now);
 
-    [[gnu::always_inline]] const DiskState& disk(std::size_t k) const { return disks[near[k]]; }
+    [[gnu::always_inline]] const Body& disk(std::size_t k) const { return disks[near[k]]; }
     [[gnu::always_inline]] const Properties& properties_of(std::size_t k) const {
         return properties[near[k]];
     }
 
     [[gnu::always_inline]] Viewer viewer(std::int32_t i, const FirstContact& first) const {
-        const DiskState& d = disks[i];
+        const Body& d = disks[i];
         const double age = now - d.time;
-        return {(d.x[0] + d.v[0] * age) - pairing.shift[0],
-                (d.x[1] + d.v[1] * age) - pairing.shift[1],
-                d.v[0],
-                d.v[1],
-                properties[i],
-                first.time};
+        Viewer viewer{d.x[0], d.x[1], d.v[0], d.v[1], properties[i], first.time};
+        move(viewer.x, viewer.vx, age, 0);
+        move(viewer.y, viewer.vy, age, 1);
+        viewer.x -= pairing.shift[0];
+        viewer.y -= pairing.shift[1];
+        return viewer;
+    }
+
+    // A coordinate of disks of some age.
+    template <typename Number>
+    [[gnu::always_inline]] void move(Number& x, Number& v, const Number& age,
+                                     std::size_t axis) const {
+        if constexpr (falls) {
+            const Number gain = pairing.gravity[axis] * age;
+            x = x + (v + 0.5 * gain) * age;
+            v = v + gain;
+        } else {
+            x = x + v * age;
+        }
     }
 };
 
@@ -71,21 +87,25 @@ struct Pairs {
 };
 
 // Which of four others might be touched: bits 0 to 3 of the lanes together.
-template <bool several_images, bool alike>
-[[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
+template <bool several_images, bool alike, typename Body>
+[[gnu::always_inline]] inline FourMasks might_touch(const Scope<Body>& scope, const Viewer& a,
                                                     std::size_t k, Pairs& pairs) {
-    const DiskState &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
-                    &b3 = scope.disk(k + 3);
+    const Body &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
+               &b3 = scope.disk(k + 3);
     // Each disk's x and y lie side by side, and vx and vy: turned over, two pairs at a time.
     const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
     const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
     const FourLanes v02 = load_two_and_two(b0.v.data(), b2.v.data());
     const FourLanes v13 = load_two_and_two(b1.v.data(), b3.v.data());
-    const FourLanes others_vx = __builtin_shufflevector(v02, v13, 0, 4, 2, 6);
-    const FourLanes others_vy = __builtin_shufflevector(v02, v13, 1, 5, 3, 7);
+    FourLanes others_vx = __builtin_shufflevector(v02, v13, 0, 4, 2, 6);
+    FourLanes others_vy = __builtin_shufflevector(v02, v13, 1, 5, 3, 7);
     const FourLanes age = scope.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
-    FourLanes x = (__builtin_shufflevector(x02, x13, 0, 4, 2, 6) + others_vx * age) - a.x;
-    FourLanes y = (__builtin_shufflevector(x02, x13, 1, 5, 3, 7) + others_vy * age) - a.y;
+    FourLanes x = __builtin_shufflevector(x02, x13, 0, 4, 2, 6);
+    FourLanes y = __builtin_shufflevector(x02, x13, 1, 5, 3, 7);
+    scope.move(x, others_vx, age, 0);
+    scope.move(y, others_vy, age, 1);
+    x -= a.x;
+    y -= a.y;
     if (several_images) {
         x = nearest(x, scope.pairing, 0);
         y = nearest(y, scope.pairing, 1);
@@ -112,9 +132,9 @@ template <bool several_images, bool alike>
            might_touch_within(motion, sigma, look.approach, latest - scope.just_before);
 }
 
-[[gnu::always_inline]] inline std::uint64_t bits_of(FourMasks mask) {
-    mask |= __builtin_shufflevector(mask, mask, 2, 3, 0, 1);
-    return static_cast<std::uint64_t>(mask[0] | mask[1]);
+[[gnu::always_inline]] inline std::uint64_t bits_of(const FourMasks& mask) {
+    const FourMasks half = mask | __builtin_shufflevector(mask, mask, 2, 3, 0, 1);
+    return static_cast<std::uint64_t>(half[0] | half[1]);
 }
 
 // Takes a contact at `time`, or never, if it comes first. Without branches, which the processor
@@ -131,20 +151,21 @@ template <bool several_images, bool alike>
 
 // The exact times of two contacts, of a with the disk numbered k in `near` and of b with l; the
 // same twice does no harm.
-template <bool alike>
-[[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
+template <bool alike, typename Body>
+[[gnu::always_inline]] inline void solve(const Scope<Body>& scope, const Viewer& a, const Viewer& b,
                                          const Pairs& p, std::size_t k, std::size_t l,
                                          FirstContact& first_of_a, FirstContact& first_of_b) {
-    const DiskState &c = scope.disk(k), &d = scope.disk(l);
+    const Body &c = scope.disk(k), &d = scope.disk(l);
     RelativeMotion<TwoLanes> motion{
         {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
     TwoLanes sigma = both(scope.pairing.sigma);
     if (!alike) sigma = TwoLanes{p.sigma[k], p.sigma[l]};
     for (TwoLanes* pair : {&motion.x, &motion.y, &motion.vx, &motion.vy, &sigma})
         keep_together(*pair);
-    const TwoLanes round_off =
-        approach_round_off(motion, TwoLanes{a.vx, b.vx}, TwoLanes{a.vy, b.vy},
-                           TwoLanes{c.v[0], d.v[0]}, TwoLanes{c.v[1], d.v[1]});
+    const TwoLanes vx{a.vx, b.vx}, vy{a.vy, b.vy};
+    TwoLanes others_vx{c.v[0], d.v[0]}, others_vy{c.v[1], d.v[1]};
+    if constexpr (Scope<Body>::falls) others_vx = motion.vx + vx, others_vy = motion.vy + vy;
+    const TwoLanes round_off = approach_round_off(motion, vx, vy, others_vx, others_vy);
     const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
     TwoMasks possible = met <= TwoLanes{c.prediction.contact_time, d.prediction.contact_time};
     if (!alike) {
@@ -172,10 +193,10 @@ template <bool alike>
     return (k & ~none) | (other & none);
 }
 
-template <bool several_images, bool alike>
-[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope& scope, const Viewer& a,
-                                                             std::size_t begin, std::size_t end,
-                                                             Pairs& pairs) {
+template <bool several_images, bool alike, typename Body>
+[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope<Body>& scope,
+                                                             const Viewer& a, std::size_t begin,
+                                                             std::size_t end, Pairs& pairs) {
     FourMasks found{};
     FourMasks bits = FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(begin);
     for (std::size_t k = begin; k < end; k += lanes) {
@@ -186,9 +207,9 @@ template <bool several_images, bool alike>
 }
 
 // Of one viewer.
-template <bool several_images, bool alike>
-[[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
-                                          FirstContact& first) {
+template <bool several_images, bool alike, typename Body>
+[[gnu::always_inline]] inline void search(const Scope<Body>& scope, std::int32_t i,
+                                          std::size_t count, FirstContact& first) {
     const Viewer a = scope.viewer(i, first);
     Pairs pairs;
     std::uint64_t bits =
@@ -203,8 +224,8 @@ template <bool several_images, bool alike>
 }
 
 // Of two.
-template <bool several_images, bool alike>
-[[gnu::always_inline]] inline void search(const Scope& scope,
+template <bool several_images, bool alike, typename Body>
+[[gnu::always_inline]] inline void search(const Scope<Body>& scope,
                                           const std::array<std::int32_t, 2>& both,
                                           std::size_t split, std::size_t count,
                                           std::array<FirstContact, 2>& firsts) {
@@ -222,8 +243,9 @@ template <bool several_images, bool alike>
 }
 
 // A loop of its own for each kind of pairs.
-template <typename... Arguments>
-[[gnu::always_inline]] inline void search_by_kind(const Scope& scope, Arguments&&... arguments) {
+template <typename Body, typename... Arguments>
+[[gnu::always_inline]] inline void search_by_kind(const Scope<Body>& scope,
+                                                  Arguments&&... arguments) {
     const bool alike = scope.pairing.sigma > 0.0;
     if (alike && scope.pairing.several_images)
         search<true, true>(scope, arguments...);
@@ -259,7 +281,15 @@ CAROM_FOR_EACH_PROCESSOR
 void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
-    search_by_kind(Scope{disks.data(), properties, pairing, near, now}, i, count, first);
+    search_by_kind(Scope<DiskState>{disks.data(), properties, pairing, near, now}, i, count, first);
+}
+
+CAROM_FOR_EACH_PROCESSOR
+void search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
+                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
+                    FirstContact& first) {
+    search_by_kind(Scope<FallingDisk<double>>{disks.data(), properties, pairing, near, now}, i,
+                   count, first);
 }
 
 CAROM_FOR_EACH_PROCESSOR
@@ -267,7 +297,17 @@ void search_two_contacts(const DiskStates& disks, const DiskProperties& properti
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {
-    search_by_kind(Scope{disks.data(), properties, pairing, near, now}, both, split, count, firsts);
+    search_by_kind(Scope<DiskState>{disks.data(), properties, pairing, near, now}, both, split,
+                   count, firsts);
+}
+
+CAROM_FOR_EACH_PROCESSOR
+void search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
+                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
+                         std::size_t split, std::size_t count, const Pairing& pairing,
+                         std::array<FirstContact, 2>& firsts) {
+    search_by_kind(Scope<FallingDisk<double>>{disks.data(), properties, pairing, near, now}, both,
+                   split, count, firsts);
 }
 
 }  // namespace carom

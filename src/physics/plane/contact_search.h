@@ -14,6 +14,7 @@
 #include "physics/collision/pair_collision.h"
 #include "physics/gas.h"
 #include "physics/plane/disk_state.h"
+#include "physics/plane/falling_disk.h"
 
 namespace carom {
 
@@ -25,7 +26,8 @@ struct Pairing {
     std::array<double, 2> half{};
     std::array<double, 2> size{};
     bool several_images = true;
-    double sigma = 0.0;  ///< the sum of radii, if the disks are all alike; else 0
+    double sigma = 0.0;               ///< the sum of radii, if the disks are all alike; else 0
+    std::array<double, 2> gravity{};  ///< the acceleration of all disks, of those that may fall
 
     /// The nearest images, in a box wide enough that they alone come into question.
     static Pairing nearest(const Box& box);
@@ -52,8 +54,12 @@ inline constexpr std::size_t most_searched = 64;
 /// The contact of disk i with the first to be touched of `near`, `count` <= most_searched numbers
 /// (a whole number of lanes; i itself may be among them and is never met), becomes `first` if it
 /// comes before that; of equal times the lowest number counts. A contact with a disk
-/// that has one before is left out: that disk will look again before.
+/// that has one before is left out: that disk will look again before. Disks that may fall all do,
+/// with the acceleration of `pairing`.
 void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
+                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
+                    FirstContact& first);
+void search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
 
@@ -62,6 +68,10 @@ void search_contact(const DiskStates& disks, const DiskProperties& properties, s
 /// whole numbers of lanes. The processor works on both at once, where two searches would wait for
 /// one another.
 void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
+                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
+                         std::size_t split, std::size_t count, const Pairing& pairing,
+                         std::array<FirstContact, 2>& firsts);
+void search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts);

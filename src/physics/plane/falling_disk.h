@@ -5,25 +5,38 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "physics/collision/loop_types.h"
 #include "physics/plane/cell_grid.h"
+#include "physics/plane/disk_state.h"
 
 namespace carom {
 
+/// What DiskState is for doubles.
 template <typename Scalar>
-struct FallingDisk {
-    std::array<Scalar, 2> x{}, v{};  ///< at its own time
-    std::array<Scalar, 2> a{};       ///< 0 while it rests on a floor
-    Scalar time = 0.0;               ///< local
-    double radius = 0.0, inverse_mass = 0.0;
+struct PreciseDiskState {
+    std::array<Scalar, 2> x{}, v{};
+    Scalar time = 0.0;
     std::uint32_t collisions = 0;
     Cell cell{};
+    Prediction prediction{};
+};
+
+/// partner < 0 in its prediction: barrier -1 - partner. What a search for contacts needs of most
+/// disks comes first, in one cache line; it takes all to fall.
+template <typename Scalar>
+struct FallingDisk
+    : std::conditional_t<std::is_same_v<Scalar, double>, DiskState, PreciseDiskState<Scalar>> {
+    std::array<Scalar, 2> a{};  ///< 0 while it rests on a floor
+    double radius = 0.0, inverse_mass = 0.0;
     std::int32_t species = 0;
     std::int32_t passing = -1;  ///< the barrier that it was let through by and has not left
     std::int32_t turns = 0;     ///< of a bead: how often it has gone round a periodic line
-    Prediction prediction{};    ///< partner < 0: barrier -1 - partner
+    bool is_at_rest = false;    ///< on a floor, so that it does not fall
 };
+
+using FallingDisks = LargeVector<FallingDisk<double>>;
 
 template <typename Scalar>
 Scalar position_at(const FallingDisk<Scalar>& d, std::size_t axis, const Scalar& now) {
@@ -37,12 +50,27 @@ Scalar velocity_at(const FallingDisk<Scalar>& d, std::size_t axis, const Scalar&
 }
 
 template <typename Scalar>
-void advance_body(FallingDisk<Scalar>& d, const Scalar& now) {
+inline void advance_body(FallingDisk<Scalar>& d, const Scalar& now) {
     for (std::size_t k = 0; k < 2; ++k) {
         d.x[k] = position_at(d, k, now);
         d.v[k] = velocity_at(d, k, now);
     }
     d.time = now;
 }
+
+/// One in doubles, at the present.
+struct DiskView {
+    std::array<double, 2> x, v, a;
+    double now;
+
+    template <typename Scalar>
+    DiskView(const FallingDisk<Scalar>& d, const Scalar& time) : now(static_cast<double>(time)) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            x[k] = static_cast<double>(position_at(d, k, time));
+            v[k] = static_cast<double>(velocity_at(d, k, time));
+            a[k] = static_cast<double>(d.a[k]);
+        }
+    }
+};
 
 }  // namespace carom

@@ -26,6 +26,23 @@ Scalar dot(const std::array<double, 2>& a, const std::array<Scalar, 2>& b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
+/// Whether a disk may touch a barrier within a time: false only where it certainly does not. A
+/// bound without roots, on how far the disk can come; `size` of the box bounds the rounding errors.
+inline bool may_touch_within(const Barrier& barrier, const BarrierMotion<double>& m, double time,
+                             double size) {
+    const auto way = [&](double v, double a) {
+        return time * (std::abs(v) + 0.5 * time * std::abs(a));
+    };
+    const double touching = barrier.radius + m.radius + 1e-9 * size;
+    if (barrier.kind == Barrier::Kind::circle) {
+        const double reach = touching + way(m.v[0], m.a[0]) + way(m.v[1], m.a[1]);
+        return !(m.x[0] * m.x[0] + m.x[1] * m.x[1] > reach * reach);
+    }
+    const std::array<double, 2>& n = barrier.normal;
+    const double reach = touching + way(dot(n, m.v), dot(n, m.a));
+    return !(std::abs(dot(n, m.x)) > reach);
+}
+
 /// Bound on the rounding error of r . (v2 - v1) of numbers with so many bits, as
 /// approach_round_off() gives it for doubles; `fast`: |v1| + |v2| along each axis.
 inline double approach_error(double x, double y, double fast_x, double fast_y, int bits) {

@@ -45,7 +45,7 @@ Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& n
 
 template <typename Scalar>
 bool OpenLine<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
-                               Contact<1>& contact) const {
+                               Contact<1>& contact) {
     if (!Base::collide(bodies, i, j, contact)) return false;
     for (const std::int32_t k : {i, j})
         surfaces_.settle_at_rest(bodies[static_cast<std::size_t>(k)]);
@@ -54,13 +54,13 @@ bool OpenLine<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
 
 template <typename Scalar>
 void OpenLine<Scalar>::look_for_hits(Bodies& bodies, std::size_t k, const Scalar& now,
-                                     const Earlier<Scalar>& earlier) const {
+                                     const Agenda<Scalar>& agenda) const {
     for (std::size_t b = 0; b < surfaces_.barriers().size() && !bodies.empty(); ++b) {
         if (surfaces_.barriers()[b].surface != static_cast<std::int32_t>(k)) continue;
         const std::int32_t i = k == 0 ? 0 : this->last();
         Body& body = bodies[static_cast<std::size_t>(i)];
         const Scalar time = now + surfaces_.time_to(body, static_cast<std::int32_t>(b), now);
-        if (!earlier(i, time)) continue;
+        if (!agenda.move_forward(i, time)) continue;
         body.prediction.contact_time = rounded_down(time);
         body.prediction.partner = -1 - static_cast<std::int32_t>(b);
         body.prediction.partner_collisions = surfaces_.mover(k).changes & most_collisions;

@@ -35,9 +35,9 @@ class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
     Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) const {
         return predict(bodies, i, now);
     }
-    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact);
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
-                       const Earlier<Scalar>& earlier) const;
+                       const Agenda<Scalar>& agenda) const;
 
   private:
     SurfaceSet<Scalar> surfaces_;

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/collision/lanes.h"
 #include "physics/collision/pair_collision.h"
 
 namespace carom {
 namespace {
-
-auto& at(auto& things, std::integral auto i) { return things[static_cast<std::size_t>(i)]; }
 
 double radius_of_largest(const Particles& particles) {
     return particles.count() > 0 ? particles.radius.maxCoeff() : 0.0;
@@ -20,48 +19,79 @@ double size_of(const Scalar& number) {
     return std::abs(static_cast<double>(number));
 }
 
-// A disk in doubles, at the present.
-struct View {
-    std::array<double, 2> x, v, a;
-    double now;
-
-    template <typename Scalar>
-    View(const FallingDisk<Scalar>& d, const Scalar& time) : now(static_cast<double>(time)) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            x[k] = static_cast<double>(position_at(d, k, time));
-            v[k] = static_cast<double>(velocity_at(d, k, time));
-            a[k] = static_cast<double>(d.a[k]);
-        }
-    }
+// When a disk leaves its cell, and by which side. That is no event of physics, and a cell is a
+// little wider than it must be: doubles and their round-off do.
+struct Leaving {
+    double time;
+    std::uint32_t side;
 };
 
-// A quick look at a disk that falls as the one that looks: whether it certainly does not touch that
-// until a time (quick_look() and might_touch_within(), with their margins).
-[[gnu::always_inline]] inline bool surely_misses(const View& view, const FallingDisk<double>& b,
-                                                 double sigma, double shift_x, double shift_y,
-                                                 double before) {
-    const double t = view.now - b.time;
-    const double fall_x = t * b.a[0], fall_y = t * b.a[1];
-    const RelativeMotion<double> m{b.x[0] + t * (b.v[0] + 0.5 * fall_x) + shift_x - view.x[0],
-                                   b.x[1] + t * (b.v[1] + 0.5 * fall_y) + shift_y - view.x[1],
-                                   b.v[0] + fall_x - view.v[0], b.v[1] + fall_y - view.v[1]};
-    const QuickLook<double> look = quick_look(m, sigma);
-    const bool might = (look.approach > 0.0) & (look.slack >= 0.0) &
-                       might_touch_within(m, sigma, look.approach, before - view.now);
-    return !might & (b.a == view.a);
+// The cell of a disk along both axes, and the disk in it. All in lanes and without branches: the
+// processor cannot predict where the disk goes.
+struct InCell {
+    TwoLanes low, high;        ///< the borders
+    TwoMasks no_low, no_high;  ///< where there is none
+    TwoLanes x, v;
+};
+
+[[gnu::always_inline]] inline Leaving first_of(const TwoLanes& time, const TwoMasks& upwards) {
+    const TwoMasks side = TwoMasks{0, 2} - upwards;
+    const TwoMasks other_first = swapped(time) < time;
+    return {select_bits(other_first, swapped(time), time)[0],
+            static_cast<std::uint32_t>(select_bits(other_first, swapped(side), side)[0])};
+}
+
+[[gnu::always_inline]] inline Leaving leaving_straight(const InCell& in) {
+    const TwoLanes zero{}, none = both(never<double>);
+    const TwoMasks upwards = in.v > zero;
+    const TwoLanes ahead = (select_bits(upwards, in.high, in.low) - in.x) / in.v;
+    const TwoMasks stays = select_bits(upwards, in.no_high, in.no_low) | (in.v == zero);
+    return first_of(select_bits(stays, none, select_bits(ahead > zero, ahead, zero)), upwards);
+}
+
+// A coordinate is mirrored if need be, so that it falls down; it may rise first, but not so far.
+[[gnu::always_inline]] inline Leaving leaving_in_fall(const InCell& in, const TwoLanes& a) {
+    const TwoLanes zero{}, none = both(never<double>);
+    const TwoMasks mirrored = a > zero;
+    const TwoLanes v = select_bits(mirrored, -in.v, in.v), g = abs(a);
+    TwoLanes below = in.x - in.low, above = in.high - in.x;
+    const TwoLanes kept = below;
+    below = select_bits(mirrored, above, below);
+    above = select_bits(mirrored, kept, above);
+    below = select_bits(below > zero, below, zero);
+    above = select_bits(above > zero, above, zero);
+    const TwoMasks no_below = select_bits(mirrored, in.no_high, in.no_low);
+    const TwoMasks no_above = select_bits(mirrored, in.no_low, in.no_high);
+    const TwoLanes over = v * v - 2.0 * g * above;
+    const TwoMasks rises = v > zero, arrives = rises & (over > zero) & ~no_above;
+    const TwoLanes root = sqrt(select_bits(arrives, over, v * v + 2.0 * g * below));
+    const TwoMasks returns = rises & ~arrives;
+    const TwoLanes way = select_bits(returns, v + root, 2.0 * select_bits(arrives, above, below));
+    const TwoLanes speed = select_bits(returns, g, select_bits(arrives, v + root, root - v));
+    const TwoMasks stays = (~arrives & no_below) | ((v == zero) & (g == zero));
+    const TwoLanes time = select_bits(way > zero, way / speed, zero);
+    return first_of(select_bits(stays, none, time), arrives ^ mirrored);
 }
 
 }  // namespace
 
+template class PairSearch<FallingDisk<double>>;
+
 template <typename Scalar>
 OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
                              const Arithmetic& arithmetic)
-    : box_(box),
-      grid_(box, particles.radius),
+    : Base(box, particles, {box.surfaces.gravity[0], box.surfaces.gravity[1]}),
       bits_(arithmetic.bits),
       largest_(radius_of_largest(particles)),
+      has_gravity_((box.surfaces.gravity != 0.0).any()),
       surfaces_(box, largest_ + std::max(grid_.cell_size()[0], grid_.cell_size()[1]),
-                grid_.cell_size(), arithmetic.bits) {}
+                grid_.cell_size(), arithmetic.bits) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const bool ends = !box.is_periodic(axis);
+        first_with_end_[axis] = ends ? 0.0 : -1.0;
+        last_with_end_[axis] = ends ? grid_.last_cell()[axis] : -1.0;
+    }
+}
 
 // How far a disk in a cell may reach beyond it along an axis.
 template <typename Scalar>
@@ -69,29 +99,31 @@ double OpenPlane<Scalar>::reach_of(std::size_t axis) const {
     return (largest_ + grid_.overhang()[axis]) * (1.0 + 1e-9) + 1e-9 * box_.size.maxCoeff();
 }
 
+// The column or row of cells in which a place lies.
+template <typename Scalar>
+int OpenPlane<Scalar>::cell_along(std::size_t axis, double place) const {
+    return static_cast<int>(std::clamp(std::floor(place / grid_.cell_size()[axis]), 0.0,
+                                       static_cast<double>(grid_.last_cell()[axis])));
+}
+
 // Each cell's list of what a disk in it may touch, one after the other.
 template <typename Scalar>
 void OpenPlane<Scalar>::list_barriers() {
     const std::array cells{grid_.last_cell()[0] + 1, grid_.last_cell()[1] + 1};
-    const std::array<double, 2>& size = grid_.cell_size();
     std::vector<std::vector<std::int32_t>> lists(static_cast<std::size_t>(cells[0] * cells[1]));
     moving_.clear();
     for (std::size_t k = 0; k < surfaces_.barriers().size(); ++k) {
         const Barrier& barrier = surfaces_.barriers()[k];
         if (!surfaces_.is_there(barrier)) continue;
         if (surfaces_.is_mobile(barrier)) {
-            moving_.push_back(static_cast<std::int32_t>(k));
+            moving_.push_back({.barrier = static_cast<std::int32_t>(k)});
             continue;
         }
         std::array<int, 2> from{}, to{};
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double reach = reach_of(axis);
-            const auto cell = [&](double x) {
-                return static_cast<int>(
-                    std::clamp(std::floor(x / size[axis]), 0.0, cells[axis] - 1.0));
-            };
-            from[axis] = cell(barrier.low(axis) - reach);
-            to[axis] = cell(barrier.high(axis) + reach);
+            from[axis] = cell_along(axis, barrier.low(axis) - reach);
+            to[axis] = cell_along(axis, barrier.high(axis) + reach);
         }
         for (int row = from[1]; row <= to[1]; ++row)
             for (int column = from[0]; column <= to[0]; ++column)
@@ -106,24 +138,20 @@ void OpenPlane<Scalar>::list_barriers() {
 }
 
 template <typename Scalar>
+void OpenPlane<Scalar>::list_reach(std::size_t k) {
+    const Mover<Scalar>& mover = surfaces_.mover(k);
+    const double reach = reach_of(mover.axis);
+    for (Moving& moving : moving_) {
+        if (surfaces_.barrier(moving.barrier).surface != static_cast<std::int32_t>(k)) continue;
+        moving.first = cell_along(mover.axis, static_cast<double>(mover.low) - reach);
+        moving.last = cell_along(mover.axis, static_cast<double>(mover.high) + reach);
+    }
+}
+
+template <typename Scalar>
 void OpenPlane<Scalar>::enter(Bodies& bodies) {
-    for (Body& body : bodies)
-        body.cell = grid_.cell_at(static_cast<double>(body.x[0]), static_cast<double>(body.x[1]));
-    fill_grid(bodies);
+    Base::enter(bodies);
     resettle(bodies);
-}
-
-template <typename Scalar>
-void OpenPlane<Scalar>::fill_grid(const Bodies& bodies) {
-    grid_.clear();
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-        grid_.add(static_cast<std::int32_t>(k), bodies[k].radius, bodies[k].cell);
-}
-
-template <typename Scalar>
-void OpenPlane<Scalar>::renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
-    renumber_partners(bodies, before);
-    fill_grid(bodies);
 }
 
 template <typename Scalar>
@@ -131,6 +159,7 @@ void OpenPlane<Scalar>::resettle(Bodies& bodies) {
     list_barriers();
     for (Body& body : bodies) surfaces_.settle_at_rest(body);
     if (!bodies.empty()) surfaces_.enter(bodies, bodies[0].time);
+    for (std::size_t k = 0; k < surfaces_.mover_count(); ++k) list_reach(k);
 }
 
 template <typename Scalar>
@@ -152,9 +181,13 @@ Scalar OpenPlane<Scalar>::pair_time(const Body& a, const Body& b,
                                         as_precise_as(r[0], a.radius) + b.radius, round_off, bits_);
 }
 
+// Those that it may touch before a time.
 template <typename Scalar>
-void OpenPlane<Scalar>::look_at_barriers(const Body& body, const Scalar& now, First& first) const {
+inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, const DiskView& view,
+                                                const Scalar& now, double before,
+                                                First& first) const {
     const auto look = [&](std::int32_t k) {
+        if (!surfaces_.may_touch(view, body.radius, k, before)) return;
         const Barrier& barrier = surfaces_.barrier(k);
         if (surfaces_.lets_pass(barrier, body.species)) return;
         const Scalar time = now + surfaces_.time_to(body, k, now);
@@ -163,54 +196,45 @@ void OpenPlane<Scalar>::look_at_barriers(const Body& body, const Scalar& now, Fi
     const int cell = body.cell[1] * (grid_.last_cell()[0] + 1) + body.cell[0];
     for (std::int32_t k = at(first_listed_, cell); k < at(first_listed_, cell + 1); ++k)
         look(at(listed_, k));
-    for (const std::int32_t k : moving_) look(k);
-}
-
-// When a body leaves its cell, and by which side. A cell beside a wall has no border there. That is
-// no event of physics: a time in doubles will do, as a cell is a little wider than it must be.
-template <typename Scalar>
-Scalar OpenPlane<Scalar>::border_time(const Body& body, const Scalar& now,
-                                      std::uint32_t& side) const {
-    const std::array<int, 2>& last = grid_.last_cell();
-    double first = never<double>;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const auto x = static_cast<double>(position_at(body, axis, now));
-        const auto v = static_cast<double>(velocity_at(body, axis, now));
-        const auto a = static_cast<double>(body.a[axis]);
-        const bool periodic = box_.is_periodic(axis);
-        const double hang = grid_.overhang()[axis];
-        for (const unsigned up : {0U, 1U}) {
-            if (!periodic && body.cell[axis] == (up == 1 ? last[axis] : 0)) continue;
-            const double border = grid_.cell_size()[axis] * (body.cell[axis] + up);
-            const double t =
-                up == 1 ? fall_time(border + hang - x, -v, -a) : fall_time(x - border + hang, v, a);
-            if (!(t < first)) continue;
-            first = t;
-            side = first_cell_side + 2 * static_cast<unsigned>(axis) + up;
-        }
+    for (const Moving& moving : moving_) {
+        const int along = body.cell[surfaces_.axis_of(surfaces_.barrier(moving.barrier))];
+        if (moving.first <= along && along <= moving.last) look(moving.barrier);
     }
-    return now + first;
 }
 
-// Of the disks in some cells.
+// Time until a body leaves its cell, and by which side. A cell beside a wall has no border there.
+template <typename Scalar>
+inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& view,
+                                             std::uint32_t& side) const {
+    const TwoLanes cell{static_cast<double>(body.cell[0]), static_cast<double>(body.cell[1])};
+    const TwoLanes size = load_two(grid_.cell_size().data());
+    const TwoLanes hang = load_two(grid_.overhang().data());
+    const InCell in{.low = size * cell - hang,
+                    .high = size * (cell + 1.0) + hang,
+                    .no_low = cell == first_with_end_,
+                    .no_high = cell == last_with_end_,
+                    .x = load_two(view.x.data()),
+                    .v = load_two(view.v.data())};
+    const Leaving leaving =
+        has_gravity_ ? leaving_in_fall(in, load_two(view.a.data())) : leaving_straight(in);
+    side = first_cell_side + leaving.side;
+    return leaving.time;
+}
+
+// Of the disks in some cells: any scalars, falling or at rest.
 template <typename Scalar>
 auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                      First& first) {
-    const Body& body = at(bodies, i);
-    return [this, &bodies, &now, &first, &body, i, view = View(body, now)](
-               const CellGrid::Slots& slots, double shift_x, double shift_y) {
+    return [this, &bodies, &now, &first, i](const CellGrid::Slots& slots, double shift_x,
+                                            double shift_y) {
         const std::array<double, 2> shift{shift_x, shift_y};
         std::size_t count = 0;
         grid_.append(slots, near_, count);
         for (std::size_t k = 0; k < count; ++k) {
             const std::int32_t j = near_[k];
-            const Body& other = at(bodies, j);
             if (j == i) continue;
-            if constexpr (of_doubles)
-                if (surely_misses(view, other, body.radius + other.radius, shift_x, shift_y,
-                                  first.time))
-                    continue;
-            const Scalar time = now + pair_time(body, other, shift, now);
+            const Body& other = at(bodies, j);
+            const Scalar time = now + pair_time(at(bodies, i), other, shift, now);
             if (time < first.time || (time == first.time && j < first.partner))
                 first = {time, j, other.collisions & most_collisions};
         }
@@ -220,10 +244,11 @@ auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const
 // The contact, a hit of a surface, or the border of the cell. With doubles the body keeps a contact
 // that may come after the border; with many bits two times may be one double.
 template <typename Scalar>
-Scalar OpenPlane<Scalar>::next_event(Body& body, const Scalar& now, First& first) {
-    look_at_barriers(body, now, first);
+inline Scalar OpenPlane<Scalar>::next_event(Body& body, const Scalar& now, First first) {
+    const DiskView view(body, now);
     std::uint32_t side = 0;
-    Scalar border = border_time(body, now, side);
+    Scalar border = now + border_time(body, view, side);
+    look_at_barriers(body, view, now, rounded_up(std::min(first.time, border)), first);
     const bool is_contact = first.time <= border;
     body.prediction = {
         .contact_time = of_doubles || is_contact ? rounded_down(first.time) : never<double>,
@@ -236,61 +261,45 @@ Scalar OpenPlane<Scalar>::next_event(Body& body, const Scalar& now, First& first
 template <typename Scalar>
 Scalar OpenPlane<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) {
     Body& body = at(bodies, i);
+    if constexpr (of_doubles)
+        if (all_fall()) return next_event(body, now, First(this->first_contact(bodies, i, now)));
     First first;
     grid_.for_each_near(body.radius, body.cell, search_slots(bodies, i, now, first));
-    return next_event(body, now, first);
+    return next_event(body, now, std::move(first));
+}
+
+template <typename Scalar>
+bool OpenPlane<Scalar>::predict_both(Bodies& bodies, std::int32_t i, std::int32_t j,
+                                     const Scalar& now, std::array<Scalar, 2>& when) {
+    if constexpr (of_doubles) {
+        std::array<FirstContact, 2> contacts;
+        if (!all_fall() || !this->first_contacts(bodies, i, j, now, contacts)) return false;
+        when = {next_event(at(bodies, i), now, First(contacts[0])),
+                next_event(at(bodies, j), now, First(contacts[1]))};
+        return true;
+    }
+    return false;
 }
 
 template <typename Scalar>
 Scalar OpenPlane<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i, int side,
                                                  const Scalar& now) {
-    if constexpr (of_doubles) {
-        Body& body = at(bodies, i);
-        // Beyond a periodic side it meets other images of the same barriers.
-        if (grid_.is_last(body.cell, side ^ 1)) return predict(bodies, i, now);
-        First first{body.prediction.contact_time, body.prediction.partner,
-                    body.prediction.partner_collisions};
-        grid_.for_each_newly_near(body.radius, body.cell, side,
-                                  search_slots(bodies, i, now, first));
-        return next_event(body, now, first);
-    } else {
-        return predict(bodies, i, now);
-    }
-}
-
-template <typename Scalar>
-void OpenPlane<Scalar>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
     Body& body = at(bodies, i);
-    const Cell from = body.cell;
-    body.cell = grid_.next_cell(from, side);
-    if (grid_.is_last(from, side)) {  // leaves a periodic box, and enters at the other side
-        const auto axis = static_cast<std::size_t>(side / 2);
-        advance_body(body, now);
-        body.x[axis] += side % 2 == 1 ? -box_.length(axis) : box_.length(axis);
-    }
-    grid_.move(i, body.radius, from, body.cell);
+    // Beyond a periodic side it meets other images of the same barriers.
+    if (!all_fall() || grid_.is_last(body.cell, side ^ 1)) return predict(bodies, i, now);
+    if constexpr (of_doubles)
+        return next_event(body, now,
+                          First(this->first_contact_after_crossing(bodies, i, side, now)));
+    return predict(bodies, i, now);
 }
 
 template <typename Scalar>
 bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
-                                Contact<2>& contact) const {
+                                Contact<2>& contact) {
     Body &a = at(bodies, i), &b = at(bodies, j);
     const double sigma = a.radius + b.radius;
-    // Of the images of b the one in contact with a that it approaches.
     RelativeMotion<Scalar> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
-    double best = never<double>;
-    for (int turns_x = -1; turns_x <= 1; ++turns_x) {
-        if (turns_x != 0 && !box_.is_periodic(0)) continue;
-        for (int turns_y = -1; turns_y <= 1; ++turns_y) {
-            if (turns_y != 0 && !box_.is_periodic(1)) continue;
-            const Scalar x = b.x[0] - a.x[0] + turns_x * box_.size[0];
-            const Scalar y = b.x[1] - a.x[1] + turns_y * box_.size[1];
-            const double misfit = size_of(Scalar(x * x + y * y - sigma * sigma));
-            if (!(misfit < best) || !(x * m.vx + y * m.vy < 0.0)) continue;
-            best = misfit, m.x = x, m.y = y;
-        }
-    }
-    if (best == never<double>) return false;
+    if (!this->separation_at_contact(a, b, sigma, m.x, m.y)) return false;
     const Scalar square = m.x * m.x + m.y * m.y;
     const Scalar factor = divided_by_sum<Scalar>(2.0 * (m.x * m.vx + m.y * m.vy) / square,
                                                  as_precise_as(m.x, a.inverse_mass),
@@ -313,28 +322,31 @@ bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
 
 template <typename Scalar>
 void OpenPlane<Scalar>::look_for_hits(Bodies& bodies, std::size_t k, const Scalar& now,
-                                      const Earlier<Scalar>& earlier) {
+                                      const Agenda<Scalar>& agenda) {
+    list_reach(k);
     const Mover<Scalar>& mover = surfaces_.mover(k);
-    const double reach = reach_of(mover.axis);
-    grid_.for_each_in_band(
-        mover.axis, static_cast<double>(mover.low) - reach, static_cast<double>(mover.high) + reach,
-        [&](const CellGrid::Slots& slots) {
-            std::size_t count = 0;
-            grid_.append(slots, near_, count);
-            for (std::size_t n = 0; n < count; ++n) {
-                Body& body = at(bodies, near_[n]);
-                for (const std::int32_t barrier : moving_) {
-                    if (surfaces_.barrier(barrier).surface != static_cast<std::int32_t>(k) ||
-                        surfaces_.lets_pass(surfaces_.barrier(barrier), body.species))
-                        continue;
-                    const Scalar time = now + surfaces_.time_to(body, barrier, now);
-                    if (!earlier(near_[n], time)) continue;
-                    body.prediction.contact_time = rounded_down(time);
-                    body.prediction.partner = -1 - barrier;
-                    body.prediction.partner_collisions = mover.changes & most_collisions;
-                }
-            }
-        });
+    for (const Moving& moving : moving_) {
+        const Barrier& barrier = surfaces_.barrier(moving.barrier);
+        if (barrier.surface != static_cast<std::int32_t>(k)) continue;
+        const auto look_at = [&](std::int32_t i) {
+            Body& body = at(bodies, i);
+            const double planned = agenda.time_of(i);
+            if (!surfaces_.may_touch(DiskView(body, now), body.radius, moving.barrier, planned))
+                return;
+            if (surfaces_.lets_pass(barrier, body.species)) return;
+            const Scalar time = now + surfaces_.time_to(body, moving.barrier, now);
+            if (!agenda.move_forward(i, time)) return;
+            body.prediction.contact_time = rounded_down(time);
+            body.prediction.partner = -1 - moving.barrier;
+            body.prediction.partner_collisions = mover.changes & most_collisions;
+        };
+        grid_.for_each_in_band(mover.axis, moving.first, moving.last,
+                               [&](const CellGrid::Slots& slots) {
+                                   std::size_t count = 0;
+                                   grid_.append(slots, near_, count);
+                                   for (std::size_t n = 0; n < count; ++n) look_at(near_[n]);
+                               });
+    }
 }
 
 template class OpenPlane<double>;

@@ -8,24 +8,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "physics/collision/loop_types.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
-#include "physics/plane/cell_grid.h"
 #include "physics/plane/falling_disk.h"
-#include "physics/plane/order_of_cells.h"
+#include "physics/plane/pair_search.h"
 #include "physics/surfaces/surface_set.h"
 
 namespace carom {
 
-/// As a plane and a line with surfaces call back: whether a disk has no earlier event than `time`,
-/// which is then scheduled for it.
+/// What a plane and a line with surfaces are told of the queue of events: when a disk's next event
+/// comes, rounded up, and how to put an earlier one in its place; false, and nothing is done, if it
+/// is not earlier.
 template <typename Scalar>
-using Earlier = std::function<bool(std::int32_t, const Scalar& time)>;
+struct Agenda {
+    std::function<double(std::int32_t)> time_of;
+    std::function<bool(std::int32_t, const Scalar& time)> move_forward;
+};
 
 /// The bodies of these particles, with their species.
 template <typename Scalar>
@@ -36,9 +38,12 @@ LargeVector<FallingDisk<Scalar>> falling_bodies_of(const Particles& particles) {
     return bodies;
 }
 
+extern template class PairSearch<FallingDisk<double>>;
+
 template <typename Scalar>
-class OpenPlane : public PlainBodies<FallingDisk<Scalar>> {
+class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
   public:
+    using Base = PairSearch<FallingDisk<Scalar>>;
     using Body = FallingDisk<Scalar>;
     using Bodies = LargeVector<Body>;
 
@@ -51,15 +56,6 @@ class OpenPlane : public PlainBodies<FallingDisk<Scalar>> {
     SurfaceSet<Scalar>& surfaces() { return surfaces_; }
     const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
 
-    // As those of Plane.
-    static bool is_resorted(std::size_t count) {
-        return of_doubles && count >= least_in_order_of_cells;
-    }
-    std::vector<std::int32_t> order(const Bodies& bodies) const {
-        return order_of_cells(grid_, bodies);
-    }
-    void renumber(Bodies& bodies, const std::vector<std::int32_t>& before);
-
     /// Takes the bodies as they are at the present, and the surfaces.
     void enter(Bodies& bodies);
     /// The same, of bodies that are where they were.
@@ -67,48 +63,64 @@ class OpenPlane : public PlainBodies<FallingDisk<Scalar>> {
 
     /// Finds out what happens next to a body, which keeps it, and returns when (local time).
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
+    /// As Plane has it.
+    bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, const Scalar& now,
+                      std::array<Scalar, 2>& when);
     /// The same for a body that has just crossed the side of a cell.
     Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
-    /// The body goes over to the next cell.
-    void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
-
     /// Changes the velocities of two disks in contact that are at one time, false if they do not
     /// approach.
-    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
     /// After a mover has changed its motion, or was registered anew: gives the disks that it
     /// reaches before what was predicted that event.
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
-                       const Earlier<Scalar>& earlier);
+                       const Agenda<Scalar>& agenda);
 
   private:
+    using Base::at, Base::box_, Base::grid_, Base::near_, Base::of_doubles;
+
     /// The first event found so far.
     struct First {
         Scalar time = never<double>;
         std::int32_t partner = 0;
         std::uint32_t partner_collisions = 0;
+
+        First() = default;
+        First(Scalar at, std::int32_t who, std::uint32_t collisions)
+            : time(std::move(at)), partner(who), partner_collisions(collisions) {}
+        explicit First(const FirstContact& contact)
+            : First(contact.time, contact.partner(), contact.collisions()) {}
     };
-    static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
-    void fill_grid(const Bodies& bodies);
+    /// A barrier that may move, and the columns or rows of cells from which a disk can reach it
+    /// until its mover is registered anew.
+    struct Moving {
+        std::int32_t barrier;
+        int first = 0, last = 0;
+    };
     void list_barriers();
+    void list_reach(std::size_t mover);
     double reach_of(std::size_t axis) const;
+    int cell_along(std::size_t axis, double place) const;
+    bool all_fall() const { return of_doubles && surfaces_.count_at_rest() == 0; }
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
                      const Scalar& now) const;
-    void look_at_barriers(const Body& body, const Scalar& now, First& first) const;
+    void look_at_barriers(const Body& body, const DiskView& view, const Scalar& now, double before,
+                          First& first) const;
     auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
-    Scalar next_event(Body& body, const Scalar& now, First& first);
-    Scalar border_time(const Body& body, const Scalar& now, std::uint32_t& side) const;
+    Scalar next_event(Body& body, const Scalar& now, First first);
+    double border_time(const Body& body, const DiskView& view, std::uint32_t& side) const;
 
-    Box box_;
-    CellGrid grid_;
     int bits_;
     double largest_;  ///< radius
+    bool has_gravity_;
     SurfaceSet<Scalar> surfaces_;
-    std::vector<std::int32_t> moving_;        ///< barriers that may move
+    /// Along each axis the cells without a border below and above, -1 where a box is periodic.
+    TwoLanes first_with_end_{}, last_with_end_{};
+    std::vector<Moving> moving_;
     std::vector<std::int32_t> listed_;        ///< barriers at rest, cell by cell
     std::vector<std::int32_t> first_listed_;  ///< of each cell, and one more
-    std::vector<std::int32_t> near_ = std::vector<std::int32_t>(4 * CellGrid::spare);
 };
 
 extern template class OpenPlane<double>;

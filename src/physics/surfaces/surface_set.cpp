@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "util/random.h"
@@ -49,7 +50,8 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
     : box_(box),
       registered_(registered),
       bits_(bits),
-      least_radius_(side_of_points * box.size.maxCoeff()),
+      size_of_box_(box.size.maxCoeff()),
+      least_radius_(side_of_points * size_of_box_),
       behaviours_(behaviours_of(box)),
       is_open_(behaviours_.size()),
       is_held_(behaviours_.size()),
@@ -135,6 +137,24 @@ BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barr
 }
 
 template <typename Scalar>
+bool SurfaceSet<Scalar>::may_touch(const DiskView& disk, double radius, std::int32_t k,
+                                   double before) const {
+    const Barrier& its = barrier(k);
+    BarrierMotion<double> m{.x = disk.x, .v = disk.v, .a = disk.a, .radius = radius};
+    std::array<double, 2> place = its.place;
+    if (const auto* mover = mover_of(its)) {
+        const double t = disk.now - static_cast<double>(mover->time);
+        const auto v = static_cast<double>(mover->velocity);
+        const auto a = static_cast<double>(mover->acceleration);
+        place[mover->axis] = static_cast<double>(mover->place) + t * (v + 0.5 * t * a);
+        m.v[mover->axis] -= v + a * t;
+        m.a[mover->axis] -= a;
+    }
+    for (std::size_t a = 0; a < 2; ++a) m.x[a] -= place[a];
+    return may_touch_within(its, m, before - disk.now, size_of_box_);
+}
+
+template <typename Scalar>
 Scalar SurfaceSet<Scalar>::time_to(const Body& body, std::int32_t k, const Scalar& now) const {
     const Barrier& its = barrier(k);
     const BarrierMotion<Scalar> m = motion_of(body, its, now);
@@ -175,10 +195,12 @@ std::optional<std::int32_t> SurfaceSet<Scalar>::overlapped(const Body& body, con
 }
 
 template <typename Scalar>
-void SurfaceSet<Scalar>::settle_at_rest(Body& body) const {
+void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
     const Eigen::Array2d& gravity = box_.surfaces.gravity;
-    body.a = {as_precise_as(body.x[0], gravity[0]), as_precise_as(body.x[0], gravity[1])};
     if (gravity[0] == 0.0 && gravity[1] == 0.0) return;
+    if (std::exchange(body.is_at_rest, false)) --at_rest_;
+    body.a = {as_precise_as(body.x[0], gravity[0]), as_precise_as(body.x[0], gravity[1])};
+    if ((body.v[0] != 0.0) & (body.v[1] != 0.0)) return;  // floors lie along an axis
     const double slack = 1e-12 * box_.size.maxCoeff();
     for (const std::int32_t k : floors_) {
         const Barrier& wall = barrier(k);
@@ -190,6 +212,7 @@ void SurfaceSet<Scalar>::settle_at_rest(Body& body) const {
         }
         if (std::abs(distance) > body.radius + slack || !(distance * pull < 0.0)) continue;
         for (std::size_t a = 0; a < 2; ++a) body.a[a] -= Scalar(pull * wall.normal[a]);
+        if (!std::exchange(body.is_at_rest, true)) ++at_rest_;
     }
 }
 

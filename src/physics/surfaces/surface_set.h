@@ -46,6 +46,10 @@ class SurfaceSet {
     /// Whether it is in the box at present, and whether it may move.
     bool is_there(const Barrier& barrier) const;
     bool is_mobile(const Barrier& barrier) const { return mover_of(barrier) != nullptr; }
+    /// Along which its surface moves, if it does.
+    std::size_t axis_of(const Barrier& barrier) const {
+        return movers_[static_cast<std::size_t>(barrier.surface)].axis;
+    }
     /// Whether it lets all disks of a species through.
     bool lets_pass(const Barrier& barrier, std::int32_t species) const;
     /// How often its motion has changed, as predictions count it.
@@ -54,6 +58,9 @@ class SurfaceSet {
     Vector velocity_of(const Barrier& barrier, const Scalar& now) const;
     /// Where a disk touches it.
     Vector contact_point(const Body& body, const Barrier& barrier, const Scalar& now) const;
+
+    /// Whether a disk may touch a barrier before a time: false only where it certainly does not.
+    bool may_touch(const DiskView& disk, double radius, std::int32_t barrier, double before) const;
 
     /// Time from `now` until a disk touches a barrier, `never` if it does not.
     Scalar time_to(const Body& body, std::int32_t barrier, const Scalar& now) const;
@@ -65,7 +72,9 @@ class SurfaceSet {
 
     /// Gives a disk its acceleration. One that lies on a wall and does not leave it does not fall:
     /// the wall carries it.
-    void settle_at_rest(Body& body) const;
+    void settle_at_rest(Body& body);
+    /// How many do not fall for that reason.
+    std::int64_t count_at_rest() const { return at_rest_; }
 
     /// The surface that a disk overlaps at a time, if any; of `only`, if given.
     std::optional<std::int32_t> overlapped(const Body& body, const Scalar& now,
@@ -120,6 +129,7 @@ class SurfaceSet {
     Box box_;
     std::array<double, 2> registered_;
     int bits_;
+    double size_of_box_;
     double least_radius_;                ///< that surfaces see, so that points have a side of them
     std::vector<Behaviour> behaviours_;  ///< of each surface
     std::vector<bool> is_open_, is_held_;
@@ -127,6 +137,7 @@ class SurfaceSet {
     std::vector<std::int32_t> floors_;  ///< lines from wall to wall
     std::vector<Mover<Scalar>> movers_;
     std::vector<SurfaceTotals> totals_;
+    std::int64_t at_rest_ = 0;
     double driven_work_ = 0.0;
     double most_work_ = never<double>;
 };

@@ -1,0 +1,355 @@
+// Which disk a disk touches first: those in the cells about it (cell_grid.h) are searched by
+// contact_search.h, and what a search will need is prefetched. Also the disks' order in memory, and
+// the cells that they go over to. Knows no walls, no queue and no clock.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "physics/collision/loop_types.h"
+#include "physics/plane/cell_grid.h"
+#include "physics/plane/contact_search.h"
+#include "physics/plane/disk_state.h"
+#include "physics/plane/order_of_cells.h"
+
+namespace carom {
+
+/// Of bodies that are DiskStates, or have these for a base. Only those of doubles are searched by
+/// it and put in order.
+template <typename BodyType>
+class PairSearch {
+  public:
+    using Body = BodyType;
+    using Bodies = LargeVector<Body>;
+
+    PairSearch(const Box& box, const Particles& particles, const std::array<double, 2>& gravity)
+        : box_(box),
+          grid_(box, particles.radius),
+          properties_(particles),
+          nearest_(Pairing::nearest(box)),
+          only_(Pairing::shifted(0.0, 0.0)) {
+        if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * particles.radius[0];
+        nearest_.gravity = only_.gravity = gravity;
+        for (std::size_t a = 0; a < 2; ++a)
+            surely_nearest_[a] = grid_.narrow()[a]    ? -1.0
+                                 : box.is_periodic(a) ? 0.5 * box.length(a)
+                                                      : never<double>;
+    }
+
+    /// What the one or the other of the bodies is.
+    const Properties& properties(const Bodies&, std::size_t i) const { return properties_[i]; }
+
+    /// Whether so many bodies are put in order now and then.
+    static bool is_resorted(std::size_t count) {
+        return of_doubles && count >= least_in_order_of_cells;
+    }
+
+    /// The order in which bodies shall lie in memory: disks near each other in the box near each
+    /// other, along a Z-curve through the cells. Few stay as they are: they fit into the cache.
+    /// What is known here of each is put in that order at once.
+    std::vector<std::int32_t> order(const Bodies& bodies) {
+        std::vector<std::int32_t> numbers = order_of_cells(grid_, bodies);
+        if (is_resorted(bodies.size())) properties_.renumber(numbers);
+        return numbers;
+    }
+
+    /// Takes the bodies as they are, in order, at time 0.
+    void enter(Bodies& bodies) {
+        for (Body& body : bodies)
+            body.cell =
+                grid_.cell_at(static_cast<double>(body.x[0]), static_cast<double>(body.x[1]));
+        fill_grid(bodies);
+    }
+
+    /// The same bodies in another order, at any times of their own: k is who was before[k].
+    void renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
+        renumber_partners(bodies, before);
+        fill_grid(bodies);
+    }
+
+    /// The body goes over to the next cell.
+    template <typename Scalar>
+    void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
+
+    /// Prefetch what the event of disk i at `time` will need, in this order, each when the one
+    /// before has arrived: the disk itself; then, by the same call, its partner; the cells about
+    /// both; and the disks in these.
+    void fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
+        constexpr std::size_t cache_line = 64;
+        const auto* begin = reinterpret_cast<const char*>(&at(bodies, i));
+        for (std::size_t k = 0; k < sizeof(Body); k += cache_line) __builtin_prefetch(begin + k);
+    }
+    void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const;
+    void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time);
+
+    /// The other disk of the event of disk i at `time`, or i where there is none.
+    static std::int32_t partner_ahead(const Bodies& bodies, std::int32_t i, double time);
+
+  protected:
+    static constexpr bool of_doubles = std::is_base_of_v<DiskState, Body>;
+    static auto& at(auto& bodies, std::int32_t i) { return bodies[static_cast<std::size_t>(i)]; }
+
+    /// The first contact of a disk.
+    FirstContact first_contact(const Bodies& bodies, std::int32_t i, double now);
+    /// The same of two that have just collided; false, and nothing is found, where one might meet
+    /// the other again before it meets a third.
+    bool first_contacts(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                        std::array<FirstContact, 2>& contacts);
+    /// The same of one that has just crossed the side of a cell: the contact that was predicted
+    /// before still holds.
+    FirstContact first_contact_after_crossing(const Bodies& bodies, std::int32_t i, int side,
+                                              double now);
+
+    /// From a to the image of b in contact with it, of two that are at one time: the nearest, or in
+    /// a narrow periodic box, where two may touch, the one that a approaches. False if none
+    /// approaches.
+    template <typename Scalar>
+    bool separation_at_contact(const Body& a, const Body& b, double sigma, Scalar& x,
+                               Scalar& y) const;
+
+    Box box_;
+    CellGrid grid_;
+    std::vector<std::int32_t> near_ =
+        std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be looked at
+    DiskProperties properties_;
+
+  private:
+    static bool crosses_cells(const Prediction& prediction, double time) {
+        return (prediction.contact_time > time) & (prediction.border >= first_cell_side);
+    }
+    static int cell_side(const Prediction& prediction) {
+        return static_cast<int>(prediction.border & 3U);
+    }
+    template <typename Scalar>
+    bool separation_of_images(const Body& a, const Body& b, double sigma, Scalar& x,
+                              Scalar& y) const;
+    void fill_grid(const Bodies& bodies);
+    void fill_up_lanes(std::int32_t i);
+    void search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
+                FirstContact& first);
+    auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first);
+    const Pairing& pairing_near(Cell cell) const;
+    template <std::size_t usual>
+    void fetch_listed(const Bodies& bodies);
+
+    Pairing nearest_, only_;                  ///< with several images, and with the only one
+    std::array<double, 2> surely_nearest_{};  ///< a disk less far away is the image in contact
+    std::size_t near_count_ = 0;
+};
+
+template <typename Body>
+void PairSearch<Body>::fill_grid(const Bodies& bodies) {
+    grid_.clear();
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        grid_.add(static_cast<std::int32_t>(k), properties_[k].radius, bodies[k].cell);
+}
+
+template <typename Body>
+template <typename Scalar>
+void PairSearch<Body>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
+    Body& body = at(bodies, i);
+    const Cell from = body.cell;
+    body.cell = grid_.next_cell(from, side);
+    if (grid_.is_last(from, side)) [[unlikely]] {
+        // leaves a periodic box, and enters at the other side
+        const auto axis = static_cast<std::size_t>(side / 2);
+        advance_body(body, now);
+        body.x[axis] += side % 2 == 1 ? -box_.length(axis) : box_.length(axis);
+    }
+    grid_.move(i, properties_[i].radius, from, body.cell);
+}
+
+template <typename Body>
+template <typename Scalar>
+inline bool PairSearch<Body>::separation_at_contact(const Body& a, const Body& b, double sigma,
+                                                    Scalar& x, Scalar& y) const {
+    x = b.x[0] - a.x[0];
+    y = b.x[1] - a.x[1];
+    const auto is_nearest = [this](const Scalar& distance, std::size_t axis) {
+        return std::abs(static_cast<double>(distance)) <= surely_nearest_[axis];
+    };
+    if (is_nearest(x, 0) && is_nearest(y, 1)) [[likely]]
+        return x * (b.v[0] - a.v[0]) + y * (b.v[1] - a.v[1]) < 0.0;
+    return separation_of_images(a, b, sigma, x, y);
+}
+
+template <typename Body>
+template <typename Scalar>
+bool PairSearch<Body>::separation_of_images(const Body& a, const Body& b, double sigma, Scalar& x,
+                                            Scalar& y) const {
+    std::array<std::array<Scalar, 2>, 2> along{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const Scalar plain = b.x[axis] - a.x[axis];
+        const double size = box_.length(axis);
+        const Scalar nearest = plain - size * box_.turns(axis, static_cast<double>(plain));
+        along[axis] = {nearest, nearest > 0.0 ? Scalar(nearest - size) : Scalar(nearest + size)};
+    }
+    double best = never<double>;
+    for (std::size_t i = 0; i < (grid_.narrow()[0] ? 2 : 1); ++i) {
+        for (std::size_t j = 0; j < (grid_.narrow()[1] ? 2 : 1); ++j) {
+            const Scalar &rx = along[0][i], &ry = along[1][j];
+            if (!(rx * (b.v[0] - a.v[0]) + ry * (b.v[1] - a.v[1]) < 0.0)) continue;
+            const double misfit =
+                std::abs(static_cast<double>(Scalar(rx * rx + ry * ry - sigma * sigma)));
+            if (misfit >= best) continue;
+            best = misfit;
+            x = rx;
+            y = ry;
+        }
+    }
+    return std::isfinite(best);
+}
+
+// With the disk itself, which it never collides with; afterwards there is at least one group.
+template <typename Body>
+inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
+    for (std::size_t k = 0; k < lanes; ++k) near_[near_count_ + k] = i;
+    near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
+}
+
+// The first contact with one of those listed.
+template <typename Body>
+inline void PairSearch<Body>::search(const Bodies& bodies, std::int32_t i, double now,
+                                     const Pairing& pairing, FirstContact& first) {
+    fill_up_lanes(i);
+    const std::size_t count = near_count_;
+    near_count_ = 0;
+    std::size_t k = 0;
+    do {
+        search_contact(bodies, properties_, i, now, &near_[k], std::min(count - k, most_searched),
+                       pairing, first);
+        k += most_searched;
+    } while (k < count);
+}
+
+// Of those in the cells around.
+template <typename Body>
+inline const Pairing& PairSearch<Body>::pairing_near(Cell cell) const {
+    const auto inner = [&](std::size_t a) {
+        return cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
+    };
+    return inner(0) & inner(1) ? only_ : nearest_;
+}
+
+// As it is called for every cell, of which most about a large disk are empty.
+template <typename Body>
+inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i, double now,
+                                           FirstContact& first) {
+    return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
+        grid_.append(slots, near_, near_count_);
+        if (near_count_ == 0) return;
+        Pairing pairing = Pairing::shifted(shift_x, shift_y);
+        pairing.gravity = only_.gravity;
+        search(bodies, i, now, pairing, first);
+    };
+}
+
+template <typename Body>
+inline FirstContact PairSearch<Body>::first_contact(const Bodies& bodies, std::int32_t i,
+                                                    double now) {
+    const Cell cell = at(bodies, i).cell;
+    const double radius = properties_[i].radius;
+    FirstContact first;
+    if (grid_.plain(radius)) {
+        grid_.append_around(cell, near_, near_count_);
+        search(bodies, i, now, pairing_near(cell), first);
+    } else {
+        grid_.for_each_near(radius, cell, search_slots(bodies, i, now, first));
+    }
+    return first;
+}
+
+// The nearest image of the other recedes, and no other image comes into question.
+template <typename Body>
+inline bool PairSearch<Body>::first_contacts(const Bodies& bodies, std::int32_t i, std::int32_t j,
+                                             double now, std::array<FirstContact, 2>& contacts) {
+    const Cell a = at(bodies, i).cell, b = at(bodies, j).cell;
+    if (!grid_.plain(properties_[i].radius) || !grid_.plain(properties_[j].radius)) return false;
+    grid_.append_around(a, near_, near_count_);
+    fill_up_lanes(i);
+    const std::size_t split = near_count_;
+    grid_.append_around(b, near_, near_count_);
+    fill_up_lanes(j);
+    const std::size_t count = near_count_;
+    near_count_ = 0;
+    if (count > most_searched) return false;
+    const bool at_edge = pairing_near(a).several_images || pairing_near(b).several_images;
+    search_two_contacts(bodies, properties_, {i, j}, now, near_.data(), split, count,
+                        at_edge ? nearest_ : only_, contacts);
+    return true;
+}
+
+template <typename Body>
+inline FirstContact PairSearch<Body>::first_contact_after_crossing(const Bodies& bodies,
+                                                                   std::int32_t i, int side,
+                                                                   double now) {
+    const Body& a = at(bodies, i);
+    const Prediction& before = a.prediction;
+    FirstContact first(before.contact_time, before.partner, before.partner_collisions);
+    const double radius = properties_[i].radius;
+    if (grid_.plain(radius)) {
+        grid_.append_newly_around(a.cell, side, near_, near_count_);
+        search(bodies, i, now, pairing_near(a.cell), first);
+    } else {
+        grid_.for_each_newly_near(radius, a.cell, side, search_slots(bodies, i, now, first));
+    }
+    return first;
+}
+
+// Partners below 0 are no disks.
+template <typename Body>
+inline std::int32_t PairSearch<Body>::partner_ahead(const Bodies& bodies, std::int32_t i,
+                                                    double time) {
+    const Prediction& prediction = at(bodies, i).prediction;
+    const std::int32_t meets = prediction.contact_time <= time ? -1 : 0;
+    const std::int32_t no_disk = prediction.partner >> 31;
+    return i ^ ((i ^ prediction.partner) & meets & ~no_disk);
+}
+
+// The processor cannot predict how many are listed, so at least `usual` entries are prefetched, the
+// last of them from an earlier list; more are rare.
+template <typename Body>
+template <std::size_t usual>
+inline void PairSearch<Body>::fetch_listed(const Bodies& bodies) {
+#pragma GCC unroll 32
+    for (std::size_t k = 0; k < usual; ++k) __builtin_prefetch(&at(bodies, near_[k]));
+    for (std::size_t k = usual; k < near_count_; ++k) __builtin_prefetch(&at(bodies, near_[k]));
+    near_count_ = 0;
+}
+
+// Without a branch: the processor cannot predict which event comes.
+template <typename Body>
+inline void PairSearch<Body>::fetch_cells_ahead(const Bodies& bodies, std::int32_t i,
+                                                double time) const {
+    const Body& a = at(bodies, i);
+    const Cell next = grid_.next_cell(a.cell, cell_side(a.prediction));
+    const unsigned crosses = crosses_cells(a.prediction, time) ? ~0U : 0U;
+    Cell about;
+    for (std::size_t k = 0; k < 2; ++k)
+        about[k] = static_cast<std::uint16_t>(a.cell[k] ^ ((a.cell[k] ^ next[k]) & crosses));
+    grid_.fetch_around(about);
+    grid_.fetch_around(at(bodies, partner_ahead(bodies, i, time)).cell);
+}
+
+template <typename Body>
+inline void PairSearch<Body>::fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i,
+                                                     double time) {
+    if (!grid_.plain(properties_[i].radius)) return;
+    const Body& a = at(bodies, i);
+    if (crosses_cells(a.prediction, time)) {
+        const int side = cell_side(a.prediction);
+        grid_.append_newly_around(grid_.next_cell(a.cell, side), side, near_, near_count_);
+        fetch_listed<4>(bodies);
+    } else {
+        grid_.append_around(a.cell, near_, near_count_);
+        grid_.append_around(at(bodies, partner_ahead(bodies, i, time)).cell, near_, near_count_);
+        fetch_listed<20>(bodies);
+    }
+}
+
+}  // namespace carom

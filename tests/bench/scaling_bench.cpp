@@ -1,16 +1,14 @@
 // How cost grows with the number of disks: per collision at most four times as much for 100,000 as
 // for 1000, and 100,000 placed at random at packing 0.4 within two seconds. Fails if not. Both are
-// ratios or far enough from the bound for any machine; the lowest of several times is the one that
-// was disturbed least.
+// ratios or far enough from the bound for any machine.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <string>
 
+#include "bench/measured.h"
 #include "physics/placement/placement.h"
-#include "physics/simulation.h"
 #include "support/equal_disks.h"
 
 using namespace carom;
@@ -20,40 +18,10 @@ namespace {
 constexpr double most_growth = 4.0;
 constexpr double most_seconds = 2.0;
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// A gas that has melted, and how long its collisions take.
-class Measured {
-  public:
-    Measured(double packing, int count)
-        : step_(2e5 / count), simulation_(test::equal_disks(packing, count), melt(packing)) {}
-
-    void measure() {
-        const double begin = cpu_seconds();
-        const std::int64_t now = simulation_.advance_to(++steps_ * step_).counts.particle;
-        const auto collisions = static_cast<double>(now - collisions_);
-        collisions_ = now;
-        nanoseconds_ = std::min(nanoseconds_, (cpu_seconds() - begin) / collisions * 1e9);
-    }
-
-    double nanoseconds() const { return nanoseconds_; }  // per collision
-
-  private:
-    static Run melt(double packing) {
-        Run run;
-        run.equilibrate = packing > 0.5 ? 3.0 : 10.0;
-        return run;
-    }
-
-    double step_;  // some 1e5 to 1e6 collisions
-    Simulation simulation_;
-    int steps_ = 0;
-    std::int64_t collisions_ = 0;
-    double nanoseconds_ = std::numeric_limits<double>::infinity();
-};
-
 bool collisions_scale(double packing, int rounds) {
-    Measured few(packing, 1'000), many(packing, 100'000);
+    const double melting = packing > 0.5 ? 3.0 : 10.0;
+    test::Measured few(test::equal_disks(packing, 1'000), melting);
+    test::Measured many(test::equal_disks(packing, 100'000), melting);
     for (int k = 0; k < rounds; ++k) {
         few.measure();
         many.measure();
@@ -69,9 +37,9 @@ bool placement_is_quick(int rounds) {
     gas.species[0].position = RandomPlaces{};
     double seconds = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rounds; ++k) {
-        const double begin = cpu_seconds();
+        const double begin = test::cpu_seconds();
         place(gas);
-        seconds = std::min(seconds, cpu_seconds() - begin);
+        seconds = std::min(seconds, test::cpu_seconds() - begin);
     }
     fmt::print("100,000 disks placed at packing 0.40: {:.2f} s (at most {} s)\n", seconds,
                most_seconds);

@@ -35,6 +35,7 @@ Scalar divided_by_sum(const Scalar& x, const Scalar& a, const Scalar& b) {
     const Scalar b_rounded = sum - a;
     const Scalar error = (a - (sum - b_rounded)) + (b - b_rounded);
     const Scalar quotient = x / sum;
+    if (error == 0.0) return quotient;
     return quotient + (fma(-quotient, sum, x) - quotient * error) / sum;
 }
 

@@ -376,8 +376,13 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
                                                          Collision* collision) {
     Body& a = body(first);
     Body& b = body(second);
-    advance_body(a, now_);
-    advance_body(b, now_);
+    if constexpr (has_surfaces && is_large) {
+        geometry_.advance(a, now_);
+        geometry_.advance(b, now_);
+    } else {
+        advance_body(a, now_);
+        advance_body(b, now_);
+    }
     Contact<Dimension> contact;
     const auto first_before = in_doubles(a.v), second_before = in_doubles(b.v);
     if (!geometry_.collide(bodies_, first, second, contact)) return false;

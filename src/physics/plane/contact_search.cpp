@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
@@ -30,9 +29,10 @@ struct Viewer {
 };
 
 // The input of a search: all disks, the numbers of those to test, and the images of them.
-template <typename Body>
+template <typename BodyType, bool may_fall>
 struct Scope {
-    static constexpr bool falls = !std::is_same_v<Body, DiskState>;
+    using Body = BodyType;
+    static constexpr bool falls = may_fall;
     const Body* disks;
     const DiskProperties& properties;
     const Pairing& pairing;
@@ -87,9 +87,10 @@ struct Pairs {
 };
 
 // Which of four others might be touched: bits 0 to 3 of the lanes together.
-template <bool several_images, bool alike, typename Body>
-[[gnu::always_inline]] inline FourMasks might_touch(const Scope<Body>& scope, const Viewer& a,
+template <bool several_images, bool alike, typename Scope>
+[[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
                                                     std::size_t k, Pairs& pairs) {
+    using Body = typename Scope::Body;
     const Body &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
                &b3 = scope.disk(k + 3);
     // Each disk's x and y lie side by side, and vx and vy: turned over, two pairs at a time.
@@ -151,11 +152,11 @@ template <bool several_images, bool alike, typename Body>
 
 // The exact times of two contacts, of a with the disk numbered k in `near` and of b with l; the
 // same twice does no harm.
-template <bool alike, typename Body>
-[[gnu::always_inline]] inline void solve(const Scope<Body>& scope, const Viewer& a, const Viewer& b,
+template <bool alike, typename Scope>
+[[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
                                          const Pairs& p, std::size_t k, std::size_t l,
                                          FirstContact& first_of_a, FirstContact& first_of_b) {
-    const Body &c = scope.disk(k), &d = scope.disk(l);
+    const auto &c = scope.disk(k), &d = scope.disk(l);
     RelativeMotion<TwoLanes> motion{
         {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
     TwoLanes sigma = both(scope.pairing.sigma);
@@ -164,7 +165,7 @@ template <bool alike, typename Body>
         keep_together(*pair);
     const TwoLanes vx{a.vx, b.vx}, vy{a.vy, b.vy};
     TwoLanes others_vx{c.v[0], d.v[0]}, others_vy{c.v[1], d.v[1]};
-    if constexpr (Scope<Body>::falls) others_vx = motion.vx + vx, others_vy = motion.vy + vy;
+    if constexpr (Scope::falls) others_vx = motion.vx + vx, others_vy = motion.vy + vy;
     const TwoLanes round_off = approach_round_off(motion, vx, vy, others_vx, others_vy);
     const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
     TwoMasks possible = met <= TwoLanes{c.prediction.contact_time, d.prediction.contact_time};
@@ -193,10 +194,10 @@ template <bool alike, typename Body>
     return (k & ~none) | (other & none);
 }
 
-template <bool several_images, bool alike, typename Body>
-[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope<Body>& scope,
-                                                             const Viewer& a, std::size_t begin,
-                                                             std::size_t end, Pairs& pairs) {
+template <bool several_images, bool alike, typename Scope>
+[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope& scope, const Viewer& a,
+                                                             std::size_t begin, std::size_t end,
+                                                             Pairs& pairs) {
     FourMasks found{};
     FourMasks bits = FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(begin);
     for (std::size_t k = begin; k < end; k += lanes) {
@@ -207,9 +208,9 @@ template <bool several_images, bool alike, typename Body>
 }
 
 // Of one viewer.
-template <bool several_images, bool alike, typename Body>
-[[gnu::always_inline]] inline void search(const Scope<Body>& scope, std::int32_t i,
-                                          std::size_t count, FirstContact& first) {
+template <bool several_images, bool alike, typename Scope>
+[[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
+                                          FirstContact& first) {
     const Viewer a = scope.viewer(i, first);
     Pairs pairs;
     std::uint64_t bits =
@@ -224,8 +225,8 @@ template <bool several_images, bool alike, typename Body>
 }
 
 // Of two.
-template <bool several_images, bool alike, typename Body>
-[[gnu::always_inline]] inline void search(const Scope<Body>& scope,
+template <bool several_images, bool alike, typename Scope>
+[[gnu::always_inline]] inline void search(const Scope& scope,
                                           const std::array<std::int32_t, 2>& both,
                                           std::size_t split, std::size_t count,
                                           std::array<FirstContact, 2>& firsts) {
@@ -243,9 +244,8 @@ template <bool several_images, bool alike, typename Body>
 }
 
 // A loop of its own for each kind of pairs.
-template <typename Body, typename... Arguments>
-[[gnu::always_inline]] inline void search_by_kind(const Scope<Body>& scope,
-                                                  Arguments&&... arguments) {
+template <typename Scope, typename... Arguments>
+[[gnu::always_inline]] inline void search_by_kind(const Scope& scope, Arguments&&... arguments) {
     const bool alike = scope.pairing.sigma > 0.0;
     if (alike && scope.pairing.several_images)
         search<true, true>(scope, arguments...);
@@ -255,6 +255,21 @@ template <typename Body, typename... Arguments>
         search<true, false>(scope, arguments...);
     else
         search<false, false>(scope, arguments...);
+}
+
+// Disks that may fall, with or without gravity.
+template <typename... Arguments>
+[[gnu::always_inline]] inline void search_falling(const FallingDisks& disks,
+                                                  const DiskProperties& properties,
+                                                  const Pairing& pairing, const std::int32_t* near,
+                                                  double now, Arguments&&... arguments) {
+    using Body = FallingDisk<double>;
+    if ((pairing.gravity[0] == 0.0) & (pairing.gravity[1] == 0.0))
+        search_by_kind(Scope<Body, false>{disks.data(), properties, pairing, near, now},
+                       arguments...);
+    else
+        search_by_kind(Scope<Body, true>{disks.data(), properties, pairing, near, now},
+                       arguments...);
 }
 
 }  // namespace
@@ -281,15 +296,15 @@ CAROM_FOR_EACH_PROCESSOR
 void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
-    search_by_kind(Scope<DiskState>{disks.data(), properties, pairing, near, now}, i, count, first);
+    search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now}, i, count,
+                   first);
 }
 
 CAROM_FOR_EACH_PROCESSOR
 void search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
-    search_by_kind(Scope<FallingDisk<double>>{disks.data(), properties, pairing, near, now}, i,
-                   count, first);
+    search_falling(disks, properties, pairing, near, now, i, count, first);
 }
 
 CAROM_FOR_EACH_PROCESSOR
@@ -297,8 +312,8 @@ void search_two_contacts(const DiskStates& disks, const DiskProperties& properti
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {
-    search_by_kind(Scope<DiskState>{disks.data(), properties, pairing, near, now}, both, split,
-                   count, firsts);
+    search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now}, both,
+                   split, count, firsts);
 }
 
 CAROM_FOR_EACH_PROCESSOR
@@ -306,8 +321,7 @@ void search_two_contacts(const FallingDisks& disks, const DiskProperties& proper
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {
-    search_by_kind(Scope<FallingDisk<double>>{disks.data(), properties, pairing, near, now}, both,
-                   split, count, firsts);
+    search_falling(disks, properties, pairing, near, now, both, split, count, firsts);
 }
 
 }  // namespace carom

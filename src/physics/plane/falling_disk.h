@@ -58,6 +58,13 @@ inline void advance_body(FallingDisk<Scalar>& d, const Scalar& now) {
     d.time = now;
 }
 
+/// The same for one that does not fall, of which only the first cache line is read.
+template <typename Scalar>
+inline void advance_straight(FallingDisk<Scalar>& d, const Scalar& now) {
+    for (std::size_t k = 0; k < 2; ++k) d.x[k] += d.v[k] * (now - d.time);
+    d.time = now;
+}
+
 /// One in doubles, at the present.
 struct DiskView {
     std::array<double, 2> x, v, a;
@@ -71,6 +78,22 @@ struct DiskView {
             a[k] = static_cast<double>(d.a[k]);
         }
     }
+    /// Of one that does not fall.
+    template <typename Scalar>
+    static DiskView straight(const FallingDisk<Scalar>& d, const Scalar& time) {
+        DiskView view;
+        view.now = static_cast<double>(time);
+        const Scalar t = time - d.time;
+        for (std::size_t k = 0; k < 2; ++k) {
+            view.x[k] = static_cast<double>(Scalar(d.x[k] + d.v[k] * t));
+            view.v[k] = static_cast<double>(d.v[k]);
+            view.a[k] = 0.0;
+        }
+        return view;
+    }
+
+  private:
+    DiskView() = default;
 };
 
 }  // namespace carom

@@ -94,6 +94,8 @@ class PairSearch {
     static constexpr bool of_doubles = std::is_base_of_v<DiskState, Body>;
     static auto& at(auto& bodies, std::int32_t i) { return bodies[static_cast<std::size_t>(i)]; }
 
+    double radius_of(std::int32_t i) const { return properties_[i].radius; }
+
     /// The first contact of a disk.
     FirstContact first_contact(const Bodies& bodies, std::int32_t i, double now);
     /// The same of two that have just collided; false, and nothing is found, where one might meet

@@ -48,7 +48,7 @@ bool OpenLine<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                                Contact<1>& contact) {
     if (!Base::collide(bodies, i, j, contact)) return false;
     for (const std::int32_t k : {i, j})
-        surfaces_.settle_at_rest(bodies[static_cast<std::size_t>(k)]);
+        surfaces_.path_has_changed(bodies[static_cast<std::size_t>(k)]);
     return true;
 }
 

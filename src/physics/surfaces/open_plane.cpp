@@ -85,7 +85,7 @@ OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
       largest_(radius_of_largest(particles)),
       has_gravity_((box.surfaces.gravity != 0.0).any()),
       surfaces_(box, largest_ + std::max(grid_.cell_size()[0], grid_.cell_size()[1]),
-                grid_.cell_size(), arithmetic.bits) {
+                {0.25 * grid_.cell_size()[0], 0.25 * grid_.cell_size()[1]}, arithmetic.bits) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const bool ends = !box.is_periodic(axis);
         first_with_end_[axis] = ends ? 0.0 : -1.0;
@@ -183,11 +183,11 @@ Scalar OpenPlane<Scalar>::pair_time(const Body& a, const Body& b,
 
 // Those that it may touch before a time.
 template <typename Scalar>
-inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, const DiskView& view,
-                                                const Scalar& now, double before,
-                                                First& first) const {
+inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
+                                                const DiskView& view, const Scalar& now,
+                                                double before, First& first) const {
     const auto look = [&](std::int32_t k) {
-        if (!surfaces_.may_touch(view, body.radius, k, before)) return;
+        if (!surfaces_.may_touch(view, radius, k, before)) return;
         const Barrier& barrier = surfaces_.barrier(k);
         if (surfaces_.lets_pass(barrier, body.species)) return;
         const Scalar time = now + surfaces_.time_to(body, k, now);
@@ -244,11 +244,12 @@ auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const
 // The contact, a hit of a surface, or the border of the cell. With doubles the body keeps a contact
 // that may come after the border; with many bits two times may be one double.
 template <typename Scalar>
-inline Scalar OpenPlane<Scalar>::next_event(Body& body, const Scalar& now, First first) {
-    const DiskView view(body, now);
+inline Scalar OpenPlane<Scalar>::next_event(Body& body, double radius, const Scalar& now,
+                                            First first) {
+    const DiskView view = view_of(body, now);
     std::uint32_t side = 0;
     Scalar border = now + border_time(body, view, side);
-    look_at_barriers(body, view, now, rounded_up(std::min(first.time, border)), first);
+    look_at_barriers(body, radius, view, now, rounded_up(std::min(first.time, border)), first);
     const bool is_contact = first.time <= border;
     body.prediction = {
         .contact_time = of_doubles || is_contact ? rounded_down(first.time) : never<double>,
@@ -261,11 +262,13 @@ inline Scalar OpenPlane<Scalar>::next_event(Body& body, const Scalar& now, First
 template <typename Scalar>
 Scalar OpenPlane<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) {
     Body& body = at(bodies, i);
+    const double radius = this->radius_of(i);
     if constexpr (of_doubles)
-        if (all_fall()) return next_event(body, now, First(this->first_contact(bodies, i, now)));
+        if (all_fall())
+            return next_event(body, radius, now, First(this->first_contact(bodies, i, now)));
     First first;
-    grid_.for_each_near(body.radius, body.cell, search_slots(bodies, i, now, first));
-    return next_event(body, now, std::move(first));
+    grid_.for_each_near(radius, body.cell, search_slots(bodies, i, now, first));
+    return next_event(body, radius, now, std::move(first));
 }
 
 template <typename Scalar>
@@ -274,8 +277,8 @@ bool OpenPlane<Scalar>::predict_both(Bodies& bodies, std::int32_t i, std::int32_
     if constexpr (of_doubles) {
         std::array<FirstContact, 2> contacts;
         if (!all_fall() || !this->first_contacts(bodies, i, j, now, contacts)) return false;
-        when = {next_event(at(bodies, i), now, First(contacts[0])),
-                next_event(at(bodies, j), now, First(contacts[1]))};
+        when = {next_event(at(bodies, i), this->radius_of(i), now, First(contacts[0])),
+                next_event(at(bodies, j), this->radius_of(j), now, First(contacts[1]))};
         return true;
     }
     return false;
@@ -288,7 +291,7 @@ Scalar OpenPlane<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i,
     // Beyond a periodic side it meets other images of the same barriers.
     if (!all_fall() || grid_.is_last(body.cell, side ^ 1)) return predict(bodies, i, now);
     if constexpr (of_doubles)
-        return next_event(body, now,
+        return next_event(body, this->radius_of(i), now,
                           First(this->first_contact_after_crossing(bodies, i, side, now)));
     return predict(bodies, i, now);
 }
@@ -297,22 +300,21 @@ template <typename Scalar>
 bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                                 Contact<2>& contact) {
     Body &a = at(bodies, i), &b = at(bodies, j);
-    const double sigma = a.radius + b.radius;
+    const Properties &first = properties_[i], &second = properties_[j];
+    const double sigma = first.radius + second.radius;
     RelativeMotion<Scalar> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
     if (!this->separation_at_contact(a, b, sigma, m.x, m.y)) return false;
     const Scalar square = m.x * m.x + m.y * m.y;
     const Scalar factor = divided_by_sum<Scalar>(2.0 * (m.x * m.vx + m.y * m.vy) / square,
-                                                 as_precise_as(m.x, a.inverse_mass),
-                                                 as_precise_as(m.x, b.inverse_mass));
+                                                 as_precise_as(m.x, first.inverse_mass),
+                                                 as_precise_as(m.x, second.inverse_mass));
     const std::array<Scalar, 2> r{m.x, m.y};
     for (std::size_t k = 0; k < 2; ++k) {
-        a.v[k] += a.inverse_mass * factor * r[k];
-        b.v[k] -= b.inverse_mass * factor * r[k];
+        a.v[k] += first.inverse_mass * factor * r[k];
+        b.v[k] -= second.inverse_mass * factor * r[k];
     }
-    for (Body* body : {&a, &b}) {
-        body->passing = -1;
-        surfaces_.settle_at_rest(*body);
-    }
+    surfaces_.path_has_changed(a);
+    surfaces_.path_has_changed(b);
     const auto distance_square = static_cast<double>(square);
     contact = {{static_cast<double>(m.x), static_cast<double>(m.y)},
                -static_cast<double>(factor) * distance_square,
@@ -331,7 +333,8 @@ void OpenPlane<Scalar>::look_for_hits(Bodies& bodies, std::size_t k, const Scala
         const auto look_at = [&](std::int32_t i) {
             Body& body = at(bodies, i);
             const double planned = agenda.time_of(i);
-            if (!surfaces_.may_touch(DiskView(body, now), body.radius, moving.barrier, planned))
+            if (!surfaces_.may_touch(view_of(body, now), this->radius_of(i), moving.barrier,
+                                     planned))
                 return;
             if (surfaces_.lets_pass(barrier, body.species)) return;
             const Scalar time = now + surfaces_.time_to(body, moving.barrier, now);

@@ -61,6 +61,14 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     /// The same, of bodies that are where they were.
     void resettle(Bodies& bodies);
 
+    /// As advance_body(), which reads a second cache line of the body to know how it falls.
+    void advance(Body& body, const Scalar& now) const {
+        if (has_gravity_)
+            advance_body(body, now);
+        else
+            advance_straight(body, now);
+    }
+
     /// Finds out what happens next to a body, which keeps it, and returns when (local time).
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
     /// As Plane has it.
@@ -79,7 +87,7 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
                        const Agenda<Scalar>& agenda);
 
   private:
-    using Base::at, Base::box_, Base::grid_, Base::near_, Base::of_doubles;
+    using Base::at, Base::box_, Base::grid_, Base::near_, Base::properties_, Base::of_doubles;
 
     /// The first event found so far.
     struct First {
@@ -103,13 +111,16 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     void list_reach(std::size_t mover);
     double reach_of(std::size_t axis) const;
     int cell_along(std::size_t axis, double place) const;
+    DiskView view_of(const Body& body, const Scalar& now) const {
+        return has_gravity_ ? DiskView(body, now) : DiskView::straight(body, now);
+    }
     bool all_fall() const { return of_doubles && surfaces_.count_at_rest() == 0; }
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
                      const Scalar& now) const;
-    void look_at_barriers(const Body& body, const DiskView& view, const Scalar& now, double before,
-                          First& first) const;
+    void look_at_barriers(const Body& body, double radius, const DiskView& view, const Scalar& now,
+                          double before, First& first) const;
     auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
-    Scalar next_event(Body& body, const Scalar& now, First first);
+    Scalar next_event(Body& body, double radius, const Scalar& now, First first);
     double border_time(const Body& body, const DiskView& view, std::uint32_t& side) const;
 
     int bits_;

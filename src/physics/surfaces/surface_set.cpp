@@ -56,7 +56,8 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
       is_open_(behaviours_.size()),
       is_held_(behaviours_.size()),
       barriers_(barriers_of(box, reach, true)),
-      totals_(behaviours_.size()) {
+      totals_(behaviours_.size()),
+      has_gravity_((box.surfaces.gravity != 0.0).any()) {
     const Surfaces& surfaces = box.surfaces;
     for (std::size_t k = 0; k < barriers_.size(); ++k)
         if (barriers_[k].is_endless()) floors_.push_back(static_cast<std::int32_t>(k));
@@ -196,8 +197,8 @@ std::optional<std::int32_t> SurfaceSet<Scalar>::overlapped(const Body& body, con
 
 template <typename Scalar>
 void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
+    if (!has_gravity_) return;
     const Eigen::Array2d& gravity = box_.surfaces.gravity;
-    if (gravity[0] == 0.0 && gravity[1] == 0.0) return;
     if (std::exchange(body.is_at_rest, false)) --at_rest_;
     body.a = {as_precise_as(body.x[0], gravity[0]), as_precise_as(body.x[0], gravity[1])};
     if ((body.v[0] != 0.0) & (body.v[1] != 0.0)) return;  // floors lie along an axis
@@ -285,6 +286,7 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
             body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
             body.passing = k;
+            some_passed_ = true;
             return false;
         }
     }
@@ -295,8 +297,7 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
         leave_bath(body, its, bath->temperature, number, now);
     else
         reflect(body, its, now);
-    body.passing = -1;
-    settle_at_rest(body);
+    path_has_changed(body);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
     return true;
 }

@@ -73,6 +73,11 @@ class SurfaceSet {
     /// Gives a disk its acceleration. One that lies on a wall and does not leave it does not fall:
     /// the wall carries it.
     void settle_at_rest(Body& body);
+    /// To be called when a disk has met another: the same, and it has left what let it through.
+    void path_has_changed(Body& body) {
+        if (some_passed_) body.passing = -1;
+        if (has_gravity_) settle_at_rest(body);
+    }
     /// How many do not fall for that reason.
     std::int64_t count_at_rest() const { return at_rest_; }
 
@@ -137,6 +142,8 @@ class SurfaceSet {
     std::vector<std::int32_t> floors_;  ///< lines from wall to wall
     std::vector<Mover<Scalar>> movers_;
     std::vector<SurfaceTotals> totals_;
+    bool has_gravity_;
+    bool some_passed_ = false;
     std::int64_t at_rest_ = 0;
     double driven_work_ = 0.0;
     double most_work_ = never<double>;

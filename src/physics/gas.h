@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,6 +34,17 @@ struct Box {
 
     /// Its size along an axis.
     double length(std::integral auto axis) const { return size[static_cast<Eigen::Index>(axis)]; }
+
+    /// Whether it has this side, partition or obstacle: a line has no bottom and no top.
+    bool has_surface(std::integral auto surface) const {
+        return dimension == 2 || std::cmp_less(surface, 2);
+    }
+    /// Where a side or a partition is at the start, on the axis that it is perpendicular to.
+    double place_of(std::integral auto surface) const {
+        const Partition* line = surfaces.partition(surface);
+        if (line != nullptr) return line->at;
+        return Surfaces::is_far_side(surface) ? length(surface / 2) : 0.0;
+    }
 
     /// A coordinate, which on a periodic axis is brought into [0, length).
     double wrapped(std::integral auto axis, double x) const {

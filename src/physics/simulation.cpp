@@ -323,11 +323,9 @@ struct Simulation::Implementation {
             account.heat += state.heat;
             const auto* piston = std::get_if<Piston>(&state.behaviour);
             if (piston == nullptr) continue;
-            const auto axis = k < 4 ? static_cast<Eigen::Index>(k / 2)
-                                    : Eigen::Index{box.surfaces.partitions[k - 4].axis};
-            const double force = piston->force + piston->mass * gravity[axis];
-            account.pistons += 0.5 * piston->mass * state.motion->velocity * state.motion->velocity;
-            account.potential -= force * state.motion->place;
+            const double pull = gravity[box.surfaces.axis_of(k)];
+            account.pistons += piston->kinetic_energy(state.motion->velocity);
+            account.potential += piston->potential_energy(state.motion->place, pull);
         }
         return account;
     }

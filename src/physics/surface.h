@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -30,6 +32,8 @@ struct Bath {
 struct Driven {
     double velocity = 0.0;
     double until = std::numeric_limits<double>::infinity();
+
+    double velocity_at(double time) const { return time < until ? velocity : 0.0; }
 };
 
 /// Moves freely along its normal, pushed by a constant force besides what hits it.
@@ -37,6 +41,16 @@ struct Piston {
     double mass = 1.0;
     double force = 0.0;     ///< along x or y
     double velocity = 0.0;  ///< at the start
+
+    /// With all that pushes it, where gravity has this component along its normal.
+    double force_in(double gravity) const { return force + mass * gravity; }
+    double kinetic_energy(double its_velocity) const {
+        return 0.5 * mass * its_velocity * its_velocity;
+    }
+    /// In the constant forces on it.
+    double potential_energy(double place, double gravity) const {
+        return -force_in(gravity) * place;
+    }
 };
 
 /// Lets particles through, or reflects them: those of some species always; the others to one side
@@ -46,10 +60,14 @@ struct Membrane {
         double faster_than = std::numeric_limits<double>::infinity();
         double slower_than = std::numeric_limits<double>::infinity();
         bool admits(double speed) const { return speed > faster_than && speed < slower_than; }
+        bool admits_some() const { return faster_than < slower_than; }
     };
     std::vector<std::int32_t> species = {};  ///< indices into Gas::species
     Speeds upward = {};                      ///< of those that move to larger x, or y
     Speeds downward = {};
+
+    /// Whether it lets some through by their speed, as Maxwell's demon does.
+    bool is_demon() const { return upward.admits_some() || downward.admits_some(); }
 };
 
 using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane>;
@@ -86,10 +104,33 @@ struct Surfaces {
     Eigen::Array2d gravity{0.0, 0.0};
     std::uint64_t seed = 1;  ///< of the velocities that baths give; in a gas, Gas::seed counts
 
-    /// The number of the first partition, and of the first obstacle, among all surfaces.
+    /// The number of the first partition, and of the first obstacle, among all surfaces; how many
+    /// there are.
     static constexpr std::int32_t first_partition = 4;
     std::int32_t first_obstacle() const {
         return first_partition + static_cast<std::int32_t>(partitions.size());
+    }
+    std::int32_t count() const {
+        return first_obstacle() + static_cast<std::int32_t>(obstacles.size());
+    }
+
+    static bool is_side(std::integral auto surface) {
+        return std::cmp_less(surface, first_partition);
+    }
+    /// The partition with this number; null for sides and obstacles.
+    const Partition* partition(std::integral auto surface) const {
+        if (is_side(surface) || std::cmp_greater_equal(surface, first_obstacle())) return nullptr;
+        return &partitions[static_cast<std::size_t>(surface) - first_partition];
+    }
+
+    /// The axis that a side or a partition is perpendicular to: 0 for x, 1 for y.
+    int axis_of(std::integral auto surface) const {
+        const Partition* line = partition(surface);
+        return line != nullptr ? line->axis : static_cast<int>(surface / 2);
+    }
+    /// Whether it is a side at the end of its axis, not at the beginning: right or top.
+    static bool is_far_side(std::integral auto surface) {
+        return is_side(surface) && surface % 2 == 1;
     }
 
     /// The names of all surfaces, by their numbers; those of the sides are left, right, bottom and

@@ -121,7 +121,7 @@ std::string name_of_surface(std::int32_t surface, const Gas& gas) {
     const auto k = static_cast<std::size_t>(surface);
     if (k < walls.size())
         return fmt::format("The {} {}", walls[k], gas.box.dimension == 1 ? "end" : "wall");
-    const char* kind = surface < gas.box.surfaces.first_obstacle() ? "partition" : "obstacle";
+    const char* kind = gas.box.surfaces.partition(surface) != nullptr ? "partition" : "obstacle";
     return fmt::format("The {} “{}”", kind, gas.box.surfaces.names().at(k));
 }
 
@@ -156,7 +156,7 @@ std::vector<std::string> words_of_surfaces(const Gas& gas) {
     for (const Behaviour& side : surfaces.sides) {
         if (!std::holds_alternative<Reflecting>(side))
             sentences.push_back(name_of_surface(surface, gas) + " " +
-                                words_of(side, gas, surface / 2));
+                                words_of(side, gas, surfaces.axis_of(surface)));
         ++surface;
     }
     for (const Partition& one : surfaces.partitions)

@@ -114,7 +114,7 @@ double usual_sample_every(const Scene& scene, bool has_film) {
 const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) {
     for (std::size_t k = 0; k < placed.nodes.size(); ++k)
         if (placed.nodes[k] != nullptr &&
-            (k >= Surfaces::first_partition ||
+            (!Surfaces::is_side(k) ||
              !std::holds_alternative<Reflecting>(placed.surfaces.sides[k])))
             return *placed.nodes[k];
     return draft.gravity.node != nullptr ? *draft.gravity.node : *draft.box->node;

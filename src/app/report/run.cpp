@@ -73,7 +73,8 @@ class SurfaceWatch {
     explicit SurfaceWatch(const Box& box) : box_(box), names_(box.surfaces.names()) {}
 
     void see(const std::vector<SurfaceState>& states) {
-        const std::size_t count = std::min(states.size(), 4 + box_.surfaces.partitions.size());
+        const auto count = static_cast<std::size_t>(box_.surfaces.first_obstacle());
+        if (states.empty()) return;
         sums_.resize(count);
         ++seen_;
         for (std::size_t k = 0; k < count; ++k) {
@@ -88,6 +89,7 @@ class SurfaceWatch {
     std::vector<SurfaceReport> reports(const std::vector<SurfaceState>& states) const {
         std::vector<SurfaceReport> reports;
         for (std::size_t k = 0; k < states.size(); ++k) {
+            if (!box_.has_surface(k)) continue;
             SurfaceReport& report = reports.emplace_back(names_[k], states[k]);
             if (states[k].motion)
                 report.position = {

@@ -91,7 +91,13 @@ Fact energy(const RunReport& report) {
     return fact;
 }
 
-std::string surface_rows(const std::vector<SurfaceReport>& surfaces) {
+// On a line its first component.
+std::vector<std::optional<double>> impulse_of(const SurfaceTotals& its, int dimension) {
+    if (dimension == 1) return {its.impulse[0]};
+    return {its.impulse[0], its.impulse[1]};
+}
+
+std::string surface_rows(const std::vector<SurfaceReport>& surfaces, int dimension) {
     std::size_t width = 7;
     for (const SurfaceReport& surface : surfaces)
         width = std::max(width, static_cast<std::size_t>(code_points(surface.name)));
@@ -106,15 +112,14 @@ std::string surface_rows(const std::vector<SurfaceReport>& surfaces) {
                               number(surface.position->deviation), number(surface.position->last))
                 : "—";
         text += fmt::format("  {}{}  {:>9}  {:>23}  {:>10}  {:>10}  {}\n", surface.name, padding,
-                            its.hits,
-                            fmt::format("({}, {})", number(its.impulse[0]), number(its.impulse[1])),
-                            number(its.work), number(its.heat), position);
+                            its.hits, vector(impulse_of(its, dimension)), number(its.work),
+                            number(its.heat), position);
     }
     return text;
 }
 
 // In a box with surfaces that act, obstacles or gravity.
-Facts surfaces(const RunReport& report) {
+Facts surfaces(const RunReport& report, int dimension) {
     if (report.surfaces.empty()) return {};
     Json list = Json::array();
     for (const SurfaceReport& surface : report.surfaces) {
@@ -126,12 +131,12 @@ Facts surfaces(const RunReport& report) {
                             {"last", number_or_null(surface.position->last)}};
         list.push_back(Json{{"name", surface.name},
                             {"hits", its.hits},
-                            {"impulse", vector_value({its.impulse[0], its.impulse[1]})},
+                            {"impulse", vector_value(impulse_of(its, dimension))},
                             {"work", number_or_null(its.work)},
                             {"heat", number_or_null(its.heat)},
                             {"position", std::move(position)}});
     }
-    return {{"surfaces", std::move(list), "", surface_rows(report.surfaces) + "\n"}};
+    return {{"surfaces", std::move(list), "", surface_rows(report.surfaces, dimension) + "\n"}};
 }
 
 Fact momentum(const RunSummary& summary) {
@@ -312,7 +317,7 @@ Facts facts_of(const Scene& scene, const RunReport& report) {
           precision(scene, report.bits)},
          reversals(report),
          {species(scene, summary)},
-         surfaces(report),
+         surfaces(report, scene.gas.box.dimension),
          histograms(summary),
          {{"seconds", Json{{"total", report.seconds.total},
                            {"events_per_second", events / report.seconds.simulate}}}}});

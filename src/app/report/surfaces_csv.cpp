@@ -7,13 +7,16 @@
 namespace carom {
 
 SurfacesCsv::SurfacesCsv(const Box& box, Output& output) : output_(output) {
-    for (const std::string& name : box.surfaces.names()) names_.push_back(csv_field(name));
+    const std::vector<std::string> names = box.surfaces.names();
+    for (std::size_t k = 0; k < names.size(); ++k)
+        names_.push_back(box.has_surface(k) ? csv_field(names[k]) : "");
     output_.write("time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat\n");
 }
 
 void SurfacesCsv::add(double time, const std::vector<SurfaceState>& surfaces) {
     std::string rows;
     for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        if (names_[k].empty()) continue;
         const SurfaceState& its = surfaces[k];
         rows += fmt::format("{},{},", csv_number(time), names_[k]);
         rows += its.motion ? fmt::format("{:.17g},{:.17g}", its.motion->place, its.motion->velocity)

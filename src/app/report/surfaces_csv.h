@@ -12,7 +12,7 @@ namespace carom {
 
 /// A header, then a row for each sample and surface:
 /// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat, numbers with 17 significant
-/// digits; position and velocity are empty of what has not moved.
+/// digits; position and velocity are empty of what has not moved. A line has no bottom and no top.
 class SurfacesCsv {
   public:
     /// Writes the header to `output`, which must outlive the table.
@@ -22,7 +22,7 @@ class SurfacesCsv {
     void add(double time, const std::vector<SurfaceState>& surfaces);
 
   private:
-    std::vector<std::string> names_;  ///< as fields
+    std::vector<std::string> names_;  ///< as fields, empty of what is not there
     Output& output_;
 };
 

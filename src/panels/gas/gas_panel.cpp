@@ -155,10 +155,11 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
                      hex_of(theme.muted), gas.ghosts->words});
     for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
         const SurfaceState& surface = gas.surfaces[k];
-        if (k < 4 && !surface.motion && std::holds_alternative<Reflecting>(surface.behaviour))
+        if (Surfaces::is_side(k) && !surface.motion &&
+            std::holds_alternative<Reflecting>(surface.behaviour))
             continue;
         const Gas& its = context_.scene.gas;
-        const bool is_x = axis_of_surface(its.box, k) == 0;
+        const bool is_x = its.box.surfaces.axis_of(k) == 0;
         const Cell at = place_of_surface(its.box, gas.surfaces, k), none;
         std::vector<Cell>& row = table.rows.emplace_back();
         row = {"surface",        none, none, is_x ? at : none,

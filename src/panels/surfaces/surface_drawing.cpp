@@ -89,13 +89,14 @@ void SurfaceView::draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap&
 void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                   const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
-    for (std::size_t k = 4; k < states.size(); ++k) brush.draw_partition(k);
+    for (std::size_t k = Surfaces::first_partition; k < states.size(); ++k) brush.draw_partition(k);
 }
 
 void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                               const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
-    for (std::size_t k = 0; k < states.size(); ++k) k < 4 ? brush.draw_side(k) : brush.draw_ends(k);
+    for (std::size_t k = 0; k < states.size(); ++k)
+        Surfaces::is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
     if (!states.empty()) brush.draw_marks();
 }
 
@@ -242,7 +243,8 @@ void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
 
 void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
     if (const auto* membrane = std::get_if<Membrane>(&behaviour(k))) {
-        if (!is_demon(*membrane)) return canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
+        if (!membrane->is_demon())
+            return canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
         const double length = std::hypot(to.x - from.x, to.y - from.y);
         const double count = std::max(1.0, std::round(length / (0.6 * u)));
         for (double dot = 0.5; dot < count; dot += 1.0)
@@ -259,7 +261,7 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
 
 // Where it is not: only its ends, at the walls.
 void SurfaceView::Brush::draw_partition(std::size_t k) const {
-    const Partition& partition = box.surfaces.partitions[k - 4];
+    const Partition& partition = *box.surfaces.partition(k);
     const double at = place_of_surface(box, states, k);
     const Region inside = view.room(states);
     const Eigen::Index along = 1 - partition.axis;
@@ -302,10 +304,10 @@ void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
 
 // What holds a partition that does something, outside of the walls at both ends, and moves with it.
 void SurfaceView::Brush::draw_ends(std::size_t k) const {
-    const Partition& partition = box.surfaces.partitions[k - 4];
+    const Partition& partition = *box.surfaces.partition(k);
     const auto* membrane = std::get_if<Membrane>(&behaviour(k));
     const bool reflects = is<Reflecting>(k);
-    if (states[k].is_open || reflects || (membrane != nullptr && !is_demon(*membrane))) return;
+    if (states[k].is_open || reflects || (membrane != nullptr && !membrane->is_demon())) return;
     const double at = place_of_surface(box, states, k);
     const Point foot = map.pixel({at, at});
     const double deep = 0.6 * u, wide = 0.9 * u;
@@ -340,9 +342,9 @@ void SurfaceView::Brush::draw_marks() const {
     style.color = theme.ink;
     std::vector<Mark> marks;
     for (std::size_t k = 0; k < states.size(); ++k) {
-        const int axis = axis_of_surface(box, k);
+        const int axis = box.surfaces.axis_of(k);
         const std::string words = mark_of_surface(view.scene_.gas, behaviour(k), axis);
-        if (words.empty() || states[k].is_open || (axis == 1 && k < 4)) continue;
+        if (words.empty() || states[k].is_open || (axis == 1 && Surfaces::is_side(k))) continue;
         const double at = place_of_surface(box, states, k);
         const Point foot = map.pixel({at, at});
         if (axis == 0) {

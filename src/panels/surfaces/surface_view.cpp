@@ -96,11 +96,11 @@ SurfaceView::Margins SurfaceView::margins_of() const {
     std::array<double, 4> blocks{};
     double names = 0.0;
     for (std::size_t k = 0; k < behaviours_.size(); ++k) {
-        const int axis = axis_of_surface(gas.box, k);
+        const int axis = gas.box.surfaces.axis_of(k);
         for (const Behaviour& behaviour : behaviours_[k]) {
             if (axis == 0 && !mark_of_surface(gas, behaviour, axis).empty())
                 names = SurfaceSize::mark;
-            if (k < 4 || std::holds_alternative<Reflecting>(behaviour)) continue;
+            if (Surfaces::is_side(k) || std::holds_alternative<Reflecting>(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
             for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;
         }

@@ -13,7 +13,7 @@ namespace {
 
 // The speeds that are let through one way: "v > 1.2"; empty for none.
 std::string speeds_mark(const Membrane::Speeds& speeds) {
-    if (!(speeds.faster_than < speeds.slower_than)) return "";
+    if (!speeds.admits_some()) return "";
     const bool from = speeds.faster_than > 0.0, to = std::isfinite(speeds.slower_than);
     if (from && to)
         return fmt::format("{} < v < {}", plain_number(speeds.faster_than),
@@ -53,18 +53,9 @@ std::string doing_of(const Gas& gas, const SurfaceState& state, int axis) {
 
 }  // namespace
 
-int axis_of_surface(const Box& box, std::size_t k) {
-    return k < 4 ? static_cast<int>(k / 2) : box.surfaces.partitions[k - 4].axis;
-}
-
 double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k) {
     if (k < states.size() && states[k].motion) return states[k].motion->place;
-    if (k >= 4) return box.surfaces.partitions[k - 4].at;
-    return k % 2 == 0 ? 0.0 : box.length(k / 2);
-}
-
-bool is_demon(const Membrane& membrane) {
-    return !speeds_mark(membrane.upward).empty() || !speeds_mark(membrane.downward).empty();
+    return box.place_of(k);
 }
 
 std::string mark_of_surface(const Gas& gas, const Behaviour& behaviour, int axis) {
@@ -79,7 +70,7 @@ std::string mark_of_surface(const Gas& gas, const Behaviour& behaviour, int axis
 }
 
 std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k) {
-    const std::string mark = mark_of_surface(gas, state.behaviour, axis_of_surface(gas.box, k));
+    const std::string mark = mark_of_surface(gas, state.behaviour, gas.box.surfaces.axis_of(k));
     return gas.box.surfaces.names()[k] + (state.is_open ? ", open" : "") +
            (state.is_held ? ", held" : "") + (mark.empty() ? "" : ", " + mark);
 }
@@ -88,13 +79,14 @@ std::string words_at_present(const Gas& gas, std::span<const SurfaceState> state
                              bool only_changes) {
     const Surfaces& surfaces = gas.box.surfaces;
     std::string text;
-    const std::size_t count = states.empty() ? 0 : 4 + surfaces.partitions.size();
+    const std::size_t count = states.empty() ? 0 : surfaces.first_obstacle();
     for (std::size_t k = 0; k < count; ++k) {
         const SurfaceState& state = states[k];
-        const bool is_wall = k < 4 && std::holds_alternative<Reflecting>(state.behaviour);
+        const bool is_wall =
+            Surfaces::is_side(k) && std::holds_alternative<Reflecting>(state.behaviour);
         if (!state.motion && (is_wall || (only_changes && !state.is_open))) continue;
-        const int axis = axis_of_surface(gas.box, k);
-        const bool has_place = !state.is_open && (k >= 4 || state.motion);
+        const int axis = gas.box.surfaces.axis_of(k);
+        const bool has_place = !state.is_open && (!Surfaces::is_side(k) || state.motion);
         const std::string place =
             has_place ? fmt::format(" at {} = {}", axis == 0 ? "x" : "y",
                                     three_digits(place_of_surface(gas.box, states, k)))

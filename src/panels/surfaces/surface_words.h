@@ -12,12 +12,6 @@ namespace carom {
 /// Its place along its normal at present: of a side, or of a partition, by its number.
 double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k);
 
-/// The axis that it is perpendicular to: 0 for x, 1 for y. Of a side or a partition.
-int axis_of_surface(const Box& box, std::size_t k);
-
-/// Whether a membrane lets through by speed, not only by species.
-bool is_demon(const Membrane& membrane);
-
 /// What stands beside it in a picture: "T = 2", "M = 50, F = −5", "passes small"; empty for what
 /// only reflects or is driven.
 std::string mark_of_surface(const Gas& gas, const Behaviour& behaviour, int axis);

@@ -77,7 +77,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::start(const Sample& state) {
     put_in_order();
     if constexpr (has_surfaces) {
         geometry_.surfaces().shift_epoch(-now_);
-        stop_driven_surfaces_later();
+        for (std::int32_t k = 0; k < box_.surfaces.first_obstacle(); ++k) stop_later(k);
     }
     geometry_.enter(bodies_);
     predict_all();

@@ -154,7 +154,7 @@ class EventLoop {
     void carry_out(const Change<Scalar>& change);
     void scale(const Scaling<Scalar>& scaling);
     bool counts_for(const Body& body, const std::optional<std::int32_t>& species) const;
-    void stop_driven_surfaces_later();
+    void stop_later(std::int32_t surface);
     void move_on_to(const Scalar& time);
     void refuse_to_stall();
     void count_tie(std::int32_t first, std::int32_t second);

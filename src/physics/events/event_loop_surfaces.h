@@ -34,7 +34,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size
         move_on_to(time);
         if (k == geometry_.surfaces().mover_count()) {
             move_epoch_to(now_);
-            carry_out(changes_.take_next());
+            Change<Scalar> change = changes_.take_next();
+            carry_out(change);
+            if (auto* its = std::get_if<SurfaceChange<Scalar>>(&change.what)) its->is_stop = false;
+            changes_.add_behind(std::move(change));
             geometry_.resettle(bodies_);
             predict_all();
             return;
@@ -81,7 +84,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
             if (reflected) {
                 ++b.collisions;
                 ++counts_.wall;
-                if (const auto side = static_cast<std::size_t>(barrier.surface); side < 4)
+                const auto side = static_cast<std::size_t>(barrier.surface);
+                if (Surfaces::is_side(side))
                     impulses_.wall[side] +=
                         std::abs(static_cast<double>(b.v[side / 2] - before[side / 2])) /
                         b.inverse_mass;
@@ -106,21 +110,22 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
 
 // -------------------------------------------------------------------------- what events change
 
-// Where a driven surface has an end of its motion.
+// A driven surface whose motion has an end stops there, unless it is changed before.
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::stop_driven_surfaces_later() {
+void EventLoop<Dimension, Scalar, has_surfaces>::stop_later(std::int32_t surface) {
     if constexpr (has_surfaces) {
-        const std::vector<Behaviour> behaviours = behaviours_of(box_);
-        for (std::size_t k = 0; k < behaviours.size(); ++k) {
-            const auto* driven = std::get_if<Driven>(&behaviours[k]);
-            if (driven == nullptr || !std::isfinite(driven->until)) continue;
-            const auto surface = static_cast<std::int32_t>(k);
-            const auto moving = geometry_.surfaces().control(surface, now_);
-            auto still = moving;
-            still.velocity = 0.0;
-            changes_.add_ahead(
-                {clock_.local(driven->until), SurfaceChange<Scalar>{surface, moving, still}});
-        }
+        changes_.erase_if([&](const ChangeAction<Scalar>& action) {
+            const auto* change = std::get_if<SurfaceChange<Scalar>>(&action);
+            return change != nullptr && change->is_stop && change->surface == surface;
+        });
+        const auto moving = geometry_.surfaces().control(surface, now_);
+        const auto* driven = std::get_if<Driven>(&moving.behaviour);
+        if (driven == nullptr || !std::isfinite(driven->until)) return;
+        auto still = moving;
+        still.velocity = 0.0;
+        const Scalar end = clock_.local(driven->until);
+        if (end > now_)
+            changes_.add_ahead({end, SurfaceChange<Scalar>{surface, moving, still, true}});
     }
 }
 
@@ -131,12 +136,13 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
     auto& surfaces = geometry_.surfaces();
     const std::int32_t surface = surface_of(action);
     const auto before = surfaces.control(surface, now_);
-    const auto after = control_after(before, action);
+    const auto after = control_after(before, action, time);
     if (before.is_open && !after.is_open)
         for (std::size_t k = 0; k < bodies_.size(); ++k)
             if (surfaces.overlapped(bodies_[k], now_, surface)) return number_[k];
     if (is_mirrored) changes_.add_behind({now_, SurfaceChange<Scalar>{surface, before, after}});
     surfaces.set_control(surface, after, now_);
+    if (!std::holds_alternative<SetOpen>(action)) stop_later(surface);
     geometry_.resettle(bodies_);
     predict_all();
     return std::nullopt;

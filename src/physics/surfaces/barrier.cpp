@@ -135,10 +135,10 @@ std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open) {
     std::vector<Barrier> barriers;
     std::int32_t surface = 0;
     for (; surface < Surfaces::first_partition; ++surface) {
-        const int axis = surface / 2;
-        if (box.is_periodic(axis) || axis >= box.dimension) continue;
-        const double at = surface % 2 == 0 ? 0.0 : box.length(axis);
-        add_partition(box, {.name = "", .axis = axis, .at = at}, surface, barriers);
+        const int axis = surfaces.axis_of(surface);
+        if (box.is_periodic(axis) || !box.has_surface(surface)) continue;
+        add_partition(box, {.name = "", .axis = axis, .at = box.place_of(surface)}, surface,
+                      barriers);
     }
     for (const Partition& partition : surfaces.partitions) {
         if (with_open || !partition.is_open) add_partition(box, partition, surface, barriers);
@@ -156,11 +156,10 @@ std::optional<std::int32_t> surface_in_the_way(const Box& box, const std::vector
     for (const Barrier& barrier : barriers)
         if (distance_from(barrier, center) < radius - slack) return barrier.surface;
     if (barriers.empty()) return std::nullopt;
-    const std::size_t before = 4 + box.surfaces.partitions.size();
     for (std::size_t k = 0; k < box.surfaces.obstacles.size(); ++k) {
         const auto* lines = std::get_if<Obstacle::Lines>(&box.surfaces.obstacles[k].shape);
         if (lines != nullptr && is_inside(*lines, center))
-            return static_cast<std::int32_t>(before + k);
+            return box.surfaces.first_obstacle() + static_cast<std::int32_t>(k);
     }
     return std::nullopt;
 }

@@ -1,17 +1,15 @@
-// What events have changed in a run, so that a reversed run changes it back: the changes behind the
-// present and those ahead of it, which are known because the run comes back to them or because a
-// driven wall stops by itself. Reversing the run exchanges the two.
+// What events have changed in a run, so that a reversed run changes it back, and where driven walls
+// stop by themselves.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "physics/collision/pair_collision.h"
+#include "physics/surfaces/mirrored_schedule.h"
 #include "physics/surfaces/surface_set.h"
 
 namespace carom {
@@ -29,63 +27,30 @@ template <typename Scalar>
 struct SurfaceChange {
     std::int32_t surface;
     SurfaceControl<Scalar> before, after;
+    bool is_stop = false;  ///< it is driven, and stops then by itself unless it is changed before
 };
 
 template <typename Scalar>
-struct Change {
-    Scalar time;  ///< local
-    std::variant<SurfaceChange<Scalar>, Scaling<Scalar>> what;
-};
+using ChangeAction = std::variant<SurfaceChange<Scalar>, Scaling<Scalar>>;
 
 template <typename Scalar>
-class ChangeHistory {
-  public:
-    void add_ahead(Change<Scalar> change) {
-        const auto later = [&](const auto& one) { return one.time > change.time; };
-        ahead_.insert(std::ranges::find_if(ahead_, later), std::move(change));
-    }
-    void add_behind(Change<Scalar> change) { behind_.push_back(std::move(change)); }
-
-    /// When the next change is due, `never` if there is none.
-    Scalar next_time() const { return ahead_.empty() ? Scalar(never<double>) : ahead_[0].time; }
-
-    /// Takes the next change, which is behind the run from now on.
-    Change<Scalar> take_next() {
-        Change<Scalar> change = std::move(ahead_.front());
-        ahead_.erase(ahead_.begin());
-        behind_.push_back(change);
-        return change;
-    }
-
-    void shift_epoch(const Scalar& shift) {
-        for (auto* changes : {&ahead_, &behind_})
-            for (auto& change : *changes) change.time -= shift;
-    }
-
-    /// The run goes back at `now`: what was behind it comes again, the other way round.
-    void reverse(const Scalar& now) {
-        ahead_.swap(behind_);
-        for (auto* changes : {&ahead_, &behind_}) {
-            std::ranges::reverse(*changes);
-            for (auto& change : *changes) {
-                change.time = now + (now - change.time);
-                std::visit([](auto& what) { invert(what); }, change.what);
-            }
-        }
-    }
-
-  private:
-    static void invert(SurfaceChange<Scalar>& change) {
-        std::swap(change.before, change.after);
-        for (auto* control : {&change.before, &change.after})
+void invert(ChangeAction<Scalar>& action) {
+    if (auto* change = std::get_if<SurfaceChange<Scalar>>(&action)) {
+        std::swap(change->before, change->after);
+        for (auto* control : {&change->before, &change->after})
             control->velocity = -control->velocity;
-    }
-    static void invert(Scaling<Scalar>& scaling) {
+    } else {
+        auto& scaling = std::get<Scaling<Scalar>>(action);
         scaling.factor = 1.0 / scaling.factor;
         for (Scalar& v : scaling.mean) v = -v;
     }
+}
 
-    std::vector<Change<Scalar>> ahead_, behind_;
-};
+/// Local times.
+template <typename Scalar>
+using ChangeHistory = MirroredSchedule<Scalar, ChangeAction<Scalar>>;
+
+template <typename Scalar>
+using Change = typename ChangeHistory<Scalar>::Entry;
 
 }  // namespace carom

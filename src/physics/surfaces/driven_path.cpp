@@ -24,22 +24,21 @@ struct Path {
     bool is_known() const { return !is_open && !std::holds_alternative<Piston>(behaviour); }
     double velocity_at(double time) const {
         const auto* driven = std::get_if<Driven>(&behaviour);
-        return driven != nullptr && time < driven->until ? driven->velocity : 0.0;
+        return driven != nullptr ? driven->velocity_at(time) : 0.0;
     }
 };
 
 class Paths {
   public:
     Paths(const Box& box, double area) : box_(box), area_(area) {
-        for (std::int32_t side = 0; side < 2 * box.dimension; ++side) {
-            const int axis = side / 2;
-            if (box.is_periodic(axis)) continue;
-            paths_.push_back({side, axis, side % 2 == 0 ? 0.0 : box.length(axis),
-                              box.surfaces.sides[static_cast<std::size_t>(side)]});
+        const std::vector<Behaviour> behaviours = behaviours_of(box);
+        for (std::int32_t k = 0; k < box.surfaces.first_obstacle(); ++k) {
+            const Partition* line = box.surfaces.partition(k);
+            const int axis = box.surfaces.axis_of(k);
+            if (!box.has_surface(k) || (line == nullptr && box.is_periodic(axis))) continue;
+            paths_.push_back({k, axis, box.place_of(k), behaviours[static_cast<std::size_t>(k)],
+                              line != nullptr && line->is_open});
         }
-        std::int32_t surface = Surfaces::first_partition;
-        for (const Partition& one : box.surfaces.partitions)
-            paths_.push_back({surface++, one.axis, one.at, one.behaviour, one.is_open});
     }
 
     // To a time, stopping at the ends of motions on the way.
@@ -88,8 +87,8 @@ class Paths {
                 const bool first_moves = low.velocity_at(now_) != 0.0;
                 const auto &mover = first_moves ? low : high, &other = first_moves ? high : low;
                 keep({now_ + room / closing, 0.0, mover.surface, other.surface});
-                if (low.surface >= Surfaces::first_partition ||
-                    high.surface >= Surfaces::first_partition || box_.dimension == 1)
+                if (!Surfaces::is_side(low.surface) || !Surfaces::is_side(high.surface) ||
+                    box_.dimension == 1)
                     continue;
                 const double least = area_ / most_that_disks_cover / height_at(1 - low.axis);
                 keep({now_ + (room - least) / closing, least, mover.surface, std::nullopt});
@@ -101,9 +100,10 @@ class Paths {
     double height_at(int axis) const {
         double size = box_.length(axis);
         for (const Path& path : paths_) {
-            if (path.axis != axis || path.surface >= Surfaces::first_partition) continue;
+            if (path.axis != axis || !Surfaces::is_side(path.surface)) continue;
             if (!path.is_known() || path.velocity_at(now_) != 0.0) return never<double>;
-            size += path.surface % 2 == 0 ? -path.place : path.place - box_.length(axis);
+            const double moved = path.place - box_.place_of(path.surface);
+            size += Surfaces::is_far_side(path.surface) ? moved : -moved;
         }
         return size;
     }

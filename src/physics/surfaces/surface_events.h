@@ -14,8 +14,10 @@ inline std::int32_t surface_of(const SurfaceAction& action) {
     return std::visit([](const auto& its) { return its.surface; }, action);
 }
 
+/// `time` is the simulated time at which it happens.
 template <typename Scalar>
-SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const SurfaceAction& action) {
+SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const SurfaceAction& action,
+                                     double time) {
     if (const auto* its = std::get_if<SetOpen>(&action)) {
         control.is_open = its->is_open;
     } else if (const auto* moved = std::get_if<MoveSurface>(&action)) {
@@ -24,7 +26,7 @@ SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const Surfa
     } else if (const auto* changed = std::get_if<ChangeSurface>(&action)) {
         control = {.behaviour = changed->behaviour, .is_open = control.is_open};
         if (const auto* driven = std::get_if<Driven>(&changed->behaviour))
-            control.velocity = driven->velocity;
+            control.velocity = driven->velocity_at(time);
         if (const auto* piston = std::get_if<Piston>(&changed->behaviour))
             control.velocity = piston->velocity;
     } else {

@@ -68,15 +68,15 @@ class Search {
     void look_at_events(const Run& run) {
         std::vector<Behaviour> behaviours = behaviours_of(box_);
         std::vector<bool> held(behaviours.size());
-        const auto first = std::ranges::find_if(behaviours, loses_memory);
-        if (first != behaviours.end())
-            forgetful_ = static_cast<std::int32_t>(first - behaviours.begin());
+        for (std::size_t k = 0; k < behaviours.size(); ++k)
+            remember(static_cast<std::int32_t>(k), behaviours[k]);
         for (event_ = 0; *event_ < run.events.size(); ++*event_) {
             const auto& action = run.events[*event_].action;
-            if (std::holds_alternative<ReverseVelocities>(action) && forgetful_ >= 0)
-                add(Kind::forgets, forgetful_);
+            if (std::holds_alternative<ReverseVelocities>(action) && forgetful_)
+                add(forgetful_->kind, forgetful_->surface);
             if (const auto* its = std::get_if<SetOpen>(&action);
-                its != nullptr && is_there(its->surface) && !is_partition(its->surface))
+                its != nullptr && is_there(its->surface) &&
+                surfaces_.partition(its->surface) == nullptr)
                 add(Kind::not_a_partition, its->surface);
             if (const auto* its = std::get_if<MoveSurface>(&action))
                 change(its->surface, Driven{its->velocity}, behaviours, held);
@@ -94,32 +94,28 @@ class Search {
         found_.push_back({.kind = kind, .surface = surface, .item = item, .event = event_});
     }
 
-    bool is_partition(std::int32_t surface) const {
-        return surface >= Surfaces::first_partition && surface < surfaces_.first_obstacle();
-    }
-
     // Why a side or a partition cannot behave so; from the start, or from an event on.
     std::optional<Kind> problem_of(std::int32_t surface, const Behaviour& behaviour,
                                    bool from_start) const {
-        const bool side = surface < Surfaces::first_partition;
         if (!is_finite(behaviour)) return Kind::not_finite;
-        if (side && box_.is_periodic(surface / 2) &&
-            !(from_start && std::holds_alternative<Reflecting>(behaviour)))
-            return Kind::no_wall;
-        if (side) return std::nullopt;
-        const Partition& partition =
-            surfaces_.partitions[static_cast<std::size_t>(surface - Surfaces::first_partition)];
-        if (moves(behaviour) && box_.is_periodic(partition.axis)) return Kind::along_periodic;
-        if (std::holds_alternative<Piston>(behaviour) && !partition.gaps.empty())
+        const Partition* partition = surfaces_.partition(surface);
+        const bool is_periodic = box_.is_periodic(surfaces_.axis_of(surface));
+        if (partition == nullptr) {
+            const bool only_reflects = std::holds_alternative<Reflecting>(behaviour);
+            if (is_periodic && !(from_start && only_reflects)) return Kind::no_wall;
+            return std::nullopt;
+        }
+        if (moves(behaviour) && is_periodic) return Kind::along_periodic;
+        if (std::holds_alternative<Piston>(behaviour) && !partition->gaps.empty())
             return Kind::piston_gaps;
         return std::nullopt;
     }
 
     void look_at_line() {
         const std::vector<Behaviour> behaviours = behaviours_of(box_);
-        for (std::size_t k = 2; k < behaviours.size(); ++k)
-            if (k >= Surfaces::first_partition ||
-                !std::holds_alternative<Reflecting>(behaviours[k]))
+        for (std::size_t k = 0; k < behaviours.size(); ++k)
+            if (!box_.has_surface(k) &&
+                (!Surfaces::is_side(k) || !std::holds_alternative<Reflecting>(behaviours[k])))
                 add(Kind::not_on_line, static_cast<std::int32_t>(k));
     }
 
@@ -155,9 +151,7 @@ class Search {
     }
 
     bool is_there(std::int32_t surface) {
-        const auto count =
-            surfaces_.first_obstacle() + static_cast<std::int32_t>(surfaces_.obstacles.size());
-        const bool is = surface >= 0 && surface < count && (box_.dimension == 2 || surface < 2);
+        const bool is = surface >= 0 && surface < surfaces_.count() && box_.has_surface(surface);
         if (!is) add(Kind::no_surface, surface);
         return is;
     }
@@ -169,7 +163,15 @@ class Search {
         if (const auto kind = problem_of(surface, behaviour, false)) return add(*kind, surface);
         behaviours[static_cast<std::size_t>(surface)] = behaviour;
         held[static_cast<std::size_t>(surface)] = false;
-        if (forgetful_ < 0 && loses_memory(behaviour)) forgetful_ = surface;
+        remember(surface, behaviour);
+    }
+
+    // The first that forgets.
+    void remember(std::int32_t surface, const Behaviour& behaviour) {
+        if (forgetful_ || !loses_memory(behaviour)) return;
+        const bool is_bath = std::holds_alternative<Bath>(behaviour);
+        forgetful_ = {.kind = is_bath ? Kind::forgets_heat : Kind::forgets_passing,
+                      .surface = surface};
     }
 
     void hold(std::int32_t surface, bool is_held, const std::vector<Behaviour>& behaviours,
@@ -184,20 +186,14 @@ class Search {
     const Box& box_;
     const Surfaces& surfaces_;
     std::optional<std::size_t> event_;
-    std::int32_t forgetful_ = -1;  // the first surface, if any, that has forgotten something
+    std::optional<SurfaceProblem> forgetful_;  // if velocities were reversed
     std::vector<SurfaceProblem> found_;
 };
 
 std::string range_text(double size) { return fmt::format("0 to {}", size); }
 
-bool is_demon(std::int32_t surface, const Box& box) {
-    const auto behaviours = behaviours_of(box);
-    return std::holds_alternative<Membrane>(behaviours[static_cast<std::size_t>(surface)]);
-}
-
 ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const Box& box) {
-    const Partition& line =
-        box.surfaces.partitions.at(static_cast<std::size_t>(p.surface - Surfaces::first_partition));
+    const Partition& line = *box.surfaces.partition(p.surface);
     const char* along = line.axis == 0 ? "y" : "x";
     switch (p.kind) {
         case Kind::partition_outside:
@@ -226,11 +222,7 @@ ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const
 
 bool loses_memory(const Behaviour& behaviour) {
     const auto* membrane = std::get_if<Membrane>(&behaviour);
-    const auto sorts = [](const Membrane::Speeds& speeds) {
-        return std::isfinite(speeds.faster_than);  // otherwise none is admitted
-    };
-    return std::holds_alternative<Bath>(behaviour) ||
-           (membrane != nullptr && (sorts(membrane->upward) || sorts(membrane->downward)));
+    return std::holds_alternative<Bath>(behaviour) || (membrane != nullptr && membrane->is_demon());
 }
 
 std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area) {
@@ -302,10 +294,11 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
                                 "between the walls",
                                 name, p.value, p.room),
                     "stop it before (`until`, or an event), or end the run"};
-        case Kind::forgets:
-            return {is_demon(p.surface, box)
-                        ? fmt::format("{} has forgotten what it let through", name)
-                        : fmt::format("{} has forgotten where the heat came from", name),
+        case Kind::forgets_heat:
+        case Kind::forgets_passing:
+            return {fmt::format("{} has forgotten {}", name,
+                                p.kind == Kind::forgets_heat ? "where the heat came from"
+                                                             : "what it let through"),
                     "what a heat bath or a demon has done cannot be reversed"};
     }
     return {};

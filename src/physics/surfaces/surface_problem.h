@@ -40,7 +40,8 @@ struct SurfaceProblem {
         not_held,           ///< a piston that is to be released
         reaches,            ///< surface `other` at time `value`, moving at a given velocity
         leaves_no_room,     ///< for the disks at time `value`, where `room` is left
-        forgets,            ///< velocities are reversed after this surface has acted
+        forgets_heat,       ///< velocities are reversed after this heat bath has acted
+        forgets_passing,    ///< or after this demon
     };
     Kind kind{};
     std::int32_t surface = -1;              ///< its number (surface.h)

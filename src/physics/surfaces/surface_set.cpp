@@ -64,12 +64,10 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
     movers_.resize(static_cast<std::size_t>(surfaces.first_obstacle()));
     for (std::size_t k = 0; k < movers_.size(); ++k) {
         Mover<Scalar>& mover = movers_[k];
-        const bool is_side = k < Surfaces::first_partition;
-        const Partition* line =
-            is_side ? nullptr : &surfaces.partitions[k - Surfaces::first_partition];
-        mover.axis = is_side ? k / 2 : static_cast<std::size_t>(line->axis);
-        mover.place = !is_side ? line->at : k % 2 == 0 ? 0.0 : box.length(mover.axis);
-        is_open_[k] = !is_side && line->is_open;
+        const Partition* line = surfaces.partition(k);
+        mover.axis = static_cast<std::size_t>(surfaces.axis_of(k));
+        mover.place = box.place_of(k);
+        is_open_[k] = line != nullptr && line->is_open;
         double velocity = 0.0;
         if (const auto* driven = std::get_if<Driven>(&behaviours_[k])) velocity = driven->velocity;
         if (const auto* piston = std::get_if<Piston>(&behaviours_[k])) velocity = piston->velocity;
@@ -446,10 +444,9 @@ double SurfaceSet<Scalar>::energy_of_piston(std::size_t k) const {
     const auto* piston = std::get_if<Piston>(&behaviours_[k]);
     if (piston == nullptr) return 0.0;
     const Mover<Scalar>& mover = movers_[k];
-    const auto v = static_cast<double>(mover.velocity);
-    const double force =
-        piston->force + piston->mass * box_.surfaces.gravity[static_cast<Eigen::Index>(mover.axis)];
-    return 0.5 * piston->mass * v * v - force * static_cast<double>(mover.place);
+    const double pull = box_.surfaces.gravity[static_cast<Eigen::Index>(mover.axis)];
+    return piston->kinetic_energy(static_cast<double>(mover.velocity)) +
+           piston->potential_energy(static_cast<double>(mover.place), pull);
 }
 
 // As its behaviour has it.

@@ -176,6 +176,11 @@ void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
 // What a wall becomes; nothing if there is a mistake.
 std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Errors& errors) {
     const auto behaviour = behaviour_of(event, node, errors);
+    if (event.until && *event.until <= event.at) {
+        errors.add(*given(node, "until"), "`until` is not after `at`: the wall would not move",
+                   "it is a time of the run, as `at` is, and no duration");
+        return std::nullopt;
+    }
     if (!behaviour || event.solid || !std::holds_alternative<Reflecting>(*behaviour))
         return behaviour;
     if (find(node, "solid") == nullptr || given(node, "solid") != nullptr)

@@ -102,6 +102,33 @@ TEST_CASE("the table of surfaces has a row for each surface and sample") {
     CHECK(std::ranges::count(text, '\n') == 1 + 5 * 6);
 }
 
+TEST_CASE("a line has a left and a right end in reports, and no bottom and top") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {length: 20, walls: {right: {mass: 4}}}\ngas: [{name: a, count: 1, radius: "
+        "0.5, position: [5], velocity: [-1]}]\nrun: {until: 8, sample_every: 8}\n"
+        "film: {seconds: 4, fps: 10, size: [320, 180], panels: []}\n");
+    const test::TemporaryFolder folder;
+    const std::string path = (folder.path() / "surfaces.csv").string();
+    Output output(path);
+    SurfacesCsv table(scene.gas.box, output);
+    const RunReport report = run_physics(
+        scene,
+        [&](const Particles&, const Sample& sample, const std::vector<SurfaceState>& states) {
+            table.add(sample.time, states);
+        },
+        silent());
+    output.commit();
+    const Json surfaces = Json::parse(run_json(scene, report)).at("surfaces");
+    REQUIRE(surfaces.size() == 2);
+    CHECK(surfaces[0].at("name") == "left");
+    CHECK(surfaces[0].at("impulse") == Json::array({-2.0}));
+    CHECK(surfaces[1].at("name") == "right");
+    CHECK(surfaces[1].at("position").at("last") == 20.0);
+    const std::string text = test::contents(path);
+    CHECK(std::ranges::count(text, '\n') == 1 + 2 * 2);
+    CHECK(text.find("top") == std::string::npos);
+}
+
 TEST_CASE("events of surfaces are named in descriptions and beside the film") {
     Scene scene = drifting_piston();
     scene.gas.box.surfaces.partitions.push_back({.name = "door", .at = 15.0});

@@ -326,7 +326,7 @@ TEST_CASE("what a wall has once forgotten stays forgotten; what it forgets later
                   {3.0, ReverseVelocities{}}};
     const auto problems = surface_problems(box, run);
     REQUIRE(problems.size() == 1);
-    CHECK(problems[0].kind == SurfaceProblem::Kind::forgets);
+    CHECK(problems[0].kind == SurfaceProblem::Kind::forgets_heat);
     CHECK(problems[0].surface == 1);
     CHECK(problems[0].event == 2);
     run.events = {{3.0, ReverseVelocities{}}, {4.0, ChangeSurface{1, Bath{2.0}}}};

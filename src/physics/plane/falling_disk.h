@@ -57,12 +57,24 @@ inline void advance_body(FallingDisk<Scalar>& d, const Scalar& now) {
     }
     d.time = now;
 }
-
-/// The same for one that does not fall, of which only the first cache line is read.
-template <typename Scalar>
-inline void advance_straight(FallingDisk<Scalar>& d, const Scalar& now) {
-    for (std::size_t k = 0; k < 2; ++k) d.x[k] += d.v[k] * (now - d.time);
+/// The same with a known acceleration, which is not looked up: only the first cache line is read.
+/// What is read as a pair is written as a pair (disk_state.h).
+inline void advance_body(DiskState& d, double now, const std::array<double, 2>& a) {
+    const double t = now - d.time;
+    const TwoLanes v = load_two(d.v.data()), gain = t * load_two(a.data());
+    store_two(load_two(d.x.data()) + t * (v + 0.5 * gain), d.x.data());
+    store_two(v + gain, d.v.data());
     d.time = now;
+}
+
+/// Adds a vector to its velocity.
+template <typename Scalar>
+inline void accelerate(FallingDisk<Scalar>& d, const Scalar& factor,
+                       const std::array<Scalar, 2>& r) {
+    for (std::size_t k = 0; k < 2; ++k) d.v[k] += factor * r[k];
+}
+inline void accelerate(DiskState& d, double factor, const std::array<double, 2>& r) {
+    store_two(load_two(d.v.data()) + factor * TwoLanes{r[0], r[1]}, d.v.data());
 }
 
 /// One in doubles, at the present.
@@ -78,22 +90,14 @@ struct DiskView {
             a[k] = static_cast<double>(d.a[k]);
         }
     }
-    /// Of one that does not fall.
-    template <typename Scalar>
-    static DiskView straight(const FallingDisk<Scalar>& d, const Scalar& time) {
-        DiskView view;
-        view.now = static_cast<double>(time);
-        const Scalar t = time - d.time;
-        for (std::size_t k = 0; k < 2; ++k) {
-            view.x[k] = static_cast<double>(Scalar(d.x[k] + d.v[k] * t));
-            view.v[k] = static_cast<double>(d.v[k]);
-            view.a[k] = 0.0;
-        }
-        return view;
+    /// With a known acceleration, as for advance_body().
+    DiskView(const DiskState& d, double time, const std::array<double, 2>& gravity)
+        : a(gravity), now(time) {
+        const double t = time - d.time;
+        const TwoLanes velocity = load_two(d.v.data()), gain = t * load_two(gravity.data());
+        store_two(load_two(d.x.data()) + t * (velocity + 0.5 * gain), x.data());
+        store_two(velocity + gain, v.data());
     }
-
-  private:
-    DiskView() = default;
 };
 
 }  // namespace carom

@@ -83,6 +83,7 @@ OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
     : Base(box, particles, {box.surfaces.gravity[0], box.surfaces.gravity[1]}),
       bits_(arithmetic.bits),
       largest_(radius_of_largest(particles)),
+      gravity_{box.surfaces.gravity[0], box.surfaces.gravity[1]},
       has_gravity_((box.surfaces.gravity != 0.0).any()),
       surfaces_(box, largest_ + std::max(grid_.cell_size()[0], grid_.cell_size()[1]),
                 {0.25 * grid_.cell_size()[0], 0.25 * grid_.cell_size()[1]}, arithmetic.bits) {
@@ -116,7 +117,8 @@ void OpenPlane<Scalar>::list_barriers() {
         const Barrier& barrier = surfaces_.barriers()[k];
         if (!surfaces_.is_there(barrier)) continue;
         if (surfaces_.is_mobile(barrier)) {
-            moving_.push_back({.barrier = static_cast<std::int32_t>(k)});
+            moving_.push_back(
+                {.barrier = static_cast<std::int32_t>(k), .axis = surfaces_.axis_of(barrier)});
             continue;
         }
         std::array<int, 2> from{}, to{};
@@ -197,7 +199,7 @@ inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
     for (std::int32_t k = at(first_listed_, cell); k < at(first_listed_, cell + 1); ++k)
         look(at(listed_, k));
     for (const Moving& moving : moving_) {
-        const int along = body.cell[surfaces_.axis_of(surfaces_.barrier(moving.barrier))];
+        const int along = body.cell[moving.axis];
         if (moving.first <= along && along <= moving.last) look(moving.barrier);
     }
 }
@@ -309,10 +311,8 @@ bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                                                  as_precise_as(m.x, first.inverse_mass),
                                                  as_precise_as(m.x, second.inverse_mass));
     const std::array<Scalar, 2> r{m.x, m.y};
-    for (std::size_t k = 0; k < 2; ++k) {
-        a.v[k] += first.inverse_mass * factor * r[k];
-        b.v[k] -= second.inverse_mass * factor * r[k];
-    }
+    accelerate(a, Scalar(first.inverse_mass * factor), r);
+    accelerate(b, Scalar(-second.inverse_mass * factor), r);
     surfaces_.path_has_changed(a);
     surfaces_.path_has_changed(b);
     const auto distance_square = static_cast<double>(square);

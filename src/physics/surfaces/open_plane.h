@@ -61,12 +61,11 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     /// The same, of bodies that are where they were.
     void resettle(Bodies& bodies);
 
-    /// As advance_body(), which reads a second cache line of the body to know how it falls.
+    /// Moves a body on to a time, as advance_body() does.
     void advance(Body& body, const Scalar& now) const {
-        if (has_gravity_)
-            advance_body(body, now);
-        else
-            advance_straight(body, now);
+        if constexpr (of_doubles)
+            if (all_fall()) return advance_body(body, now, gravity_);
+        advance_body(body, now);
     }
 
     /// Finds out what happens next to a body, which keeps it, and returns when (local time).
@@ -105,6 +104,7 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     /// until its mover is registered anew.
     struct Moving {
         std::int32_t barrier;
+        std::size_t axis;
         int first = 0, last = 0;
     };
     void list_barriers();
@@ -112,7 +112,9 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     double reach_of(std::size_t axis) const;
     int cell_along(std::size_t axis, double place) const;
     DiskView view_of(const Body& body, const Scalar& now) const {
-        return has_gravity_ ? DiskView(body, now) : DiskView::straight(body, now);
+        if constexpr (of_doubles)
+            if (all_fall()) return DiskView(body, now, gravity_);
+        return DiskView(body, now);
     }
     bool all_fall() const { return of_doubles && surfaces_.count_at_rest() == 0; }
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
@@ -125,6 +127,7 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
 
     int bits_;
     double largest_;  ///< radius
+    std::array<double, 2> gravity_;
     bool has_gravity_;
     SurfaceSet<Scalar> surfaces_;
     /// Along each axis the cells without a border below and above, -1 where a box is periodic.

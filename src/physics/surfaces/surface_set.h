@@ -76,7 +76,8 @@ class SurfaceSet {
     /// To be called when a disk has met another: the same, and it has left what let it through.
     void path_has_changed(Body& body) {
         if (some_passed_) body.passing = -1;
-        if (has_gravity_) settle_at_rest(body);
+        if (has_gravity_ && (at_rest_ > 0 || body.v[0] == 0.0 || body.v[1] == 0.0))
+            settle_at_rest(body);
     }
     /// How many do not fall for that reason.
     std::int64_t count_at_rest() const { return at_rest_; }

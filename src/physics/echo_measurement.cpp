@@ -4,23 +4,22 @@
 
 namespace carom {
 
-std::optional<double> mirror_time(const std::vector<double>& reversals, double time,
-                                  bool ends_branch) {
-    const auto next = ends_branch ? std::ranges::lower_bound(reversals, time)
-                                  : std::ranges::upper_bound(reversals, time);
-    if (next == reversals.begin()) return std::nullopt;
-    const double last = *(next - 1);
-    const double begin = next - reversals.begin() > 1 ? *(next - 2) : 0.0;
+std::optional<double> mirror_time(const std::vector<WayBack>& ways, double time, bool ends_branch) {
+    const auto next = ends_branch ? std::ranges::lower_bound(ways, time, {}, &WayBack::begin)
+                                  : std::ranges::upper_bound(ways, time, {}, &WayBack::begin);
+    if (next == ways.begin()) return std::nullopt;
+    const double last = (next - 1)->begin;
+    const double begin = next - ways.begin() > 1 ? (next - 2)->begin : 0.0;
     const double mirror = last - (time - last);
     const double rounding = 1e-12 * last;
-    if (mirror < begin - rounding) return std::nullopt;
+    if (mirror < begin - rounding || time > (next - 1)->end + rounding) return std::nullopt;
     return std::max(mirror, begin);
 }
 
-EchoMeasurement::EchoMeasurement(const std::vector<double>& reversals, std::vector<double> times,
+EchoMeasurement::EchoMeasurement(const std::vector<WayBack>& ways, std::vector<double> times,
                                  double present, bool ends_branch) {
     for (const double time : times) {
-        const auto mirror = mirror_time(reversals, time, ends_branch);
+        const auto mirror = mirror_time(ways, time, ends_branch);
         if (!mirror || *mirror < present) continue;
         if (*mirror == time)
             reversals_.insert(time);

@@ -10,14 +10,16 @@
 #include <vector>
 
 #include "physics/exact_positions.h"
+#include "physics/ways_back.h"
 
 namespace carom {
 
-/// When a run with these reversals, in order, was last where it should be at `time`: as long before
+/// When a run with these ways back, in order, was last where it should be at `time`: as long before
 /// the last reversal as `time` is after it. At the reversal itself that is the same time. None
-/// before the first reversal, and where that lies before the branch that the reversal ended.
-/// With `ends_branch`, a time that is a reversal's own belongs to the branch that it ends.
-std::optional<double> mirror_time(const std::vector<double>& reversals, double time,
+/// before the first reversal, where the way back has been left, and where that lies before the
+/// branch that the reversal ended. With `ends_branch`, a time that is a reversal's own belongs to
+/// the branch that it ends.
+std::optional<double> mirror_time(const std::vector<WayBack>& ways, double time,
                                   bool ends_branch = false);
 
 class EchoMeasurement {
@@ -27,7 +29,7 @@ class EchoMeasurement {
     EchoMeasurement() = default;
 
     /// Of `times`, those that have a mirror time not before `present`; `ends_branch` as above.
-    EchoMeasurement(const std::vector<double>& reversals, std::vector<double> times, double present,
+    EchoMeasurement(const std::vector<WayBack>& ways, std::vector<double> times, double present,
                     bool ends_branch);
 
     /// The next mirror time at which keep() is to be called, after all events of that time;

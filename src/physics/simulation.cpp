@@ -19,6 +19,7 @@
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
 #include "physics/surfaces/surface_problem.h"
+#include "physics/ways_back.h"
 
 namespace carom {
 namespace {
@@ -113,6 +114,10 @@ void check_surfaces(const Box& box, const Particles& particles, const Sample& st
     if (!problems.empty()) throw std::invalid_argument(to_text(problems[0], box).message);
     require(box.surfaces.are_plain() || is_clear_of_surfaces(box, particles, start),
             "particles lie clear of all surfaces");
+}
+
+bool reverses(const RunEvent& event) {
+    return std::holds_alternative<ReverseVelocities>(event.action);
 }
 
 // Whether it needs the loop of boxes with surfaces.
@@ -210,6 +215,7 @@ struct Simulation::Implementation {
             while (echo.next_time() < at) keep_mirror_positions(on_progress);
             advance(at, on_progress);
             apply(next_event);
+            happened.push_back(events[next_event]);
         }
         while (echo.next_time() <= time) keep_mirror_positions(on_progress);
         advance(time, on_progress);
@@ -236,7 +242,6 @@ struct Simulation::Implementation {
     // Rule for a faithful return: exactly at its time, with all predictions made anew.
     void reverse() {
         echo.keep_at_reversal(present.time, [this] { return exact_positions(); });
-        reversed_at.push_back(present.time);
         with_loop([&](auto& its) { its.reverse(present.time); });
         sampled = false;
     }
@@ -355,7 +360,7 @@ struct Simulation::Implementation {
     bool sampled = true;
     bool recording = false;
     std::vector<Collision> collisions;
-    std::vector<double> reversed_at;
+    std::vector<RunEvent> happened;
     EchoMeasurement echo;
     EnergyAccount at_start;
 };
@@ -394,7 +399,7 @@ AdvanceResult Simulation::advance_to(double time, const TimeCallback& on_progres
     its.collisions.clear();
     its.advance_with_events(time, on_progress);
     auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
-    const auto reversals = static_cast<int>(its.reversed_at.size());
+    const auto reversals = static_cast<int>(std::ranges::count_if(its.happened, reverses));
     return its.with_loop([&](const auto& loop) {
         return AdvanceResult{loop.counts(),  loop.impulses(),     reversals,
                              its.collisions, std::move(distance), its.surfaces()};
@@ -403,11 +408,10 @@ AdvanceResult Simulation::advance_to(double time, const TimeCallback& on_progres
 
 void Simulation::measure_return(std::vector<double> times, bool ends_branch) {
     Implementation& its = *implementation_;
-    std::vector<double> reversals = its.reversed_at;
-    for (std::size_t k = its.next_event; k < its.events.size(); ++k)
-        if (std::holds_alternative<ReverseVelocities>(its.events[k].action))
-            reversals.push_back(its.events[k].at);
-    its.echo = EchoMeasurement(reversals, std::move(times), its.present.time, ends_branch);
+    std::vector<RunEvent> all = its.happened;
+    all.insert(all.end(), its.events.begin() + static_cast<std::ptrdiff_t>(its.next_event),
+               its.events.end());
+    its.echo = EchoMeasurement(ways_back(all), std::move(times), its.present.time, ends_branch);
 }
 
 void Simulation::replace_events(std::vector<RunEvent> events) {

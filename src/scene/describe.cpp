@@ -231,6 +231,14 @@ std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run
     return words_of_surface_event(undone, gas);
 }
 
+std::string words_of_way_back(const WayBack& way, const Run& run) {
+    if (!way.event || way.end >= run.until) return "";
+    const RunEvent& event = run.events.at(*way.event);
+    if (event.at >= way.begin) return "The gas leaves the way it came";
+    return fmt::format("The gas leaves the way it came, as what happened at time {} is not undone",
+                       event.at);
+}
+
 std::string words_of_events(const Run& run, const Gas& gas) {
     constexpr std::size_t most_told = 3, most_of_surfaces = 8;
     std::string text;
@@ -253,6 +261,9 @@ std::string words_of_events(const Run& run, const Gas& gas) {
     for (const MirroredEvent& mirrored : mirrored_events(run))
         changes.push_back(fmt::format(" At time {}, on the way back: {}.", mirrored.at,
                                       words_of_surface_event(mirrored, run, gas)));
+    for (const WayBack& way : ways_back(run.events))
+        if (const std::string words = words_of_way_back(way, run); !words.empty())
+            changes.push_back(fmt::format(" At time {}: {}.", plain_number(way.end), words));
     if (changes.size() > most_of_surfaces)
         text += fmt::format(" {} times a wall, a partition or the heat of the gas is changed.",
                             changes.size());

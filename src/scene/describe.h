@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/reversal/mirrored_events.h"
+#include "physics/ways_back.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -32,6 +33,10 @@ std::string words_of_surface_event(const RunEvent& event, const Gas& gas);
 
 /// The same of one that comes again after a reversal.
 std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run, const Gas& gas);
+
+/// That the gas does not go on the way it came, and why; empty where it does. A whole sentence
+/// without its full stop.
+std::string words_of_way_back(const WayBack& way, const Run& run);
 
 /// What the events of a run do, in whole sentences; empty if there are none. Of many nudges only
 /// how many they are, and so of many events of surfaces; those that come again after a reversal are

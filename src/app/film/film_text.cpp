@@ -74,6 +74,11 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (const auto frame = shown_from(again.at))
             at(*frame).events.push_back(words_of_surface_event(again, scene.run, scene.gas));
     }
+    for (const WayBack& way : ways_back(scene.run.events)) {
+        const std::string words = words_of_way_back(way, scene.run);
+        if (words.empty() || way.end < begins) continue;
+        if (const auto frame = shown_from(way.end)) at(*frame).events.push_back(words);
+    }
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = scene.film.end_card;

@@ -121,6 +121,9 @@ Facts event_rows(const Scene& scene) {
     for (const MirroredEvent& mirrored : mirrored_events(scene.run))
         lines.push_back(fmt::format("time {}, on the way back: {}", mirrored.at,
                                     words_of_surface_event(mirrored, scene.run, scene.gas)));
+    for (const WayBack& way : ways_back(scene.run.events))
+        if (const std::string words = words_of_way_back(way, scene.run); !words.empty())
+            lines.push_back(fmt::format("time {}: {}", plain_number(way.end), words));
     return rows_of("events", lines);
 }
 

@@ -9,6 +9,7 @@
 #include "app/stopwatch.h"
 #include "panels/precision.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/ways_back.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -19,11 +20,12 @@ class ReversalWatch {
   public:
     ReversalWatch(const Run& run, Simulation& simulation) {
         std::vector<double> returns;
-        for (const double time : reversal_times(run)) {
-            marks_.push_back({time, reports_.size(), false});
-            if (2.0 * time <= run.until) marks_.push_back({2.0 * time, reports_.size(), true});
-            reports_.push_back({.at = time});
-            returns.push_back(2.0 * time);
+        for (const WayBack& way : ways_back(run.events)) {
+            const double home = std::min(2.0 * way.begin, way.end);
+            marks_.push_back({way.begin, reports_.size(), false});
+            if (home <= run.until) marks_.push_back({home, reports_.size(), true});
+            reports_.push_back({.at = way.begin, .home = home});
+            returns.push_back(home);
         }
         std::ranges::stable_sort(marks_, {}, &Mark::time);
         simulation.measure_return(returns, true);

@@ -18,10 +18,11 @@ namespace carom {
 /// One reversal of all velocities, and how well the gas found its way back.
 struct ReversalReport {
     double at = 0.0;
-    std::optional<ReturnDistance> distance = {};   ///< from the start, at 2 at: if the run goes on
-                                                   ///< so long and no other reversal lies before
-    std::int64_t events_out = 0;                   ///< collisions in [0, at], with walls too
-    std::optional<std::int64_t> events_back = {};  ///< in (at, 2 at], if the run goes on so long
+    double home = 0.0;  ///< 2 at, or where the way back is left before (ways_back.h)
+    std::optional<ReturnDistance> distance = {};  ///< from where it was, at `home`: if the run goes
+                                                  ///< on so long and no other reversal lies before
+    std::int64_t events_out = 0;                  ///< collisions in [0, at], with walls too
+    std::optional<std::int64_t> events_back = {};  ///< in (at, home], if the run goes on so long
 };
 
 /// Wall-clock seconds.

@@ -192,10 +192,16 @@ std::string way_back(const ReversalReport& report) {
     if (!report.events_back) return "the run ends before the gas can return";
     const std::string events = fmt::format("{} out, {} back", counted(report.events_out, "event"),
                                            grouped(*report.events_back));
+    if (report.home == report.at) return "the gas goes another way at once";
     if (!report.distance) return "another reversal follows before the return; " + events;
     const ReturnDistance& d = *report.distance;
-    return fmt::format("return error {} (r.m.s. {}); {}", length(d.largest, d.log10_largest),
-                       length(d.root_mean_square, d.log10_root_mean_square), events);
+    const bool is_left = report.home < 2.0 * report.at;
+    return fmt::format("return error {} (r.m.s. {}){}; {}", length(d.largest, d.log10_largest),
+                       length(d.root_mean_square, d.log10_root_mean_square),
+                       is_left ? fmt::format(" at time {}, where the gas leaves the way it came",
+                                             plain_number(report.home))
+                               : "",
+                       events);
 }
 
 Json reversal(const ReversalReport& report, int bits) {

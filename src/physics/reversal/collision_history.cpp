@@ -35,6 +35,20 @@ void CollisionHistory::extend_to(double path) {
     high_ = std::max(high_, path);
 }
 
+void CollisionHistory::forget_ahead(const Branch& branch) {
+    for (OfParticle& its : of_particle_) {
+        const auto present = its.entries.begin() + its.position;
+        if (branch.direction > 0) {
+            its.entries.erase(present, its.entries.end());
+        } else {
+            its.before_start -= its.position;
+            its.entries.erase(its.entries.begin(), present);
+            its.position = 0;
+        }
+    }
+    (branch.direction > 0 ? high_ : low_) = branch.path;
+}
+
 bool CollisionHistory::record(int direction, double path, std::int32_t particle, Partner partner) {
     OfParticle& its = of_particle_[static_cast<std::size_t>(particle)];
     const bool forward = direction > 0;

@@ -30,6 +30,9 @@ class CollisionHistory {
     /// moment.
     bool is_at(const std::vector<std::ptrdiff_t>& checkpoint, double path) const;
 
+    /// From the begin of this branch on nothing is recorded of what lies ahead on it.
+    void forget_ahead(const Branch& branch);
+
     /// Declares the path recorded up to `path`, by an observer who goes along.
     void extend_to(double path);
 
@@ -41,7 +44,8 @@ class CollisionHistory {
     struct OfParticle {
         std::deque<Entry> entries;
         std::ptrdiff_t position = 0;      ///< of the next entry in the direction of the start run
-        std::ptrdiff_t before_start = 0;  ///< entries from before the start
+        std::ptrdiff_t before_start = 0;  ///< entries from before the start; negative where those
+                                          ///< from after it are forgotten
     };
 
     bool record(int direction, double path, std::int32_t particle, Partner partner);

@@ -33,12 +33,42 @@ Run in_bits(Run run, int bits) {
     return run;
 }
 
-std::vector<RunEvent> without_perturbations(std::vector<RunEvent> events) {
-    std::erase_if(events, [](const RunEvent& event) {
-        return std::holds_alternative<Perturbation>(event.action);
-    });
-    return events;
+bool is_perturbation(const RunEvent& event) {
+    return std::holds_alternative<Perturbation>(event.action);
 }
+
+bool closes(const RunEvent& event) {
+    const auto* set = std::get_if<SetOpen>(&event.action);
+    return set != nullptr && !set->is_open;
+}
+
+/// Events of a run that a trial leaves in, and which they are in the run.
+class TrialEvents {
+  public:
+    TrialEvents(const Run& run, const auto& is_left_out) {
+        for (std::size_t k = 0; k < run.events.size(); ++k) {
+            if (is_left_out(run.events[k])) continue;
+            events_.push_back(run.events[k]);
+            numbers_.push_back(k);
+        }
+    }
+
+    std::vector<RunEvent>& all() { return events_; }
+
+    /// Calls a function in which an error names an event of those from `first` on; the error that
+    /// it throws names the event of the run.
+    void run_from(std::size_t first, const auto& function) const {
+        try {
+            function();
+        } catch (const RunEventError& error) {
+            throw RunEventError(numbers_[first + error.event()], error.what(), error.hint());
+        }
+    }
+
+  private:
+    std::vector<RunEvent> events_;
+    std::vector<std::size_t> numbers_;
+};
 
 TimeCallback in_trial(const TrialCallback& on_progress, int bits) {
     if (!on_progress) return {};
@@ -55,10 +85,10 @@ struct TrialResult {
 /// Goes through all branches of a run, in the bits of the simulation that it is given at time 0.
 class ReturnTrial {
   public:
-    ReturnTrial(const Simulation& start, const std::vector<RunEvent>& events,
-                const ReversalSchedule& schedule, const TrialCallback& on_progress)
+    ReturnTrial(const Simulation& start, const Run& run, const ReversalSchedule& schedule,
+                const TrialCallback& on_progress)
         : simulation_(start),
-          events_(without_perturbations(events)),
+          events_(run, is_perturbation),
           schedule_(schedule),
           on_progress_(on_progress) {
         simulation_.replace_events(events_of_next_branch());
@@ -79,6 +109,7 @@ class ReturnTrial {
         for (const Branch& branch : schedule_.branches()) {
             if (branch.direction != direction) simulation_.replace_events(events_of_next_branch());
             direction = branch.direction;
+            if (branch.leaves_way_back) history.forget_ahead(branch);
             for (; next != visits_.end() && next->time <= branch.end; ++next) {
                 if (!advance(branch, next->time, history)) return {.same_partners = false};
                 if (next->again)
@@ -105,12 +136,14 @@ class ReturnTrial {
 
     // From a reversal to before the next: positions at its time are compared before it.
     std::vector<RunEvent> events_of_next_branch() {
-        const auto from = events_.begin() + static_cast<std::ptrdiff_t>(next_event_);
-        const auto begin = has_begun_ && from != events_.end() ? from + 1 : from;
-        const auto end = std::find_if(begin, events_.end(), [](const RunEvent& event) {
+        const std::vector<RunEvent>& all = events_.all();
+        first_event_ = next_event_;
+        const auto from = all.begin() + static_cast<std::ptrdiff_t>(first_event_);
+        const auto begin = has_begun_ && from != all.end() ? from + 1 : from;
+        const auto end = std::find_if(begin, all.end(), [](const RunEvent& event) {
             return std::holds_alternative<ReverseVelocities>(event.action);
         });
-        next_event_ = static_cast<std::size_t>(end - events_.begin());
+        next_event_ = static_cast<std::size_t>(end - all.begin());
         has_begun_ = true;
         return {from, end};
     }
@@ -134,7 +167,9 @@ class ReturnTrial {
         const double begin = now_;
         for (int k = 1; k <= steps; ++k) {
             now_ = k == steps ? time : begin + (time - begin) * k / steps;
-            for (const Collision& collision : simulation_.advance_to(now_).collisions)
+            AdvanceResult advanced;
+            events_.run_from(first_event_, [&] { advanced = simulation_.advance_to(now_); });
+            for (const Collision& collision : advanced.collisions)
                 if (!history.record(branch, collision)) return false;
             throw_if_interrupted();
             if (on_progress_ && now_ > 0.0) on_progress_(simulation_.bits(), now_);
@@ -144,8 +179,8 @@ class ReturnTrial {
     }
 
     Simulation simulation_;
-    std::vector<RunEvent> events_;
-    std::size_t next_event_ = 0;
+    TrialEvents events_;
+    std::size_t first_event_ = 0, next_event_ = 0;  ///< of the branch, and of the next
     bool has_begun_ = false;
     const ReversalSchedule& schedule_;
     const TrialCallback& on_progress_;
@@ -197,12 +232,14 @@ class PrecisionSearch {
     void count_collisions() {
         Simulation simulation(gas_, in_bits(run_, bits_of_double),
                               in_trial(on_progress_, bits_of_double));
-        std::vector<RunEvent> events = without_perturbations(run_.events);
-        for (RunEvent& event : events) event.is_mirrored = false;
-        simulation.replace_events(std::move(events));
+        TrialEvents events(
+            run_, [](const RunEvent& event) { return is_perturbation(event) || closes(event); });
+        for (RunEvent& event : events.all()) event.is_mirrored = false;
+        simulation.replace_events(events.all());
         std::int64_t before = 0;
         for (const Branch& branch : schedule_.branches()) {
-            const std::int64_t now = simulation.advance_to(branch.end).counts.particle;
+            std::int64_t now = 0;
+            events.run_from(0, [&] { now = simulation.advance_to(branch.end).counts.particle; });
             const double each = 2.0 * static_cast<double>(now - before) /
                                 static_cast<double>(placed_.first.count());
             if (each >= of_each_) longest_ = branch.end - branch.begin;
@@ -229,8 +266,7 @@ class PrecisionSearch {
         const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * run_.until;
         CollisionHistory history(particles.count(),
                                  (fastest > 0.0 ? tolerance_ / fastest : 0.0) + round_off);
-        return ReturnTrial(start, run_.events, schedule_, on_progress_)
-            .run(history, tolerance_, fastest);
+        return ReturnTrial(start, run_, schedule_, on_progress_).run(history, tolerance_, fastest);
     }
 
     std::string after_how_many() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/ways_back.h"
+
 namespace carom {
 namespace {
 
@@ -24,11 +26,15 @@ ReversalSchedule::ReversalSchedule(const Run& run) {
         next.exact_path = exact_path(next, end);
         next.path = static_cast<double>(next.exact_path);
         next.begin = end;
+        next.leaves_way_back = false;
     };
-    for (const double time : reversal_times(run)) {
-        if (time >= run.until) break;
-        end_at(time);
+    const std::vector<WayBack> ways = ways_back(run.events);
+    for (std::size_t k = 0; k < ways.size() && ways[k].begin < run.until; ++k) {
+        end_at(ways[k].begin);
         next.direction = -next.direction;
+        if (!(ways[k].end < run.until)) continue;
+        end_at(ways[k].end);
+        next.leaves_way_back = true;
     }
     end_at(run.until);
 }
@@ -36,9 +42,8 @@ ReversalSchedule::ReversalSchedule(const Run& run) {
 // The first time at which the gas was where it is on a later branch.
 MirrorTimes ReversalSchedule::mirror_of(const Branch& later, double path) const {
     const double again = std::min(later.begin + std::abs(path - later.path), later.end);
-    for (const Branch& branch : branches_) {
-        const double end = branch.path_at(branch.end);
-        if (path < std::min(branch.path, end) || path > std::max(branch.path, end)) continue;
+    for (const auto& [branch, low, high] : known_) {
+        if (path < low || path > high) continue;
         const double first = std::min(branch.begin + std::abs(path - branch.path), branch.end);
         const Real off = exact_path(later, again) - exact_path(branch, first);
         return {first, again, path, std::abs(static_cast<double>(off))};
@@ -46,7 +51,18 @@ MirrorTimes ReversalSchedule::mirror_of(const Branch& later, double path) const 
     return {0.0, again, path, 0.0};
 }
 
+void ReversalSchedule::forget_beyond(double path, int direction) {
+    for (Known& one : known_)
+        if (direction > 0)
+            one.high = std::min(one.high, path);
+        else
+            one.low = std::max(one.low, path);
+    std::erase_if(known_, [](const Known& one) { return one.low > one.high; });
+    (direction > 0 ? high_ : low_) = path;
+}
+
 void ReversalSchedule::add(const Branch& branch) {
+    if (branch.leaves_way_back) forget_beyond(branch.path, branch.direction);
     branches_.push_back(branch);
     const double end = branch.path_at(branch.end);
     if (branches_.size() > 1) {
@@ -56,6 +72,7 @@ void ReversalSchedule::add(const Branch& branch) {
         for (const double path : paths)
             if (path != branch.path) mirror_times_.push_back(mirror_of(branch, path));
     }
+    known_.push_back({branch, std::min(branch.path, end), std::max(branch.path, end)});
     low_ = std::min(low_, end);
     high_ = std::max(high_, end);
 }

@@ -117,7 +117,8 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
                 .default_text("until the next caption"),
             bind_key("mirror", &EventDraft::is_mirrored, flag(),
                      "Whether it is undone after a reversal of the velocities, as long after "
-                     "it as it was before."),
+                     "it as it was before. Where it is not, the gas goes another way than it "
+                     "came."),
             bind_key("solid", &EventDraft::solid, flag(),
                      "Of a `wall` event: the wall only reflects from now on.")};
 }

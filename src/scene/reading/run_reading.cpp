@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "physics/ways_back.h"
 #include "scene/limits.h"
 #include "scene/reading/event_reading.h"
 #include "scene/reading/gas_reading.h"
@@ -59,19 +60,20 @@ bool is_overridden(const Node& root, const char* section, const char* key) {
 // A gas that turns round must have the time to come home. Of several reversals each ends the way
 // back of the one before it.
 void check_way_home(const RunDraft& run, Errors& errors) {
-    const std::vector<double> reversals = reversal_times(run);
-    if (reversals.size() != 1) return;
-    const double home = 2.0 * reversals.front();
+    const std::vector<WayBack> ways = ways_back(run.events);
+    if (ways.size() != 1) return;
+    const double home = std::min(2.0 * ways.front().begin, ways.front().end);
     if (home <= run.until || run.until <= 0.0) return;  // there is another mistake
     const auto reversal = std::ranges::find_if(run.events, [](const RunEvent& event) {
         return std::holds_alternative<ReverseVelocities>(event.action);
     });
+    const bool is_left = ways.front().event.has_value();
     errors.add(
         *run.event_nodes[static_cast<std::size_t>(reversal - run.events.begin())],
-        fmt::format("the gas returns to its start at {}, but the run ends at {}", home, run.until),
-        fmt::format("use `until: {}` or more, or `at: {}` or less; "
-                    "to render a part of a film, use `--to`",
-                    home, 0.5 * run.until));
+        fmt::format("the gas returns to {} at {}, but the run ends at {}",
+                    is_left ? "the event that leads it another way" : "its start", home, run.until),
+        fmt::format("use `until: {}` or more{}; to render a part of a film, use `--to`", home,
+                    is_left ? "" : fmt::format(", or `at: {}` or less", 0.5 * run.until)));
 }
 
 void complete_run(RunReading& run, const Node& node, Reading& reading) {

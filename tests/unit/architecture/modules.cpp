@@ -42,7 +42,8 @@ const std::map<std::string, Parts> parts_of_module{
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "surfaces", "placement", "theory", "events",
        "physics", "reversal"},
-      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h", "surface.h"}}},
+      {"advance_result.h", "exact_positions.h", "gas.h", "particles.h", "run.h", "surface.h",
+       "ways_back.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "lettering", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
@@ -65,7 +66,8 @@ const std::set<std::string> plain_physics{"physics/gas.h",
                                           "physics/run.h",
                                           "physics/surface.h",
                                           "physics/surfaces/surface_problem.h",
-                                          "physics/theory/equilibrium.h"};
+                                          "physics/theory/equilibrium.h",
+                                          "physics/ways_back.h"};
 
 struct ThirdParty {
     std::regex header;

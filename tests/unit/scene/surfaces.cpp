@@ -1,6 +1,7 @@
 // Walls that act, partitions, obstacles and gravity, and the events that change them: what their
 // keys mean. What is wrong in them is in tests/scenes_bad.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <limits>
 #include <string>
@@ -287,6 +288,23 @@ TEST_CASE("the description says what happens on the way back") {
     CHECK(said.find("At time 35, on the way back: The partition “lid” is released. At time 38, on "
                     "the way back: The partition “divider” closes.") != std::string::npos);
     CHECK(said.find("The energy goes back") == std::string::npos);
+    CHECK(
+        said.ends_with("At time 34: The gas leaves the way it came, as what happened at time 6 is "
+                       "not undone."));
+}
+
+TEST_CASE("a run with an event that is not undone may end there, not before") {
+    const auto ending = [](int until) {
+        return fmt::format(
+            "partitions: [{{name: divider, x: 32}}]\nrun: {{until: {}, events: [{{at: 5, open: "
+            "divider, mirror: false}}, {{at: 20, reverse: velocities}}]}}\n",
+            until);
+    };
+    CHECK_NOTHROW(scene_of(ending(35)));
+    CHECK_THROWS_WITH_AS(scene_of(ending(34)),
+                         doctest::Contains("the gas returns to the event that leads it another way "
+                                           "at 35, but the run ends at 34"),
+                         SceneError);
 }
 
 TEST_CASE("on a line only the ends and gravity act") {

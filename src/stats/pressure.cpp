@@ -37,6 +37,22 @@ bool has_one_pressure(const Box& box, std::span<const SurfaceState> states) {
            std::ranges::all_of(partitions, &SurfaceState::is_open);
 }
 
+ImpulseTotals PressureStart::since(const ImpulseTotals& totals) const {
+    ImpulseTotals change = totals;
+    for (std::size_t side = 0; side < change.wall.size(); ++side)
+        change.wall[side] -= impulses.wall[side];
+    change.virial -= impulses.virial;
+    return change;
+}
+
+void PressureWatch::see(double time, const ImpulseTotals& impulses,
+                        std::span<const SurfaceState> states) {
+    if (!has_one_pressure(box_, states))
+        start_.reset();
+    else if (!start_)
+        start_ = PressureStart{time, impulses};
+}
+
 std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulses, double time) {
     double momentum = 0.0;
     double extent = 0.0;

@@ -15,6 +15,31 @@ namespace carom {
 /// it, or a side moves or has moved. `states` as Simulation::surfaces() gives them.
 bool has_one_pressure(const Box& box, std::span<const SurfaceState> states);
 
+/// Since when it has one, and what had been received by then.
+struct PressureStart {
+    double time = 0.0;
+    ImpulseTotals impulses;
+
+    ImpulseTotals since(const ImpulseTotals& totals) const;
+};
+
+/// Follows a run, to know since when its gas has had one pressure.
+class PressureWatch {
+  public:
+    explicit PressureWatch(const Box& box) : box_(box) {}
+
+    /// In order of time, from the start.
+    void see(double time, const ImpulseTotals& impulses, std::span<const SurfaceState> states);
+
+    /// The start, or the first time seen after the last partition has opened; none while the gas
+    /// has no one pressure.
+    const std::optional<PressureStart>& start() const { return start_; }
+
+  private:
+    Box box_;
+    std::optional<PressureStart> start_ = PressureStart{};
+};
+
 /// Momentum that the solid walls received in `time`, divided by the time and by their length (in
 /// 1-D by their number). Nothing where no wall is solid, and after a hit by an infinite mass.
 std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulses, double time);

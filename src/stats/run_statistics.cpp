@@ -6,7 +6,6 @@
 
 #include "physics/placement/overlap.h"
 #include "physics/theory/mechanics.h"
-#include "stats/pressure.h"
 
 namespace carom {
 namespace {
@@ -38,11 +37,14 @@ RunStatistics::RunStatistics(const Box& box, const Particles& particles, int spe
       samples_between_audits_(
           audit_interval(static_cast<double>(particles.count()), static_cast<double>(samples))),
       sums_(static_cast<std::size_t>(species)),
-      counts_(static_cast<std::size_t>(species)) {
+      counts_(static_cast<std::size_t>(species)),
+      pressure_(box) {
     for (const int s : particles.species) ++counts_[static_cast<std::size_t>(s)];
 }
 
-void RunStatistics::see(const Sample& sample) {
+void RunStatistics::see(const Sample& sample, const ImpulseTotals& impulses,
+                        std::span<const SurfaceState> surfaces) {
+    pressure_.see(sample.time, impulses, surfaces);
     const Eigen::ArrayXd speed = speeds(sample);
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
     see_totals(sample, energy);
@@ -107,8 +109,11 @@ RunSummary RunStatistics::summary(const AdvanceResult& advanced) const {
     summary.momentum_initial = components(first_.momentum);
     summary.momentum_final = components(last_.momentum);
     summary.largest_overlap = std::max(largest_overlap_, advanced.impulses.largest_overlap);
-    if (has_one_pressure(box_, advanced.surfaces))
-        summary.wall_pressure = wall_pressure(box_, advanced.impulses, time_);
+    if (const auto& start = pressure_.start()) {
+        summary.pressure_since = start->time;
+        summary.wall_pressure =
+            wall_pressure(box_, start->since(advanced.impulses), time_ - start->time);
+    }
     if (!worked_on_ && plain)
         summary.virial_pressure =
             virial_pressure(box_, particles_, thermal, advanced.impulses, time_);

@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 #include "stats/growing_histogram.h"
+#include "stats/pressure.h"
 
 namespace carom {
 
@@ -31,8 +33,9 @@ struct RunSummary {
     std::vector<std::optional<double>> momentum_initial, momentum_final;  ///< by axis
     double largest_overlap = 0.0;           ///< at collisions and in samples (in large gases not in
                                             ///< all of them), in units of the contact distance
-    std::optional<double> wall_pressure;    ///< from time 0 to the end; a force in 1-D
-    std::optional<double> virial_pressure;  ///< the same
+    std::optional<double> pressure_since;   ///< from when on the gas has had one pressure
+    std::optional<double> wall_pressure;    ///< from then to the end; a force in 1-D
+    std::optional<double> virial_pressure;  ///< from time 0 to the end
     std::optional<double> temperature;      ///< mean over the samples (ThermalMotion)
     std::vector<SpeciesMeans> species;
     BinnedCounts speeds, energies;  ///< of all particles in all samples
@@ -43,8 +46,10 @@ class RunStatistics {
     /// For a run of about `samples` samples; `species` is the number of species.
     RunStatistics(const Box& box, const Particles& particles, int species, std::int64_t samples);
 
-    /// The next sample in order of time.
-    void see(const Sample& sample);
+    /// The next sample in order of time, with the impulses by then and the surfaces of a box that
+    /// has any.
+    void see(const Sample& sample, const ImpulseTotals& impulses = {},
+             std::span<const SurfaceState> surfaces = {});
 
     /// The statistics of all samples seen, at least one, the last of them at the end of the
     /// `advanced`, which gives the impulses since time 0.
@@ -77,6 +82,7 @@ class RunStatistics {
     std::vector<Sums> sums_;           ///< by species, over its particles and the samples
     std::vector<std::int64_t> counts_;
     GrowingHistogram speeds_, energies_;
+    PressureWatch pressure_;
 };
 
 }  // namespace carom

@@ -168,8 +168,8 @@ class Course {
     void see_sample(const SampleTaker& take) {
         const Stopwatch watch;
         const Sample& sample = simulation_.sample();
-        statistics_.see(sample);
         const std::vector<SurfaceState> surfaces = simulation_.surfaces();
+        statistics_.see(sample, advanced_.impulses, surfaces);
         surfaces_.see(surfaces);
         if (take) take(simulation_.particles(), sample, surfaces);
         seconds_.samples += watch.wall();

@@ -150,9 +150,12 @@ Fact momentum(const RunSummary& summary) {
 
 std::string pressure_words(const RunReport& report) {
     const RunSummary& summary = report.summary;
-    if (!report.surfaces.empty())
-        return summary.wall_pressure ? number(summary.wall_pressure) + " on the walls"
-                                     : "not one; see what each surface has received";
+    if (!report.surfaces.empty()) {
+        if (!summary.wall_pressure) return "not one; see what each surface has received";
+        const double since = summary.pressure_since.value_or(0.0);
+        return number(summary.wall_pressure) + " on the walls" +
+               (since > 0.0 ? fmt::format(", from time {} on", plain_number(since)) : "");
+    }
     const std::string wall = summary.wall_pressure ? number(summary.wall_pressure) + " on the walls"
                                                    : "no solid walls to press on";
     if (!summary.virial_pressure) return wall;
@@ -163,7 +166,8 @@ Fact pressure(const RunReport& report, int dimension) {
     const RunSummary& summary = report.summary;
     return {"pressure",
             Json{{"wall", number_or_null(summary.wall_pressure)},
-                 {"virial", number_or_null(summary.virial_pressure)}},
+                 {"virial", number_or_null(summary.virial_pressure)},
+                 {"since", number_or_null(summary.pressure_since)}},
             dimension == 1 ? "force" : "pressure", pressure_words(report)};
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -16,37 +17,28 @@
 namespace carom {
 namespace {
 
-// What has changed hands by a time.
-struct Account {
-    double time = 0.0;
-    ImpulseTotals impulses;
-};
-
-ImpulseTotals between(const ImpulseTotals& from, const ImpulseTotals& to) {
-    ImpulseTotals change = to;
-    for (std::size_t side = 0; side < change.wall.size(); ++side)
-        change.wall[side] -= from.wall[side];
-    change.virial -= from.virial;
-    return change;
-}
-
 // The pressures over the time that the scene asks for, frame by frame.
 class Gauge {
   public:
-    Gauge(const PanelContext& context, Over over) : context_(context), over_(over) {}
+    Gauge(const PanelContext& context, Over over)
+        : context_(context), over_(over), watch_(context.scene.gas.box) {}
 
     std::vector<double> operator()(const FrameInput& o) {
         const Box& box = context_.scene.gas.box;
-        if (accounts_.empty()) accounts_.push_back({});
         const bool plain = o.advanced.surfaces.empty();
-        if (!has_one_pressure(box, o.advanced.surfaces)) unknown_until_ = o.tick.time;
+        watch_.see(o.tick.time, o.advanced.impulses, o.advanced.surfaces);
+        if (!watch_.start()) {
+            accounts_.clear();
+            return {nan_, nan_};
+        }
+        if (accounts_.empty()) accounts_.push_back(*watch_.start());
         if (o.tick.time > accounts_.back().time)
             accounts_.push_back({o.tick.time, o.advanced.impulses});
         drop_old();
-        const Account& from = accounts_.front();
-        const Account& to = accounts_.back();
-        if (!(to.time > from.time) || from.time < unknown_until_) return {nan_, nan_};
-        const ImpulseTotals change = between(from.impulses, to.impulses);
+        const PressureStart& from = accounts_.front();
+        const PressureStart& to = accounts_.back();
+        if (!(to.time > from.time)) return {nan_, nan_};
+        const ImpulseTotals change = from.since(to.impulses);
         const double time = to.time - from.time;
         const double thermal = thermal_motion(box, context_.particles, o.sample).energy;
         const bool pushed = !plain || infinite_mass_moves(context_.particles, o.sample);
@@ -75,14 +67,17 @@ class Gauge {
     static constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
     PanelContext context_;
     Over over_;
-    std::deque<Account> accounts_;
-    double unknown_until_ = -std::numeric_limits<double>::infinity();  ///< where there is no one
-                                                                       ///< pressure of the gas
+    PressureWatch watch_;
+    std::deque<PressureStart> accounts_;  ///< what has been received by a time
     std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
 };
 
-std::string time_words(const Over& over) {
-    if (over.since == Over::Since::start) return "mean since the start";
+// A gas that is parted has no one pressure before the last partition opens.
+std::string time_words(const Over& over, const Box& box) {
+    if (over.since == Over::Since::start)
+        return std::ranges::all_of(box.surfaces.partitions, &Partition::is_open)
+                   ? "mean since the start"
+                   : "mean since the last partition opened";
     if (over.since == Over::Since::now) return "from frame to frame";
     return fmt::format("mean over the last {:g}", over.window);
 }
@@ -110,7 +105,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .measure = gauge,
         .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
         .titles = {title(spec, walls)},
-        .notes = {time_words(over)},
+        .notes = {time_words(over, box)},
         .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
             if (!std::isfinite(*of_points)) return std::nullopt;
             return ReferenceLevel{"gas of points", *of_points};

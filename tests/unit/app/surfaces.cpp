@@ -72,6 +72,24 @@ TEST_CASE("a run reports what its surfaces have done, and where the energy is") 
     CHECK(table.find("12 ± 1.4142, 14 at the end") != std::string::npos);
 }
 
+TEST_CASE("the pressure in a report counts from when the last partition has opened") {
+    Scene scene = drifting_piston();
+    Surfaces& surfaces = scene.gas.box.surfaces;
+    surfaces.obstacles.clear();
+    surfaces.partitions = {{.name = "door", .at = 10.0}};
+    scene.run.until = 40.0;
+    // The disk of mass 1 meets the bottom and the top, 9 apart, with momentum 2 at 4.5, 13.5, ...
+    scene.run.events = {{11.5, SetOpen{4, true}}};
+    const RunReport report = run_physics(scene, {}, silent());
+    CHECK(report.summary.pressure_since == 12.0);
+    // At 13.5, 22.5 and 31.5; both ends and both sides are 60 long.
+    CHECK(*report.summary.wall_pressure == doctest::Approx(3 * 2.0 / (60.0 * 28.0)));
+    CHECK(Json::parse(run_json(scene, report)).at("pressure").at("since") == 12.0);
+    CHECK(run_table(scene, report).find("on the walls, from time 12 on") != std::string::npos);
+    scene.run.events.clear();
+    CHECK_FALSE(run_physics(scene, {}, silent()).summary.wall_pressure);
+}
+
 TEST_CASE("a plain box has no surfaces in its report") {
     Scene scene = drifting_piston();
     scene.gas.box.surfaces = {};

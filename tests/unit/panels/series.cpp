@@ -122,6 +122,27 @@ TEST_CASE("pressures are of what changed hands since the start, in a while, or s
     CHECK(last({Over::Since::now, 0.0}) == relative(4 * 120.0 / (40.0 * 2.0), 1e-14));
 }
 
+TEST_CASE("the pressure of a gas that was parted counts from when the last partition has opened") {
+    Stage stage(2);
+    Partition door{.name = "door", .at = 5.0};
+    stage.scene.gas.box.surfaces.partitions = {door};
+    stage.advanced.surfaces.resize(5);
+    PanelSpec spec{.kind = "pressure"};
+    spec.over = Over{Over::Since::start, 0.0};
+    const auto panel = stage.panel(spec);
+    for (const double t : {0.0, 1.0, 2.0, 4.0, 6.0}) {
+        const double received = 10.0 * t * t;
+        stage.advanced.impulses.wall = {received, received, received, received};
+        stage.advanced.surfaces[4].is_open = t >= 2.0;
+        stage.show(*panel, t, along_x({1.0, -1.0, 1.0, -1.0}));
+    }
+    const std::vector<double>& on_walls = panel->record().runs.front().lines[0];
+    REQUIRE(on_walls.size() == 5);
+    for (const std::size_t k : {0, 1, 2}) CHECK(std::isnan(on_walls[k]));
+    CHECK(on_walls[3] == relative(4 * 120.0 / (40.0 * 2.0), 1e-14));
+    CHECK(on_walls[4] == relative(4 * 320.0 / (40.0 * 4.0), 1e-14));
+}
+
 TEST_CASE(
     "entropy is 0 where all of a kind move alike, ln 2 for two streams, most at equilibrium") {
     Stage stage(100);

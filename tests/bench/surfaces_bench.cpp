@@ -76,6 +76,6 @@ int main(int argc, char** argv) {
                           Row{"gravity", 100'000, add_gravity, 1.5}};
     fmt::print("box with        particles   ns/collision without       with    ratio\n");
     bool good = true;
-    for (const Row& row : rows) good = is_cheap(row, quick ? 3 : 8) && good;
+    for (const Row& row : rows) good = is_cheap(row, quick ? 6 : 16) && good;
     return good ? 0 : 1;
 }

@@ -440,3 +440,33 @@ TEST_CASE("disks are placed clear of every surface") {
     start.velocities = {{0.0, 0.0}};
     CHECK_THROWS_AS(start.simulation(), std::invalid_argument);
 }
+
+// Beyond the box that it was made for, and crowded in a corner of it, the grid of cells is made
+// anew: with wrong neighbours disks would overlap.
+TEST_CASE("disks meet one another wherever the walls have gone") {
+    constexpr double out = 0.5, turn = 80.0, until = 150.0;
+    Gas gas;
+    gas.box.size = {20.0, 20.0};
+    for (std::size_t side = 0; side < 4; ++side)
+        gas.box.surfaces.sides[side] = Driven{.velocity = side % 2 == 0 ? -out : out};
+    gas.species = {{.name = "disks", .count = 150, .radius = 0.5, .velocity = Temperature{4.0}}};
+    Run run;
+    for (std::int32_t side = 0; side < 4; ++side)
+        run.events.push_back({turn, MoveSurface{side, side % 2 == 0 ? out : -out}});
+    Simulation simulation(gas, run);
+    double farthest = 0.0;
+    for (double time = 1.0; time <= until; time += 1.0) {
+        simulation.advance_to(time);
+        const double moved = out * (time < turn ? time : 2.0 * turn - time);
+        const Eigen::ArrayXXd& x = simulation.sample().position;
+        double closest = 1.0;
+        for (Eigen::Index i = 0; i < x.rows(); ++i)
+            for (Eigen::Index j = 0; j < i; ++j)
+                closest = std::min(closest, (x.row(i) - x.row(j)).matrix().norm());
+        CHECK(closest > 1.0 - 1e-12);
+        CHECK(x.minCoeff() > 0.5 - moved - 1e-12 * 100.0);
+        CHECK(x.maxCoeff() < 19.5 + moved + 1e-12 * 100.0);
+        farthest = std::max(farthest, x.maxCoeff());
+    }
+    CHECK(farthest > 40.0);
+}

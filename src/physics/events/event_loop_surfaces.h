@@ -43,6 +43,12 @@ void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size
             return;
         }
         const auto other = geometry_.surfaces().process_mover(k, now_);
+        if (!geometry_.fits_grid(now_)) {
+            move_epoch_to(now_);
+            geometry_.enter(bodies_);
+            predict_all();
+            return;
+        }
         look_for_hits(k);
         if (other) look_for_hits(*other);
     }

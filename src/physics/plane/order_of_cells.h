@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -23,16 +24,17 @@ constexpr std::uint64_t spread_bits(std::uint64_t bits) {
     return (bits | bits << 1) & 0x55555555U;
 }
 
-/// The numbers of the disks in that order; of few disks as they are.
+/// The numbers of the disks in that order; of few disks as they are. The grid begins at `origin`.
 template <typename Bodies>
-std::vector<std::int32_t> order_of_cells(const CellGrid& grid, const Bodies& bodies) {
+std::vector<std::int32_t> order_of_cells(const CellGrid& grid, const std::array<double, 2>& origin,
+                                         const Bodies& bodies) {
     std::vector<std::int32_t> numbers(bodies.size());
     std::iota(numbers.begin(), numbers.end(), 0);
     if (bodies.size() < least_in_order_of_cells) return numbers;
     std::vector<std::uint64_t> keys(bodies.size());
     for (std::size_t k = 0; k < keys.size(); ++k) {
-        const Cell cell =
-            grid.cell_at(static_cast<double>(bodies[k].x[0]), static_cast<double>(bodies[k].x[1]));
+        const Cell cell = grid.cell_at(static_cast<double>(bodies[k].x[0]) - origin[0],
+                                       static_cast<double>(bodies[k].x[1]) - origin[1]);
         keys[k] = (spread_bits(cell[0]) | spread_bits(cell[1]) << 1) << 32 | k;
     }
     std::sort(keys.begin(), keys.end());

@@ -53,7 +53,7 @@ class PairSearch {
     /// other, along a Z-curve through the cells. Few stay as they are: they fit into the cache.
     /// What is known here of each is put in that order at once.
     std::vector<std::int32_t> order(const Bodies& bodies) {
-        std::vector<std::int32_t> numbers = order_of_cells(grid_, bodies);
+        std::vector<std::int32_t> numbers = order_of_cells(grid_, origin_, bodies);
         if (is_resorted(bodies.size())) properties_.renumber(numbers);
         return numbers;
     }
@@ -61,8 +61,8 @@ class PairSearch {
     /// Takes the bodies as they are, in order, at time 0.
     void enter(Bodies& bodies) {
         for (Body& body : bodies)
-            body.cell =
-                grid_.cell_at(static_cast<double>(body.x[0]), static_cast<double>(body.x[1]));
+            body.cell = grid_.cell_at(static_cast<double>(body.x[0]) - origin_[0],
+                                      static_cast<double>(body.x[1]) - origin_[1]);
         fill_grid(bodies);
     }
 
@@ -114,8 +114,19 @@ class PairSearch {
     bool separation_at_contact(const Body& a, const Body& b, double sigma, Scalar& x,
                                Scalar& y) const;
 
+    /// Another grid for all disks, over a part of the plane that begins at `origin` and has the
+    /// size and the walls of `part`. The bodies must be entered again.
+    void set_grid(const std::array<double, 2>& origin, const Box& part, std::size_t count) {
+        Eigen::ArrayXd radii(static_cast<Eigen::Index>(count));
+        for (std::size_t k = 0; k < count; ++k)
+            radii[static_cast<Eigen::Index>(k)] = properties_[k].radius;
+        origin_ = origin;
+        grid_ = CellGrid(part, radii);
+    }
+
     Box box_;
     CellGrid grid_;
+    std::array<double, 2> origin_{};  ///< where the grid begins
     std::vector<std::int32_t> near_ =
         std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be looked at
     DiskProperties properties_;

@@ -29,6 +29,7 @@ class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
     const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
 
     // As those of Line and OpenPlane.
+    bool fits_grid(const Scalar&) const { return true; }
     void enter(Bodies& bodies);
     void resettle(Bodies& bodies);
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;

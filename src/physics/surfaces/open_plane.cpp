@@ -19,6 +19,12 @@ double size_of(const Scalar& number) {
     return std::abs(static_cast<double>(number));
 }
 
+// The grid is made anew when a wall is so many of its cells beyond it, or the walls enclose less
+// than a share of it; unless the cells would become so much larger, for which barriers have no
+// images. It leaves walls that move a share of its length free.
+constexpr double most_cells_beyond_grid = 2.0, least_share_of_grid = 0.6, free_share_of_grid = 0.1,
+                 most_growth_of_cells = 2.0;
+
 // When a disk leaves its cell, and by which side. That is no event of physics, and a cell is a
 // little wider than it must be: doubles and their round-off do.
 struct Leaving {
@@ -83,15 +89,74 @@ OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
     : Base(box, particles, {box.surfaces.gravity[0], box.surfaces.gravity[1]}),
       bits_(arithmetic.bits),
       largest_(radius_of_largest(particles)),
+      image_reach_(largest_ +
+                   most_growth_of_cells * std::max(grid_.cell_size()[0], grid_.cell_size()[1])),
       gravity_{box.surfaces.gravity[0], box.surfaces.gravity[1]},
       has_gravity_((box.surfaces.gravity != 0.0).any()),
-      surfaces_(box, largest_ + std::max(grid_.cell_size()[0], grid_.cell_size()[1]),
-                {0.25 * grid_.cell_size()[0], 0.25 * grid_.cell_size()[1]}, arithmetic.bits) {
+      surfaces_(box, image_reach_, {0.25 * grid_.cell_size()[0], 0.25 * grid_.cell_size()[1]},
+                arithmetic.bits) {
+    for (std::size_t axis = 0; axis < 2; ++axis) gridded_[axis] = {0.0, box.length(axis)};
+    note_ends_of_grid();
+}
+
+// Beside a wall a cell has no border.
+template <typename Scalar>
+void OpenPlane<Scalar>::note_ends_of_grid() {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        const bool ends = !box.is_periodic(axis);
+        const bool ends = !box_.is_periodic(axis);
         first_with_end_[axis] = ends ? 0.0 : -1.0;
         last_with_end_[axis] = ends ? grid_.last_cell()[axis] : -1.0;
     }
+}
+
+// Between the walls, which may have moved, along each axis.
+template <typename Scalar>
+auto OpenPlane<Scalar>::enclosed(const Scalar& now) const -> std::array<Interval, 2> {
+    std::array<Interval, 2> between;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const auto place = [&](std::size_t side) {
+            return static_cast<double>(surfaces_.mover(2 * axis + side).place_at(now));
+        };
+        between[axis] = {place(0), place(1)};
+    }
+    return between;
+}
+
+// Disks beyond the grid count as in its last cells, which would be crowded; and so would all be if
+// the cells were too wide for a gas that has become denser.
+template <typename Scalar>
+bool OpenPlane<Scalar>::fits_grid(const Scalar& now) const {
+    const std::array<Interval, 2> between = enclosed(now);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const Interval &grid = gridded_[axis], &is = between[axis];
+        const double beyond = most_cells_beyond_grid * grid_.cell_size()[axis];
+        if (is.low < grid.low - beyond || is.high > grid.high + beyond) return false;
+        if (is.length() < least_share_of_grid * grid.length()) return false;
+    }
+    return true;
+}
+
+template <typename Scalar>
+void OpenPlane<Scalar>::fit_grid(const Scalar& now, std::size_t count) {
+    gridded_ = enclosed(now);
+    Box part = box_;
+    std::array<double, 2> origin{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        Interval& range = gridded_[axis];
+        const double free = free_share_of_grid * range.length();
+        if (surfaces_.mover(2 * axis).is_mobile) range.low -= free;
+        if (surfaces_.mover(2 * axis + 1).is_mobile) range.high += free;
+        origin[axis] = range.low;
+        part.size[static_cast<Eigen::Index>(axis)] = range.length();
+    }
+    const CellGrid before = grid_;
+    const std::array<double, 2> origin_before = origin_;
+    this->set_grid(origin, part, count);
+    if (largest_ + std::max(grid_.cell_size()[0], grid_.cell_size()[1]) > image_reach_) {
+        grid_ = before;
+        origin_ = origin_before;
+    }
+    note_ends_of_grid();
 }
 
 // How far a disk in a cell may reach beyond it along an axis.
@@ -103,8 +168,9 @@ double OpenPlane<Scalar>::reach_of(std::size_t axis) const {
 // The column or row of cells in which a place lies.
 template <typename Scalar>
 int OpenPlane<Scalar>::cell_along(std::size_t axis, double place) const {
-    return static_cast<int>(std::clamp(std::floor(place / grid_.cell_size()[axis]), 0.0,
-                                       static_cast<double>(grid_.last_cell()[axis])));
+    return static_cast<int>(
+        std::clamp(std::floor((place - origin_[axis]) / grid_.cell_size()[axis]), 0.0,
+                   static_cast<double>(grid_.last_cell()[axis])));
 }
 
 // Each cell's list of what a disk in it may touch, one after the other.
@@ -152,6 +218,7 @@ void OpenPlane<Scalar>::list_reach(std::size_t k) {
 
 template <typename Scalar>
 void OpenPlane<Scalar>::enter(Bodies& bodies) {
+    if (!bodies.empty() && !fits_grid(bodies[0].time)) fit_grid(bodies[0].time, bodies.size());
     Base::enter(bodies);
     resettle(bodies);
 }
@@ -211,8 +278,9 @@ inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& v
     const TwoLanes cell{static_cast<double>(body.cell[0]), static_cast<double>(body.cell[1])};
     const TwoLanes size = load_two(grid_.cell_size().data());
     const TwoLanes hang = load_two(grid_.overhang().data());
-    const InCell in{.low = size * cell - hang,
-                    .high = size * (cell + 1.0) + hang,
+    const TwoLanes origin = load_two(origin_.data());
+    const InCell in{.low = origin + size * cell - hang,
+                    .high = origin + size * (cell + 1.0) + hang,
                     .no_low = cell == first_with_end_,
                     .no_high = cell == last_with_end_,
                     .x = load_two(view.x.data()),

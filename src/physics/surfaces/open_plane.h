@@ -61,6 +61,10 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     /// The same, of bodies that are where they were.
     void resettle(Bodies& bodies);
 
+    /// Whether the grid fits the part of the plane that the walls enclose at a time. If not, the
+    /// bodies must be entered again, at that time: the grid is made anew.
+    bool fits_grid(const Scalar& now) const;
+
     /// Moves a body on to a time, as advance_body() does.
     void advance(Body& body, const Scalar& now) const {
         if constexpr (of_doubles)
@@ -86,7 +90,8 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
                        const Agenda<Scalar>& agenda);
 
   private:
-    using Base::at, Base::box_, Base::grid_, Base::near_, Base::properties_, Base::of_doubles;
+    using Base::at, Base::box_, Base::grid_, Base::near_, Base::properties_, Base::origin_,
+        Base::of_doubles;
 
     /// The first event found so far.
     struct First {
@@ -100,6 +105,10 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
         explicit First(const FirstContact& contact)
             : First(contact.time, contact.partner(), contact.collisions()) {}
     };
+    struct Interval {
+        double low = 0.0, high = 0.0;
+        double length() const { return high - low; }
+    };
     /// A barrier that may move, and the columns or rows of cells from which a disk can reach it
     /// until its mover is registered anew.
     struct Moving {
@@ -107,6 +116,9 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
         std::size_t axis;
         int first = 0, last = 0;
     };
+    std::array<Interval, 2> enclosed(const Scalar& now) const;
+    void fit_grid(const Scalar& now, std::size_t count);
+    void note_ends_of_grid();
     void list_barriers();
     void list_reach(std::size_t mover);
     double reach_of(std::size_t axis) const;
@@ -126,7 +138,9 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     double border_time(const Body& body, const DiskView& view, std::uint32_t& side) const;
 
     int bits_;
-    double largest_;  ///< radius
+    double largest_;                   ///< radius
+    double image_reach_;               ///< as far beyond a periodic side barriers have images
+    std::array<Interval, 2> gridded_;  ///< that the grid was made for
     std::array<double, 2> gravity_;
     bool has_gravity_;
     SurfaceSet<Scalar> surfaces_;

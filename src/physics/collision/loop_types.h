@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "physics/collision/flight.h"
 #include "physics/collision/pair_collision.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
@@ -88,25 +89,6 @@ struct PlainBodies {
     }
     static bool is_resorted(std::size_t) { return false; }
 };
-
-/// Where a body is at a time: between events bodies are in free flight.
-template <typename Body, typename Scalar>
-Scalar position_at(const Body& b, std::size_t axis, const Scalar& now) {
-    return b.x[axis] + b.v[axis] * (now - b.time);
-}
-
-/// How fast it moves then.
-template <typename Body, typename Scalar>
-const Scalar& velocity_at(const Body& b, std::size_t axis, const Scalar&) {
-    return b.v[axis];
-}
-
-/// Moves a body on to a time.
-template <typename Body, typename Scalar>
-inline void advance_body(Body& b, const Scalar& now) {
-    for (std::size_t a = 0; a < b.x.size(); ++a) b.x[a] += b.v[a] * (now - b.time);
-    b.time = now;
-}
 
 /// To be called when a body has been moved or its velocity changed, for those who keep something
 /// that depends on it.

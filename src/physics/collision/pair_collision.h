@@ -146,4 +146,17 @@ Scalar wall_time(const Scalar& x, const Scalar& v, const Scalar& low, const Scal
     return time > 0 ? time : Scalar(0);
 }
 
+/// x / (a + b), rounded as if the sum were exact. The error of a rounded sum of two inverse masses
+/// is the same at each collision of the two, and would make their energy drift.
+template <typename Scalar>
+Scalar divided_by_sum(const Scalar& x, const Scalar& a, const Scalar& b) {
+    using std::fma;
+    const Scalar sum = a + b;
+    const Scalar b_rounded = sum - a;
+    const Scalar error = (a - (sum - b_rounded)) + (b - b_rounded);
+    const Scalar quotient = x / sum;
+    if (error == 0.0) return quotient;
+    return quotient + (fma(-quotient, sum, x) - quotient * error) / sum;
+}
+
 }  // namespace carom

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "physics/collision/falling_motion.h"
+#include "physics/collision/flight.h"
 #include "physics/collision/pair_collision.h"
 
 namespace carom {

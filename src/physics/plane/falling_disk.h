@@ -38,27 +38,8 @@ struct FallingDisk
 
 using FallingDisks = LargeVector<FallingDisk<double>>;
 
-template <typename Scalar>
-Scalar position_at(const FallingDisk<Scalar>& d, std::size_t axis, const Scalar& now) {
-    const Scalar t = now - d.time;
-    return d.x[axis] + t * (d.v[axis] + 0.5 * t * d.a[axis]);
-}
-
-template <typename Scalar>
-Scalar velocity_at(const FallingDisk<Scalar>& d, std::size_t axis, const Scalar& now) {
-    return d.v[axis] + d.a[axis] * (now - d.time);
-}
-
-template <typename Scalar>
-inline void advance_body(FallingDisk<Scalar>& d, const Scalar& now) {
-    for (std::size_t k = 0; k < 2; ++k) {
-        d.x[k] = position_at(d, k, now);
-        d.v[k] = velocity_at(d, k, now);
-    }
-    d.time = now;
-}
-/// The same with a known acceleration, which is not looked up: only the first cache line is read.
-/// What is read as a pair is written as a pair (disk_state.h).
+/// As advance_body() with a known acceleration, which is not looked up: only the first cache line
+/// is read. What is read as a pair is written as a pair (disk_state.h).
 inline void advance_body(DiskState& d, double now, const std::array<double, 2>& a) {
     const double t = now - d.time;
     const TwoLanes v = load_two(d.v.data()), gain = t * load_two(a.data());

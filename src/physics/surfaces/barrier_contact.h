@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "physics/collision/accelerated_contact.h"
-#include "physics/collision/falling_motion.h"
+#include "physics/collision/flight.h"
 #include "physics/collision/pair_collision.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/surfaces/barrier.h"

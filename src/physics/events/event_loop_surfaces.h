@@ -58,13 +58,15 @@ void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::look_for_hits(std::size_t k) {
     if constexpr (has_surfaces) {
-        const auto time_of = [&](std::int32_t i) { return rounded_up(queue_.time(i)); };
+        const auto time_left = [&](std::int32_t i) {
+            return rounded_up(Scalar(queue_.time(i) - now_));
+        };
         const auto move_forward = [&](std::int32_t i, const Scalar& time) {
             if (!(time < queue_.time(i))) return false;
             queue_.schedule(i, time);
             return true;
         };
-        geometry_.look_for_hits(bodies_, k, now_, {time_of, move_forward});
+        geometry_.look_for_hits(bodies_, k, now_, {time_left, move_forward});
         // It may meet the other movers at other times now.
         for (std::size_t mover = 0; mover < geometry_.surfaces().mover_count(); ++mover)
             queue_.schedule(static_cast<std::int32_t>(bodies_.size() + mover),

@@ -61,10 +61,9 @@ inline void accelerate(DiskState& d, double factor, const std::array<double, 2>&
 /// One in doubles, at the present.
 struct DiskView {
     std::array<double, 2> x, v, a;
-    double now;
 
     template <typename Scalar>
-    DiskView(const FallingDisk<Scalar>& d, const Scalar& time) : now(static_cast<double>(time)) {
+    DiskView(const FallingDisk<Scalar>& d, const Scalar& time) {
         for (std::size_t k = 0; k < 2; ++k) {
             x[k] = static_cast<double>(position_at(d, k, time));
             v[k] = static_cast<double>(velocity_at(d, k, time));
@@ -72,8 +71,7 @@ struct DiskView {
         }
     }
     /// With a known acceleration, as for advance_body().
-    DiskView(const DiskState& d, double time, const std::array<double, 2>& gravity)
-        : a(gravity), now(time) {
+    DiskView(const DiskState& d, double time, const std::array<double, 2>& gravity) : a(gravity) {
         const double t = time - d.time;
         const TwoLanes velocity = load_two(d.v.data()), gain = t * load_two(gravity.data());
         store_two(load_two(d.x.data()) + t * (velocity + 0.5 * gain), x.data());

@@ -79,6 +79,24 @@ struct InCell {
     return first_of(select_bits(stays, none, time), arrives ^ mirrored);
 }
 
+// Whether two disks that fall alike certainly do not touch within a time: they part, pass each
+// other or are too far away, by far more than doubles round.
+bool surely_miss(const DiskView& a, const DiskView& b, const std::array<double, 2>& shift,
+                 double sigma, double time) {
+    if (a.a != b.a) return false;
+    constexpr double slack = 1e-9;
+    const double x = b.x[0] + shift[0] - a.x[0], y = b.x[1] + shift[1] - a.x[1];
+    const double vx = b.v[0] - a.v[0], vy = b.v[1] - a.v[1];
+    const double way = std::abs(vx) + std::abs(vy), far = std::abs(x) + std::abs(y);
+    if (x * vx + y * vy > slack * way * far) return true;
+    const double touching = sigma + slack * (sigma + std::abs(b.x[0]) + std::abs(b.x[1]) +
+                                             std::abs(shift[0]) + std::abs(shift[1]));
+    const double miss = x * vy - y * vx;
+    if (std::abs(miss) > (touching + slack * far) * way) return true;
+    const double reach = touching + way * time;
+    return x * x + y * y > reach * reach;
+}
+
 }  // namespace
 
 template class PairSearch<FallingDisk<double>>;
@@ -88,6 +106,7 @@ OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
                              const Arithmetic& arithmetic)
     : Base(box, particles, {box.surfaces.gravity[0], box.surfaces.gravity[1]}),
       bits_(arithmetic.bits),
+      screened_(arithmetic.screened),
       largest_(radius_of_largest(particles)),
       image_reach_(largest_ +
                    most_growth_of_cells * std::max(grid_.cell_size()[0], grid_.cell_size()[1])),
@@ -250,13 +269,13 @@ Scalar OpenPlane<Scalar>::pair_time(const Body& a, const Body& b,
                                         as_precise_as(r[0], a.radius) + b.radius, round_off, bits_);
 }
 
-// Those that it may touch before a time.
+// Those that it may touch within a time.
 template <typename Scalar>
 inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
                                                 const DiskView& view, const Scalar& now,
-                                                double before, First& first) const {
+                                                double within, First& first) const {
     const auto look = [&](std::int32_t k) {
-        if (!surfaces_.may_touch(view, radius, k, before)) return;
+        if (screened_ && !surfaces_.may_touch(view, radius, k, now, within)) return;
         const Barrier& barrier = surfaces_.barrier(k);
         if (surfaces_.lets_pass(barrier, body.species)) return;
         const Scalar time = now + surfaces_.time_to(body, k, now);
@@ -295,16 +314,21 @@ inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& v
 template <typename Scalar>
 auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                      First& first) {
-    return [this, &bodies, &now, &first, i](const CellGrid::Slots& slots, double shift_x,
-                                            double shift_y) {
+    return [this, &bodies, &now, &first, i, view = DiskView(at(bodies, i), now)](
+               const CellGrid::Slots& slots, double shift_x, double shift_y) {
         const std::array<double, 2> shift{shift_x, shift_y};
+        const Body& body = at(bodies, i);
         std::size_t count = 0;
         grid_.append(slots, near_, count);
         for (std::size_t k = 0; k < count; ++k) {
             const std::int32_t j = near_[k];
             if (j == i) continue;
             const Body& other = at(bodies, j);
-            const Scalar time = now + pair_time(at(bodies, i), other, shift, now);
+            if (screened_ &&
+                surely_miss(view, DiskView(other, now), shift, body.radius + other.radius,
+                            rounded_up(Scalar(first.time - now))))
+                continue;
+            const Scalar time = now + pair_time(body, other, shift, now);
             if (time < first.time || (time == first.time && j < first.partner))
                 first = {time, j, other.collisions & most_collisions};
         }
@@ -319,7 +343,8 @@ inline Scalar OpenPlane<Scalar>::next_event(Body& body, double radius, const Sca
     const DiskView view = view_of(body, now);
     std::uint32_t side = 0;
     Scalar border = now + border_time(body, view, side);
-    look_at_barriers(body, radius, view, now, rounded_up(std::min(first.time, border)), first);
+    const double within = rounded_up(Scalar(std::min(first.time, border) - now));
+    look_at_barriers(body, radius, view, now, within, first);
     const bool is_contact = first.time <= border;
     body.prediction = {
         .contact_time = of_doubles || is_contact ? rounded_down(first.time) : never<double>,
@@ -400,9 +425,8 @@ void OpenPlane<Scalar>::look_for_hits(Bodies& bodies, std::size_t k, const Scala
         if (barrier.surface != static_cast<std::int32_t>(k)) continue;
         const auto look_at = [&](std::int32_t i) {
             Body& body = at(bodies, i);
-            const double planned = agenda.time_of(i);
-            if (!surfaces_.may_touch(view_of(body, now), this->radius_of(i), moving.barrier,
-                                     planned))
+            if (screened_ && !surfaces_.may_touch(view_of(body, now), this->radius_of(i),
+                                                  moving.barrier, now, agenda.time_left(i)))
                 return;
             if (surfaces_.lets_pass(barrier, body.species)) return;
             const Scalar time = now + surfaces_.time_to(body, moving.barrier, now);

@@ -20,12 +20,12 @@
 
 namespace carom {
 
-/// What a plane and a line with surfaces are told of the queue of events: when a disk's next event
-/// comes, rounded up, and how to put an earlier one in its place; false, and nothing is done, if it
-/// is not earlier.
+/// What a plane and a line with surfaces are told of the queue of events: how long it is until a
+/// disk's next event, rounded up, and how to put an earlier one in its place; false, and nothing is
+/// done, if it is not earlier.
 template <typename Scalar>
 struct Agenda {
-    std::function<double(std::int32_t)> time_of;
+    std::function<double(std::int32_t)> time_left;
     std::function<bool(std::int32_t, const Scalar& time)> move_forward;
 };
 
@@ -132,12 +132,13 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
                      const Scalar& now) const;
     void look_at_barriers(const Body& body, double radius, const DiskView& view, const Scalar& now,
-                          double before, First& first) const;
+                          double within, First& first) const;
     auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
     Scalar next_event(Body& body, double radius, const Scalar& now, First first);
     double border_time(const Body& body, const DiskView& view, std::uint32_t& side) const;
 
     int bits_;
+    bool screened_;
     double largest_;                   ///< radius
     double image_reach_;               ///< as far beyond a periodic side barriers have images
     std::array<Interval, 2> gridded_;  ///< that the grid was made for

@@ -137,20 +137,17 @@ BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barr
 
 template <typename Scalar>
 bool SurfaceSet<Scalar>::may_touch(const DiskView& disk, double radius, std::int32_t k,
-                                   double before) const {
+                                   const Scalar& now, double within) const {
     const Barrier& its = barrier(k);
     BarrierMotion<double> m{.x = disk.x, .v = disk.v, .a = disk.a, .radius = radius};
     std::array<double, 2> place = its.place;
     if (const auto* mover = mover_of(its)) {
-        const double t = disk.now - static_cast<double>(mover->time);
-        const auto v = static_cast<double>(mover->velocity);
-        const auto a = static_cast<double>(mover->acceleration);
-        place[mover->axis] = static_cast<double>(mover->place) + t * (v + 0.5 * t * a);
-        m.v[mover->axis] -= v + a * t;
-        m.a[mover->axis] -= a;
+        place[mover->axis] = static_cast<double>(mover->place_at(now));
+        m.v[mover->axis] -= static_cast<double>(mover->velocity_at(now));
+        m.a[mover->axis] -= static_cast<double>(mover->acceleration);
     }
     for (std::size_t a = 0; a < 2; ++a) m.x[a] -= place[a];
-    return may_touch_within(its, m, before - disk.now, size_of_box_);
+    return may_touch_within(its, m, within, size_of_box_);
 }
 
 template <typename Scalar>

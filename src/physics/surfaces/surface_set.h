@@ -59,8 +59,10 @@ class SurfaceSet {
     /// Where a disk touches it.
     Vector contact_point(const Body& body, const Barrier& barrier, const Scalar& now) const;
 
-    /// Whether a disk may touch a barrier before a time: false only where it certainly does not.
-    bool may_touch(const DiskView& disk, double radius, std::int32_t barrier, double before) const;
+    /// Whether a disk may touch a barrier from `now` until so much later: false only where it
+    /// certainly does not.
+    bool may_touch(const DiskView& disk, double radius, std::int32_t barrier, const Scalar& now,
+                   double within) const;
 
     /// Time from `now` until a disk touches a barrier, `never` if it does not.
     Scalar time_to(const Body& body, std::int32_t barrier, const Scalar& now) const;

@@ -25,10 +25,10 @@ struct Course {
     std::vector<Real> places;
 };
 
-template <int Dimension>
+template <int Dimension, bool has_surfaces = false>
 Course course(const Gas& gas, double end, const Arithmetic& arithmetic) {
     const auto [particles, start] = place(gas);
-    EventLoop<Dimension, Real> loop(gas.box, particles, arithmetic);
+    EventLoop<Dimension, Real, has_surfaces> loop(gas.box, particles, arithmetic);
     loop.start(start);
     Course all;
     loop.advance(end / 2, &all.collisions);
@@ -36,6 +36,20 @@ Course course(const Gas& gas, double end, const Arithmetic& arithmetic) {
     loop.advance(end, &all.collisions);
     all.places = loop.positions(end);
     return all;
+}
+
+// A small scene with gravity, a piston and obstacles, as far as there are walls and there is room.
+Gas open_scene(std::uint64_t seed) {
+    Gas gas = test::small_scene(seed);
+    Surfaces& surfaces = gas.box.surfaces;
+    if (!gas.box.is_periodic(1)) {
+        if (seed % 2 == 0) surfaces.gravity = {seed % 3 == 0 ? 0.1 : 0.0, -0.3};
+        surfaces.sides[3] = Piston{.mass = 20.0, .force = -3.0};
+    }
+    surfaces.obstacles.push_back({"peg", Obstacle::Disk{0.5 * gas.box.size, 0.02}});
+    surfaces.obstacles.push_back(
+        {"shelf", Obstacle::Lines{{0.2 * gas.box.size, 0.3 * gas.box.size}, false}});
+    return gas;
 }
 
 bool same(const Collision& a, const Collision& b) {
@@ -111,9 +125,34 @@ TEST_CASE("with and without the screen of doubles: the same events, bit for bit"
     }
 }
 
+TEST_CASE("with and without the screen of doubles: the same hits of surfaces") {
+    std::size_t compared = 0, scenes = 0;
+    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+        CAPTURE(seed);
+        const Gas gas = open_scene(seed);
+        if (test::may_crush(gas)) continue;
+        const int bits = 64 << (seed % 4);
+        Course screened;
+        try {
+            screened = course<2, true>(gas, 6.0, {bits, true});
+        } catch (const std::runtime_error&) {
+            continue;  // no room
+        }
+        const Course unscreened = course<2, true>(gas, 6.0, {bits, false});
+        REQUIRE(screened.collisions.size() == unscreened.collisions.size());
+        for (std::size_t k = 0; k < screened.collisions.size(); ++k)
+            REQUIRE(same(screened.collisions[k], unscreened.collisions[k]));
+        REQUIRE(screened.places == unscreened.places);
+        compared += screened.collisions.size();
+        ++scenes;
+    }
+    CHECK(compared > 2000);
+    CHECK(scenes > 60);
+}
+
 TEST_CASE("a late start costs the screen its sharpness, not its right") {
     auto [particles, start] = place(test::equal_disks(0.3, 64));
-    const Box box = test::equal_disks(0.3, 64).box;
+    Box box = test::equal_disks(0.3, 64).box;
     start.time = 1e12;  // a unit in the last place of a double is a tenth of a diameter
     std::vector<Real> places[2];
     for (const bool screened : {false, true}) {
@@ -121,6 +160,15 @@ TEST_CASE("a late start costs the screen its sharpness, not its right") {
         loop.start(start);
         loop.advance(1e12 + 2.0, nullptr);
         CHECK(loop.counts().particle > 50);
+        places[screened ? 1 : 0] = loop.positions(1e12 + 2.0);
+    }
+    CHECK(places[0] == places[1]);
+    box.walls[1] = Wall::solid;
+    box.surfaces.sides[3] = Piston{.mass = 50.0};
+    for (const bool screened : {false, true}) {
+        EventLoop<2, Real, true> loop(box, particles, {192, screened});
+        loop.start(start);
+        loop.advance(1e12 + 2.0, nullptr);
         places[screened ? 1 : 0] = loop.positions(1e12 + 2.0);
     }
     CHECK(places[0] == places[1]);

@@ -110,9 +110,9 @@ RunSummary RunStatistics::summary(const AdvanceResult& advanced) const {
     summary.momentum_final = components(last_.momentum);
     summary.largest_overlap = std::max(largest_overlap_, advanced.impulses.largest_overlap);
     if (const auto& start = pressure_.start()) {
-        summary.pressure_since = start->time;
         summary.wall_pressure =
             wall_pressure(box_, start->since(advanced.impulses), time_ - start->time);
+        if (summary.wall_pressure) summary.pressure_since = start->time;
     }
     if (!worked_on_ && plain)
         summary.virial_pressure =

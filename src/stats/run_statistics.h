@@ -33,8 +33,9 @@ struct RunSummary {
     std::vector<std::optional<double>> momentum_initial, momentum_final;  ///< by axis
     double largest_overlap = 0.0;           ///< at collisions and in samples (in large gases not in
                                             ///< all of them), in units of the contact distance
-    std::optional<double> pressure_since;   ///< from when on the gas has had one pressure
-    std::optional<double> wall_pressure;    ///< from then to the end; a force in 1-D
+    std::optional<double> pressure_since;   ///< when its measurement begins
+    std::optional<double> wall_pressure;    ///< from when on the gas has had one
+                                            ///< pressure; a force in 1-D
     std::optional<double> virial_pressure;  ///< from time 0 to the end
     std::optional<double> temperature;      ///< mean over the samples (ThermalMotion)
     std::vector<SpeciesMeans> species;

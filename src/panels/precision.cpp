@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "panels/panel.h"
+#include "physics/surfaces/surface_error.h"
 #include "scene/feasibility/feasibility.h"
 
 namespace carom {
@@ -17,6 +18,9 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
         throw scene_error(scene, error);
     } catch (const RunEventError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), error.hint());
+    } catch (const SurfaceError& error) {
+        const auto surface = static_cast<std::size_t>(error.surface());
+        refuse(scene.surface_places.at(surface), error.what(), error.hint());
     } catch (const std::invalid_argument& error) {
         refuse(scene.surfaces_place, error.what(), "");
     }

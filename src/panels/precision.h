@@ -9,8 +9,9 @@
 
 namespace carom {
 
-/// Calls `run`; a gas that cannot be placed, a precision that cannot be reached and a perturbation
-/// that has no room become a SceneError with the place in the file.
+/// Calls `run`; a gas that cannot be placed, a precision that cannot be reached, a perturbation
+/// that has no room and a surface that leaves the gas none become a SceneError with the place in
+/// the file.
 void with_places_of_errors(const Scene& scene, const std::function<void()>& run);
 
 /// A scene with `run.bits` set, and its simulation at time 0, equilibrated.

@@ -173,7 +173,7 @@ struct Simulation::Implementation {
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
             its.start(present);
-            if (run.equilibrate > 0.0) its.advance(0.0, nullptr, on_progress);
+            if (run.equilibrate > 0.0) advance_loop(its, 0.0, nullptr, on_progress);
             its.forget();
         });
         present.time = 0.0;
@@ -201,9 +201,19 @@ struct Simulation::Implementation {
                         : loop_in<double, true>(box, particles, bits);
     }
 
+    static void advance_loop(auto& its, double time, std::vector<Collision>* record,
+                             const TimeCallback& on_progress) {
+        try {
+            its.advance(time, record, on_progress);
+        } catch (const SurfaceError& error) {
+            throw its.at_present(error);
+        }
+    }
+
     void advance(double time, const TimeCallback& on_progress) {
-        with_loop(
-            [&](auto& its) { its.advance(time, recording ? &collisions : nullptr, on_progress); });
+        with_loop([&](auto& its) {
+            advance_loop(its, time, recording ? &collisions : nullptr, on_progress);
+        });
         present.time = time;
         sampled = false;
     }

@@ -111,7 +111,7 @@ std::string words_of_gravity(const Eigen::Array2d& g, int dimension) {
                            size);
     if (g[0] == 0.0)
         return fmt::format("pulls {} with acceleration {}", g[1] > 0.0 ? "up" : "down", size);
-    return fmt::format("pulls with acceleration ({}, {})", g[0], g[1]);
+    return fmt::format("pulls with acceleration ({}, {})", plain_number(g[0]), plain_number(g[1]));
 }
 
 }  // namespace
@@ -130,12 +130,12 @@ std::string words_of(const Behaviour& behaviour, const Gas& gas, int axis) {
         return fmt::format("is a heat bath of temperature {}", bath->temperature);
     if (const auto* driven = std::get_if<Driven>(&behaviour))
         return fmt::format(
-            "moves at velocity {}{}", driven->velocity,
+            "moves at velocity {}{}", plain_number(driven->velocity),
             std::isinf(driven->until) ? "" : fmt::format(" until time {}", driven->until));
     if (const auto* piston = std::get_if<Piston>(&behaviour))
         return fmt::format(
             "is a piston of mass {}{}", piston->mass,
-            piston->force == 0.0 ? "" : fmt::format(", pushed by a force of {}", piston->force));
+            piston->force == 0.0 ? "" : ", pushed by a force of " + plain_number(piston->force));
     if (const auto* membrane = std::get_if<Membrane>(&behaviour))
         return words_of(*membrane, gas, axis);
     return "is solid";

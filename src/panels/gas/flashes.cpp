@@ -13,6 +13,19 @@ namespace {
 constexpr double usual_life = 0.25;  // seconds of film
 constexpr std::size_t most = 3;      // seen in any second
 
+// Of a surface a negative number.
+std::int32_t number_of(Partner partner) {
+    return partner.is_surface() ? -1 - partner.surface() : partner.particle();
+}
+
+// Hits of the walls that every box has are none.
+bool is_contact(const Collision& collision, const FrameInput& input) {
+    if (!collision.second.is_side()) return true;
+    const std::vector<SurfaceState>& surfaces = input.advanced.surfaces;
+    const auto side = static_cast<std::size_t>(collision.second.surface());
+    return side < surfaces.size() && !std::holds_alternative<Reflecting>(surfaces[side].behaviour);
+}
+
 }  // namespace
 
 // A flash is seen in one frame at least. Where there are more contacts than may flash, those that
@@ -51,12 +64,12 @@ void Flashes::survey(const FrameInput& input, const std::function<Point(const Co
         high_ = leg_high_;
     }
     for (const Collision& collision : input.advanced.collisions) {
-        if (collision.second.is_surface()) continue;
+        if (!is_contact(collision, input)) continue;
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
         Start start{(last_frame_ + share * (tick.frame - last_frame_)) / scene_.film.fps,
                     folded_time(scene_.run, collision.time),
-                    std::minmax({collision.first, collision.second.particle()}),
+                    std::minmax({collision.first, number_of(collision.second)}),
                     {}};
         const bool is_way_back = start.folded > low_ && start.folded < high_;
         for (Choice* choice : {&dense_, &even_}) {

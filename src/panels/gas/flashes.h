@@ -1,5 +1,6 @@
-// Flashes: short marks where two particles touch. Never more than three are seen in any second of
-// film (WCAG 2.2, 2.3.1); those beyond are left out, by a rule that knows only the film's times.
+// Flashes: short marks where two particles touch, or one touches a surface that is more than an
+// outer wall. Never more than three are seen in any second of film (WCAG 2.2, 2.3.1); those beyond
+// are left out, by a rule that knows only the film's times.
 #pragma once
 
 #include <cstdint>

@@ -13,6 +13,15 @@ namespace {
 
 constexpr double default_trail_seconds = 1.0;
 
+// Where the two touch.
+Eigen::Array2d contact_of(const Collision& collision, const Particles& particles) {
+    if (collision.second.is_surface()) return collision.second_position;
+    const double first = particles.radius[collision.first];
+    const double share = first / (first + particles.radius[collision.second.particle()]);
+    return collision.first_position +
+           share * (collision.second_position - collision.first_position);
+}
+
 }  // namespace
 
 GasPanel::GasPanel(const PanelContext& context) : ParticlePanel(context), surfaces_(context) {
@@ -25,11 +34,7 @@ void GasPanel::survey(const FrameInput& input) {
     arrows_.survey(input);
     surfaces_.survey(input);
     flashes_.survey(input, [this](const Collision& collision) {
-        const double first = context_.particles.radius[collision.first];
-        const double share =
-            first / (first + context_.particles.radius[collision.second.particle()]);
-        Eigen::Array2d at = collision.first_position +
-                            share * (collision.second_position - collision.first_position);
+        const Eigen::Array2d at = contact_of(collision, context_.particles);
         const Box& box = context_.scene.gas.box;
         return Point{box.wrapped(0, at[0]), box.wrapped(1, at[1])};
     });

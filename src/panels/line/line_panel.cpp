@@ -33,7 +33,7 @@ void LinePanel::survey(const FrameInput& input) {
         {input.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
 }
 
-// Between the two beads as they are drawn.
+// Between the two beads, or the bead and the end, as they are drawn.
 void LinePanel::survey_flashes(const FrameInput& input) {
     if (!flashes_.asked()) return;
     if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(input.sample, {});
@@ -41,8 +41,9 @@ void LinePanel::survey_flashes(const FrameInput& input) {
         const Eigen::Index i = collision.first;
         const double toward = collision.second_position[0] - collision.first_position[0];
         const double now = map_->place(i, collision.first_position[0], surveyed_places_[i]);
-        const bool is_right =
-            toward != 0.0 ? toward > 0.0 : now < surveyed_places_[collision.second.particle()];
+        const bool is_right = toward != 0.0 || collision.second.is_surface()
+                                  ? toward > 0.0
+                                  : now < surveyed_places_[collision.second.particle()];
         return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
     });
     surveyed_places_ = map_->places(input.sample, surveyed_places_);

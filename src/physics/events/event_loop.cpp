@@ -365,6 +365,8 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall() {
     const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
     if (++at_one_instant_ <= bound) return;
+    if constexpr (has_surfaces)
+        if (const auto surface = geometry_.surfaces().hardest_worker()) throw crushes(*surface);
     throw std::runtime_error(
         fmt::format("{} collide without end at t = {:g}: they fill the box along a line, or are "
                     "squeezed between infinite or far heavier masses",

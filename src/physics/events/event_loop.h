@@ -33,6 +33,7 @@
 #include "physics/surfaces/change_history.h"
 #include "physics/surfaces/open_line.h"
 #include "physics/surfaces/open_plane.h"
+#include "physics/surfaces/surface_error.h"
 #include "physics/surfaces/surface_events.h"
 
 namespace carom {
@@ -50,9 +51,12 @@ class EventLoop {
 
     /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
     /// `on_progress` is called now and then with the time of the latest event. Throws Interrupted,
-    /// and std::runtime_error when particles collide without end at one instant, or two of infinite
-    /// mass meet on a line.
+    /// SurfaceError (without its time), and std::runtime_error when particles collide without end
+    /// at one instant, or two of infinite mass meet on a line.
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
+
+    /// What advance() has thrown, with the name of the surface, the time and where it is.
+    SurfaceError at_present(const SurfaceError& error) const;
 
     /// Goes on to the next collision at a time <= `time`, false if there is none.
     bool advance_one(double time, Collision& collision);

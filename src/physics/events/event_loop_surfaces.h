@@ -116,6 +116,23 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
     return reflected;
 }
 
+// With the name of the surface, the time and where it is.
+template <int Dimension, typename Scalar, bool has_surfaces>
+SurfaceError EventLoop<Dimension, Scalar, has_surfaces>::at_present(
+    const SurfaceError& error) const {
+    if constexpr (has_surfaces) {
+        const auto k = static_cast<std::size_t>(error.surface());
+        const auto& mover = geometry_.surfaces().mover(k);
+        return {error.surface(),
+                fmt::format("`{}` {} at time {:.6g}, where it is at {} = {:.6g}{}",
+                            box_.surfaces.names()[k], error.what(), clock_.absolute(now_),
+                            mover.axis == 0 ? "x" : "y", static_cast<double>(mover.place_at(now_)),
+                            error.reason()),
+                "", error.hint()};
+    }
+    return error;
+}
+
 // -------------------------------------------------------------------------- what events change
 
 // A driven surface whose motion has an end stops there, unless it is changed before.
@@ -168,10 +185,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const Change<Scalar>&
         if (surfaces.control(its.surface, now_).is_open && !its.after.is_open)
             for (std::size_t k = 0; k < bodies_.size(); ++k)
                 if (surfaces.overlapped(bodies_[k], now_, its.surface))
-                    throw std::runtime_error(fmt::format(
-                        "a partition closes again at t = {:g}, as the run goes back, but particle "
-                        "{} is in its way: the run has not come back with {} bits",
-                        clock_.absolute(now_), number_[k], bits_));
+                    throw SurfaceError(
+                        its.surface, "cannot close again as the run goes back",
+                        fmt::format(": particle {} is in its way, with {} bits", number_[k], bits_),
+                        "use `precision: auto`, and let all events be undone that were before");
         surfaces.set_control(its.surface, its.after, now_);
     }
 }

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <stdexcept>
+#include <ranges>
 #include <utility>
 #include <variant>
 
+#include "physics/surfaces/surface_error.h"
 #include "util/random.h"
 
 namespace carom {
@@ -313,9 +314,16 @@ void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
         totals.work += gain;
         if (mover->inverse_mass == 0.0) driven_work_ += gain;
     }
-    if (totals.work > most_work_)
-        throw std::runtime_error(
-            "a driven wall has given the disks 10^8 times their energy: it leaves them no room");
+    if (totals.work > most_work_) throw crushes(barrier.surface);
+}
+
+template <typename Scalar>
+std::optional<std::int32_t> SurfaceSet<Scalar>::hardest_worker() const {
+    const auto movers =
+        std::ranges::subrange(totals_.begin(), totals_.begin() + std::ssize(movers_));
+    const auto most = std::ranges::max_element(movers, {}, &SurfaceTotals::work);
+    if (most == movers.end() || !(most->work > 0.0)) return std::nullopt;
+    return static_cast<std::int32_t>(most - movers.begin());
 }
 
 // --------------------------------------------------------------------------------------- movers
@@ -407,7 +415,8 @@ std::optional<std::size_t> SurfaceSet<Scalar>::process_mover(std::size_t k, cons
     if (!has_reached) return std::nullopt;
     const bool is_driven = mover.inverse_mass == 0.0;
     if (is_driven && (other < 0 || at(movers_, other).inverse_mass == 0.0))
-        throw std::runtime_error("a driven wall reaches another surface: stop it before that");
+        throw SurfaceError(static_cast<std::int32_t>(k), "reaches another surface", "",
+                           "stop it before (`until`, or an event), or end the run");
     bounce_off(mover, other, now);
     if (other < 0) return std::nullopt;
     return static_cast<std::size_t>(other);

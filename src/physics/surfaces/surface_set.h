@@ -117,6 +117,9 @@ class SurfaceSet {
     double driven_work() const { return driven_work_; }
     void forget();
 
+    /// The surface that has done most work on disks since then, if any has done any.
+    std::optional<std::int32_t> hardest_worker() const;
+
   private:
     const Mover<Scalar>* mover_of(const Barrier& barrier) const;
     Vector place_of(const Barrier& barrier, const Scalar& now) const;

@@ -111,7 +111,8 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
             .default_text("none"),
         velocities_key(),
         bind_key("flashes", &Film::flashes, flag(),
-                 "A short flash where two particles touch, at most three a second.")};
+                 "A short flash where two particles touch, or one touches a surface that is more "
+                 "than an outer wall, at most three a second.")};
 }
 
 // What is shown beside the gas, and when.

@@ -90,6 +90,26 @@ TEST_CASE("the pressure in a report counts from when the last partition has open
     CHECK_FALSE(run_physics(scene, {}, silent()).summary.wall_pressure);
 }
 
+TEST_CASE("a gas that is crushed on the way is reported at the surface that does it") {
+    const std::string text =
+        "title: T\nbox: {size: [6, 2]}\npartitions: [{name: plate, x: 0.5, velocity: 0.5}]\n"
+        "gas: [{count: 8, radius: 0.3, speed: 0.1, position: {side: right, of: plate}}]\n"
+        "run: {until: 10, sample_every: 1}\n"
+        "film: {seconds: 4, fps: 10, size: [320, 180], panels: []}\n";
+    const Scene scene = test::scene_from(text);
+    try {
+        run_physics(scene, {}, silent());
+        FAIL("eight disks have no room between the plate and the wall");
+    } catch (const SceneError& error) {
+        REQUIRE(error.diagnostics().size() == 1);
+        const Diagnostic& found = error.diagnostics().front();
+        CHECK(found.span.line == 3);
+        CHECK(found.message.starts_with("`plate` crushes the gas at time 7."));
+        CHECK(found.message.find(", where it is at x = 4.") != std::string::npos);
+        CHECK_FALSE(found.hint.empty());
+    }
+}
+
 TEST_CASE("a plain box has no surfaces in its report") {
     Scene scene = drifting_piston();
     scene.gas.box.surfaces = {};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,11 @@ Scene scene_of(const std::string& box, const std::string& kinds, const std::stri
                             "}\n");
 }
 
+Scene with_surfaces(Scene scene, const Surfaces& surfaces) {
+    scene.gas.box.surfaces = surfaces;
+    return scene;
+}
+
 struct Pixels {
     std::vector<std::uint32_t> with, without;
     bool differ(std::size_t i) const { return with[i] != without[i]; }
@@ -42,9 +48,9 @@ struct Pair {
     Shot with, without;
     FramePainter painter, plain;
     explicit Pair(const std::string& box, const std::string& gas, const std::string& run,
-                  const std::string& film)
-        : with(scene_of(box, gas, run, "flashes: true, " + film)),
-          without(scene_of(box, gas, run, film)),
+                  const std::string& film, const Surfaces& surfaces = {})
+        : with(with_surfaces(scene_of(box, gas, run, "flashes: true, " + film), surfaces)),
+          without(with_surfaces(scene_of(box, gas, run, film), surfaces)),
           painter(*with.panels),
           plain(*without.panels) {}
     Pixels at(std::size_t frame) {
@@ -194,6 +200,36 @@ TEST_CASE("a flash stands at the point of contact, for a quarter of a second") {
         CHECK(frames <= 5);
         CHECK(pair.with.frames[first].tick.time >= one.time);
         CHECK(pair.with.frames[first - 1].tick.time <= one.time);
+    }
+}
+
+// The disk touches what stands in its way at x = 18 and goes back to the left wall, where it does
+// not flash: all boxes have that.
+TEST_CASE("hits on surfaces flash at the point of contact, those on plain walls do not") {
+    Surfaces peg, door, bath;
+    peg.obstacles = {{"peg", Obstacle::Disk{{20.0, 15.0}, 2.0}}};
+    door.partitions = {{.name = "door", .at = 18.0}};
+    bath.sides[0] = Bath{1.0};
+    const char* to_right = "{radius: 3, position: [13, 15], velocity: [2, 0]}";
+    const char* to_left = "{radius: 3, position: [15, 15], velocity: [-2, 0]}";
+    for (const auto& [surfaces, gas, x, time] : {std::tuple(peg, to_right, 18.0, 1.0),
+                                                 {door, to_right, 18.0, 1.0},
+                                                 {bath, to_left, 0.0, 6.0}}) {
+        Pair pair("size: [40, 30]", gas, "until: 8", "seconds: 24, fps: 20", surfaces);
+        const Rect box = pair.box();
+        const double scale = box.width / 40.0;
+        int frames = 0;
+        for (std::size_t i = 0; i < pair.with.frames.size(); ++i) {
+            const Pair::Spot spot = pair.spot(i);
+            if (spot.width == 0.0) continue;
+            ++frames;
+            CHECK(pair.with.frames[i].tick.time >= time);
+            if (x == 0.0) continue;  // what is drawn around the box leaves it less room
+            CHECK(std::abs(spot.middle.x - (box.x + x * scale)) <= 1.5);
+            CHECK(std::abs(spot.middle.y - (box.bottom() - 15.0 * scale)) <= 1.5);
+        }
+        CHECK(frames >= 4);
+        CHECK(frames <= 5);
     }
 }
 

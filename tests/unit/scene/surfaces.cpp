@@ -231,7 +231,7 @@ TEST_CASE("the description says what surfaces there are and what happens to them
     for (const char* part :
          {" in a box of 64 by 48 and collide elastically. The left wall is a heat bath of "
           "temperature 2. The lower wall moves at velocity 0.5 until time 4. The upper wall is a "
-          "piston of mass 20, pushed by a force of -3.",
+          "piston of mass 20, pushed by a force of −3.",
           " The partition “divider” at x = 32 divides the box; it is open at the start.",
           " The partition “window” at x = 40 divides the box and has 2 gaps.",
           " The partition “skin” at y = 30 lets large through.",

@@ -1,0 +1,38 @@
+// What a surface does in a run that cannot be.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace carom {
+
+/// Says it of the surface, as it follows its name, and from the event loop on with its name, the
+/// time and its place.
+class SurfaceError : public std::runtime_error {
+  public:
+    /// `reason` follows what() where time and place are named.
+    SurfaceError(std::int32_t surface, const std::string& what, std::string reason,
+                 std::string hint)
+        : std::runtime_error(what),
+          surface_(surface),
+          reason_(std::move(reason)),
+          hint_(std::move(hint)) {}
+
+    std::int32_t surface() const { return surface_; }  ///< its number (surface.h)
+    const std::string& reason() const { return reason_; }
+    const std::string& hint() const { return hint_; }  ///< what to change
+
+  private:
+    std::int32_t surface_;
+    std::string reason_, hint_;
+};
+
+/// What it presses on has nowhere to go.
+inline SurfaceError crushes(std::int32_t surface) {
+    return {surface, "crushes the gas", "",
+            "stop it before (`until`, or an event), let it press less, or end the run"};
+}
+
+}  // namespace carom

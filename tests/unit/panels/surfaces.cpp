@@ -357,7 +357,7 @@ TEST_CASE("the ends of a wire are drawn where they are, and as what they do") {
     each([&](const auto&... input) { frames.push_back(panels.frame_data(input...)); });
     CHECK(panels.gas().account(*frames.back().states[0]) ==
           "The left end is a heat bath of temperature 2. The right end is a piston of mass 5, "
-          "pushed by a force of -1, at x = 16.0.");
+          "pushed by a force of −1, at x = 16.0.");
     FramePainter painter(panels);
     TextLog log;
     const std::vector<std::uint32_t> first = test::pixels_of(painter.paint(frames.front()));

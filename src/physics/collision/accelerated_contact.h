@@ -69,10 +69,11 @@ struct PositiveRoots {
 
 /// The first time at which the distance falls to `sigma`: 0 when it is no larger now and falls by
 /// more than `round_off` in r . v, `never` when it does not fall to that. `bits` of the scalar.
-/// The acceleration is not 0.
+/// The acceleration is not 0. If `is_inside` it is no larger now, but for round-off, and must rise
+/// above `sigma` first.
 template <typename Scalar>
 Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar& sigma,
-                                const Scalar& round_off, int bits = 53) {
+                                const Scalar& round_off, int bits = 53, bool is_inside = false) {
     const int steps = bits + 64;
     const auto gap = [&](const Scalar& t) { return contact_gap(m.at(t), sigma); };
     const auto approach = [&](const Scalar& t) {
@@ -91,8 +92,8 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
     using std::sqrt;
     const Scalar zero = m.x - m.x;
     const Scalar now = m.x * m.vx + m.y * m.vy;
-    const bool touches = !(gap(zero) > 0);
-    if (touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
+    const bool touches = is_inside || !(gap(zero) > 0);
+    if (!is_inside && touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
     const PositiveRoots<Scalar> turns(bend, 3 * va, 1.5 * aa);
     bool falls = now < 0 && !touches;  // the distance, from `start` to the next root of h
     Scalar start = zero, low = zero;
@@ -109,7 +110,7 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
         if (falls_at_end != falls) {
             const bool turns_here = falls != (approach(low) < 0);
             Scalar turn = turns_here ? low : bracketed_root(low, high, steps, approach_and_slope);
-            if (falls && !(gap(turn) > 0))
+            if (falls && !(gap(turn) > 0) && !(is_inside && (start == zero || !(gap(start) > 0))))
                 return gap(start) > 0 ? bracketed_root(start, turn, steps, gap_and_slope) : start;
             start = std::move(turn);
             falls = falls_at_end;

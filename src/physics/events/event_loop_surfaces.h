@@ -162,11 +162,16 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
     const std::int32_t surface = surface_of(action);
     const auto before = surfaces.control(surface, now_);
     const auto after = control_after(before, action, time);
-    if (before.is_open && !after.is_open)
-        for (std::size_t k = 0; k < bodies_.size(); ++k)
-            if (surfaces.overlapped(bodies_[k], now_, surface)) return number_[k];
-    if (is_mirrored) changes_.add_behind({now_, SurfaceChange<Scalar>{surface, before, after}});
     surfaces.set_control(surface, after, now_);
+    // Disks that it let through may be in it.
+    const bool let_through = before.is_open || (!std::holds_alternative<SetOpen>(action) &&
+                                                std::holds_alternative<Membrane>(before.behaviour));
+    for (std::size_t k = 0; let_through && !after.is_open && k < bodies_.size(); ++k) {
+        if (!surfaces.overlapped(bodies_[k], now_, surface)) continue;
+        surfaces.set_control(surface, before, now_);
+        return number_[k];
+    }
+    if (is_mirrored) changes_.add_behind({now_, SurfaceChange<Scalar>{surface, before, after}});
     if (!std::holds_alternative<SetOpen>(action)) stop_later(surface);
     geometry_.resettle(bodies_);
     predict_all();

@@ -31,9 +31,10 @@ struct FallingDisk
     std::array<Scalar, 2> a{};  ///< 0 while it rests on a floor
     double radius = 0.0, inverse_mass = 0.0;
     std::int32_t species = 0;
-    std::int32_t passing = -1;  ///< the barrier that it was let through by and has not left
-    std::int32_t turns = 0;     ///< of a bead: how often it has gone round a periodic line
-    bool is_at_rest = false;    ///< on a floor, so that it does not fall
+    std::int32_t turns = 0;  ///< of a bead: how often it has gone round a periodic line
+    /// Bit k modulo 64: surface k has let it through since it last hit something.
+    std::uint64_t passing = 0;
+    bool is_at_rest = false;  ///< on a floor, so that it does not fall
 };
 
 using FallingDisks = LargeVector<FallingDisk<double>>;

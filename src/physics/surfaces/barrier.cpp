@@ -6,6 +6,9 @@
 namespace carom {
 namespace {
 
+// How long the piece of a partition is that goes on beyond a wall, in units of the box.
+constexpr double far_beyond = 1e6;
+
 // From wall to wall, but for the gaps, whose ends are corners.
 void add_partition(const Box& box, const Partition& partition, std::int32_t surface,
                    std::vector<Barrier>& barriers) {
@@ -19,8 +22,12 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     }
     const double end = box.length(along);
     double from = 0.0;
+    // None at a wall, but at a periodic side where there is a gap on one side of it only.
+    const bool gap_at_low = !(partition.gaps.front().first > 0.0);
+    const bool gap_at_high = !(partition.gaps.back().second < end);
+    const bool ends_at_border = box.is_periodic(along) && gap_at_low != gap_at_high;
     const auto add_corner = [&](double where) {
-        if (!(where > 0.0 && where < end)) return;
+        if (!(where > 0.0 && where < end) && !ends_at_border) return;
         Barrier corner{.kind = Barrier::Kind::circle, .surface = surface};
         corner.place[axis] = partition.at;
         corner.place[along] = where;
@@ -28,9 +35,14 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     };
     const auto add_piece = [&](double to) {
         if (!(to > from)) return;
-        line.place[along] = from;
-        line.length = to - from;
-        barriers.push_back(line);
+        // What reaches a wall goes on beyond it: the wall may move there.
+        const bool goes_on_below = !box.is_periodic(along) && from == 0.0;
+        const bool goes_on_above = !box.is_periodic(along) && to == end;
+        Barrier piece = line;
+        piece.place[along] = goes_on_below ? to : from;
+        piece.length = goes_on_below || goes_on_above ? far_beyond * end : to - from;
+        if (goes_on_below) piece.normal[axis] = -piece.normal[axis];
+        barriers.push_back(piece);
     };
     for (const auto& [gap_from, gap_to] : partition.gaps) {
         add_piece(gap_from);
@@ -102,7 +114,8 @@ double distance_from(const Barrier& barrier, const Eigen::Array2d& point) {
     if (barrier.kind == Barrier::Kind::circle) return std::hypot(x, y) - barrier.radius;
     const double along = x * barrier.normal[1] - y * barrier.normal[0];
     if (!barrier.is_endless() && (along < 0.0 || along > barrier.length)) return never<double>;
-    return std::abs(x * barrier.normal[0] + y * barrier.normal[1]);
+    const double distance = x * barrier.normal[0] + y * barrier.normal[1];
+    return barrier.side_of(distance) * distance;
 }
 
 double Barrier::end_along(std::size_t axis, bool high) const {
@@ -139,6 +152,8 @@ std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open) {
         if (box.is_periodic(axis) || !box.has_surface(surface)) continue;
         add_partition(box, {.name = "", .axis = axis, .at = box.place_of(surface)}, surface,
                       barriers);
+        for (double& along : barriers.back().normal)
+            along = along == 0.0 ? 0.0 : surface % 2 == 0 ? 1.0 : -1.0;
     }
     for (const Partition& partition : surfaces.partitions) {
         if (with_open || !partition.is_open) add_partition(box, partition, surface, barriers);

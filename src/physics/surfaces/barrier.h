@@ -22,12 +22,21 @@ struct Barrier {
     enum class Kind : std::uint8_t { line, circle };
     Kind kind = Kind::line;
     std::array<double, 2> place{};   ///< the beginning of a line, the center of a circle
-    std::array<double, 2> normal{};  ///< of a line, about of length 1; the line goes to its right
+    std::array<double, 2> normal{};  ///< of a line, about of length 1; the line goes to its right;
+                                     ///< that of a wall points into the box
     double length = never<double>;   ///< of a line; of one from wall to wall without end
     double radius = 0.0;             ///< of a circle
     std::int32_t surface = 0;        ///< that it is a part of
 
     bool is_endless() const { return kind == Kind::line && length == never<double>; }
+    /// A side of the box: only one side of it counts.
+    bool is_wall() const { return surface < Surfaces::first_partition; }
+
+    /// On which side of a line a place is that is so far from it along the normal: 1 or -1.
+    template <typename Scalar>
+    double side_of(const Scalar& distance) const {
+        return is_wall() || !(distance < 0.0) ? 1.0 : -1.0;
+    }
 
     /// Where it begins along an axis, and where it ends.
     double low(std::size_t axis) const { return end_along(axis, false); }
@@ -45,7 +54,8 @@ std::vector<Behaviour> behaviours_of(const Box& box);
 /// `with_open`, without those of open partitions.
 std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open = false);
 
-/// The distance of a point from a barrier, without sign; infinite beside the ends of a line.
+/// The distance of a point from a barrier, negative only in a circle or beyond a wall; infinite
+/// beside the ends of a line.
 double distance_from(const Barrier& barrier, const Eigen::Array2d& point);
 
 /// The surface that a disk at `center` would overlap, or lie in, if any.

@@ -67,19 +67,21 @@ Scalar plain_contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, 
 }
 
 /// Time until two disks touch, `never` if they do not; `a` is the acceleration of the second as
-/// seen from the first.
+/// seen from the first. If `is_let_in` it is in the first, and touches that when it has left it.
 template <typename Scalar>
 Scalar falling_contact_time(const RelativeMotion<Scalar>& m, const std::array<Scalar, 2>& a,
-                            const Scalar& sigma, double round_off, int bits) {
-    if (a[0] == 0.0 && a[1] == 0.0) return plain_contact_time(m, sigma, round_off);
+                            const Scalar& sigma, double round_off, int bits,
+                            bool is_let_in = false) {
+    if (a[0] == 0.0 && a[1] == 0.0)
+        return is_let_in ? Scalar(never<double>) : plain_contact_time(m, sigma, round_off);
     return accelerated_contact_time<Scalar>({m.x, m.y, m.vx, m.vy, a[0], a[1]}, sigma,
-                                            Scalar(round_off), bits);
+                                            Scalar(round_off), bits, is_let_in);
 }
 
-/// Time until a disk touches a line on either side, `never` if it does not. Where `left_it`, the
-/// disk is just about to go through the line, or away from it, at this very time.
+/// Time until a disk touches a line on either side, `never` if it does not. A disk whose center is
+/// nearer to it than `let_in` is let through: it touches the line when it has left it and returns.
 template <typename Scalar>
-Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, bool left_it) {
+Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let_in) {
     const auto reaches_it = [&](const Scalar& t) {
         if (!(t < never<double>)) return false;
         if (line.is_endless()) return true;
@@ -89,30 +91,34 @@ Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, bool left_
         return share >= 0.0 && share <= line.length;
     };
     const Scalar x = dot(line.normal, m.x), v = dot(line.normal, m.v), a = dot(line.normal, m.a);
-    const double side = x < 0.0 ? -1.0 : 1.0;
+    const double side = line.side_of(x);
+    const bool is_let_in = side * x < let_in;
     Scalar first = never<double>;
-    if (!left_it || side * v > 0.0) {
+    if (!is_let_in || side * v > 0.0) {
         const Scalar t = fall_time<Scalar>(side * x - m.radius, side * v, side * a);
         if (reaches_it(t)) first = t;
     }
     // From the other side, after it has gone round an end of the line, or through it.
-    if (side * a > 0.0 || left_it) {
+    if (!line.is_wall() && (side * a > 0.0 || is_let_in)) {
         const Scalar t = fall_time<Scalar>(-side * x - m.radius, -side * v, -side * a);
         if (t > 0.0 && t < first && reaches_it(t)) first = t;
     }
     return first;
 }
 
-/// Time until a disk touches a circle, `never` if it does not.
+/// Time until a disk touches a circle, `never` if it does not. One whose center is nearer to the
+/// rim than `let_in` is let through, as by a line.
 template <typename Scalar>
-Scalar circle_time(const Barrier& circle, const BarrierMotion<Scalar>& m, int bits) {
+Scalar circle_time(const Barrier& circle, const BarrierMotion<Scalar>& m, double let_in, int bits) {
     const Scalar sigma = as_precise_as(m.x[0], circle.radius) + m.radius;
     if (!(sigma > 0.0)) return Scalar(never<double>);
     const auto size = [](const Scalar& number) { return std::abs(static_cast<double>(number)); };
     const double round_off =
         approach_error(size(m.x[0]), size(m.x[1]), size(m.v[0]), size(m.v[1]), bits);
+    const bool is_let_in =
+        let_in > 0.0 && std::hypot(size(m.x[0]), size(m.x[1])) < circle.radius + let_in;
     return falling_contact_time<Scalar>({m.x[0], m.x[1], m.v[0], m.v[1]}, m.a, sigma, round_off,
-                                        bits);
+                                        bits, is_let_in);
 }
 
 }  // namespace carom

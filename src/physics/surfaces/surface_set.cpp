@@ -37,6 +37,9 @@ double square_of(const std::array<Scalar, 2>& v) {
     return x * x + y * y;
 }
 
+// As a disk knows what it passes.
+std::uint64_t bit_of(std::int32_t surface) { return std::uint64_t{1} << (surface % 64); }
+
 // The end of a barrier along an axis that is met from a place; infinite from within.
 double end_towards(const Barrier& barrier, std::size_t axis, double place) {
     const double low = barrier.low(axis), high = barrier.high(axis);
@@ -155,8 +158,10 @@ template <typename Scalar>
 Scalar SurfaceSet<Scalar>::time_to(const Body& body, std::int32_t k, const Scalar& now) const {
     const Barrier& its = barrier(k);
     const BarrierMotion<Scalar> m = motion_of(body, its, now);
-    if (its.kind == Barrier::Kind::circle) return circle_time(its, m, bits_);
-    return line_time(its, m, body.passing == k);
+    const bool is_let_in = (body.passing & bit_of(its.surface)) != 0;
+    const double let_in = is_let_in ? m.radius + least_radius_ : 0.0;
+    if (its.kind == Barrier::Kind::circle) return circle_time(its, m, let_in, bits_);
+    return line_time(its, m, let_in);
 }
 
 template <typename Scalar>
@@ -207,7 +212,8 @@ void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
             distance += wall.normal[a] * static_cast<double>(body.x[a] - wall.place[a]);
             pull += wall.normal[a] * static_cast<double>(body.a[a]);
         }
-        if (std::abs(distance) > body.radius + slack || !(distance * pull < 0.0)) continue;
+        const double side = wall.side_of(distance);
+        if (side * distance > body.radius + slack || !(side * pull < 0.0)) continue;
         for (std::size_t a = 0; a < 2; ++a) body.a[a] -= Scalar(pull * wall.normal[a]);
         if (!std::exchange(body.is_at_rest, true)) ++at_rest_;
     }
@@ -223,8 +229,14 @@ void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double t
     const double thermal = std::sqrt(temperature * body.inverse_mass);
     const double away = thermal * std::sqrt(-2.0 * std::log1p(-random.uniform()));
     const double across = box_.dimension == 2 ? thermal * random.normal() : 0.0;
-    const std::array<double, 2>& normal = barrier.normal;
-    const double side = dot(normal, motion_of(body, barrier, now).x) < 0.0 ? -1.0 : 1.0;
+    const Vector from = motion_of(body, barrier, now).x;
+    std::array<double, 2> normal = barrier.normal;
+    double side = barrier.side_of(dot(normal, from));
+    if (barrier.kind == Barrier::Kind::circle) {  // a corner: away from it
+        const double distance = std::sqrt(square_of(from));
+        for (std::size_t k = 0; k < 2; ++k) normal[k] = static_cast<double>(from[k]) / distance;
+        side = 1.0;
+    }
     body.v = {as_precise_as(body.x[0], side * away * normal[0] + across * normal[1]),
               as_precise_as(body.x[0], side * away * normal[1] - across * normal[0])};
 }
@@ -254,12 +266,12 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
 }
 
 // A point that is fast has flown through the line within the rounding error of a time. It came from
-// the side that it flies away from.
+// the side that it flies away from; of a wall, from the inside.
 template <typename Scalar>
 void SurfaceSet<Scalar>::keep_on_its_side(Body& body, const Barrier& line,
                                           const Scalar& now) const {
     const BarrierMotion<Scalar> m = motion_of(body, line, now);
-    const double side = dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
+    const double side = line.is_wall() || dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
     const double distance = side * static_cast<double>(dot(line.normal, m.x));
     if (distance >= 0.5 * least_radius_) return;
     for (std::size_t k = 0; k < 2; ++k)
@@ -274,14 +286,14 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
         keep_on_its_side(body, its, now);
     const BarrierMotion<Scalar> m = motion_of(body, its, now);
     const Scalar approach = its.kind == Barrier::Kind::line
-                                ? dot(its.normal, m.x) * dot(its.normal, m.v)
+                                ? Scalar(its.side_of(dot(its.normal, m.x)) * dot(its.normal, m.v))
                                 : dot(m.x, m.v);
     if (!(approach < 0.0)) return false;
     if (const auto* membrane = std::get_if<Membrane>(&behaviour)) {
         const auto& speeds =
             body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
-            body.passing = k;
+            body.passing |= bit_of(its.surface);
             some_passed_ = true;
             return false;
         }
@@ -375,6 +387,19 @@ Scalar SurfaceSet<Scalar>::mover_event(std::size_t k) const {
     return std::min(mover.registered_until(), next_obstacle(mover, other));
 }
 
+// By no more than round-off, without a change of its energy: that would grow with each bounce.
+template <typename Scalar>
+void SurfaceSet<Scalar>::move_exactly_to(Mover<Scalar>& mover, const Scalar& place) {
+    using std::sqrt;
+    if (mover.acceleration != 0.0) {
+        const Scalar square =
+            mover.velocity * mover.velocity + 2.0 * mover.acceleration * (place - mover.place);
+        if (square > 0.0)
+            mover.velocity = mover.velocity < 0.0 ? Scalar(-sqrt(square)) : sqrt(square);
+    }
+    mover.place = place;
+}
+
 // Elastically.
 template <typename Scalar>
 void SurfaceSet<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other, const Scalar& now) {
@@ -383,13 +408,13 @@ void SurfaceSet<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other, co
         const auto place = static_cast<double>(mover.place);
         const Barrier& met = barrier(-1 - other);
         const double low = met.low(mover.axis), high = met.high(mover.axis);
-        mover.place = as_precise_as(mover.place, place - low < high - place ? low : high);
+        move_exactly_to(mover, as_precise_as(mover.place, place - low < high - place ? low : high));
         mover.velocity = -mover.velocity;
         return;
     }
     Mover<Scalar>& partner = at(movers_, other);
     partner.advance(now);
-    mover.place = partner.place;
+    move_exactly_to(mover, partner.place);
     const auto energy = [](const Mover<Scalar>& its) {
         const auto v = static_cast<double>(its.velocity);
         return its.inverse_mass > 0.0 ? 0.5 * v * v / its.inverse_mass : 0.0;
@@ -409,8 +434,13 @@ template <typename Scalar>
 std::optional<std::size_t> SurfaceSet<Scalar>::process_mover(std::size_t k, const Scalar& now) {
     Mover<Scalar>& mover = movers_[k];
     std::int32_t other = 0;
-    const bool has_reached = next_obstacle(mover, other) <= now;
+    // The time has been rounded again since this was predicted. A little beyond what it reaches, it
+    // would not meet that any more.
+    const Scalar wait = next_obstacle(mover, other) - now;
     mover.advance(now);
+    double speed = std::abs(static_cast<double>(mover.velocity));
+    if (other >= 0) speed += std::abs(static_cast<double>(at(movers_, other).velocity_at(now)));
+    const bool has_reached = !(static_cast<double>(wait) * speed > least_radius_);
     register_mover(mover);
     if (!has_reached) return std::nullopt;
     const bool is_driven = mover.inverse_mass == 0.0;

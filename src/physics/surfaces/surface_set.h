@@ -77,7 +77,7 @@ class SurfaceSet {
     void settle_at_rest(Body& body);
     /// To be called when a disk has met another: the same, and it has left what let it through.
     void path_has_changed(Body& body) {
-        if (some_passed_) body.passing = -1;
+        if (some_passed_) body.passing = 0;
         if (has_gravity_ && (at_rest_ > 0 || body.v[0] == 0.0 || body.v[1] == 0.0))
             settle_at_rest(body);
     }
@@ -135,6 +135,7 @@ class SurfaceSet {
     void account_for_hit(const Body& body, const Vector& before, const Barrier& barrier);
     double energy_of(const LargeVector<Body>& bodies) const;
     Scalar next_obstacle(const Mover<Scalar>& mover, std::int32_t& other) const;
+    static void move_exactly_to(Mover<Scalar>& mover, const Scalar& place);
     void bounce_off(Mover<Scalar>& mover, std::int32_t other, const Scalar& now);
 
     Box box_;

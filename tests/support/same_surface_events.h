@@ -1,0 +1,242 @@
+// The event loop of boxes whose surfaces act against the slow, obvious simulator, event by event.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
+#include "support/slow_surfaces.h"
+#include "support/surface_scenes.h"
+#include "util/random.h"
+
+namespace carom::test {
+
+/// What has been compared.
+struct SurfaceTally {
+    int scenes = 0, pairs = 0, hits = 0, bath = 0, events = 0, refused = 0, ended = 0;
+    std::vector<double> flux, along;  ///< of velocities from baths, in units of sqrt(T/m)
+};
+
+/// From event to event: each starts from the state of the fast loop after the one before.
+template <int dimension, class Scalar>
+class SurfaceComparison {
+  public:
+    SurfaceComparison(const Box& box, const Particles& particles, const Sample& start,
+                      SurfaceTally& tally, const Arithmetic& arithmetic)
+        : box_(box),
+          particles_(particles),
+          fast_(box, particles, arithmetic),
+          slow_(box, particles, start),
+          tally_(tally) {
+        fast_.start(start);
+    }
+
+    /// Goes on to `time`, through at most `most` events. False if these are used up.
+    bool go_on(double time, int& most) {
+        Collision found{};
+        while (most > 0) {
+            if (!fast_.advance_one(time, found)) {
+                require_nothing_before(time);
+                compare(time);
+                return true;
+            }
+            --most;
+            if (!check(found)) return false;
+        }
+        return false;
+    }
+
+    /// False if it cannot be, which ends a run.
+    bool carry_out(const RunEvent& event) {
+        std::vector<std::int32_t> in_the_way;
+        const bool can_be = slow_.apply(event, in_the_way);
+        if (const auto* heat = std::get_if<Heat>(&event.action)) {
+            REQUIRE(fast_.heat(*heat, true, event.at) == can_be);
+        } else {
+            const auto one = fast_.change(action_of(event), true, event.at);
+            REQUIRE(one.has_value() == !can_be);
+            if (one) REQUIRE(std::ranges::find(in_the_way, *one) != in_the_way.end());
+        }
+        ++(can_be ? tally_.events : tally_.refused);
+        if (can_be) compare(event.at);
+        return can_be;
+    }
+
+  private:
+    static SurfaceAction action_of(const RunEvent& event) {
+        return std::visit(
+            [](const auto& its) -> SurfaceAction {
+                if constexpr (std::is_constructible_v<SurfaceAction, decltype(its)>)
+                    return its;
+                else
+                    throw std::logic_error("no surface");
+            },
+            event.action);
+    }
+
+    void require_nothing_before(double time) {
+        const auto missed = slow_.advance(time);
+        if (!missed) return;
+        CAPTURE(static_cast<double>(slow_.time()));
+        CAPTURE(time);
+        CAPTURE(missed->first);
+        CAPTURE(missed->second);
+        FAIL("a contact has been missed");
+    }
+
+    // False where a run may go on in several ways.
+    bool check(const Collision& found) {
+        const bool is_pair = found.second.is_particle();
+        const std::int32_t second = is_pair ? found.second.particle() : -1 - found.second.surface();
+        CAPTURE(found.time);
+        CAPTURE(found.first);
+        CAPTURE(second);
+        require_nothing_before(found.time);
+        const auto touch =
+            slow_.collide({found.first, second}, {found.first_after[0], found.first_after[1]});
+        CAPTURE(static_cast<double>(touch.gap));
+        CAPTURE(static_cast<double>(touch.approach));
+        REQUIRE(std::abs(touch.gap) <= slow_.slack());
+        REQUIRE(touch.approach < slow_.slack());
+        ++(is_pair ? tally_.pairs : tally_.hits);
+        if (touch.is_bath && particles_.inverse_mass[found.first] > 0.0)
+            check_bath(found);
+        else
+            compare(found.time);
+        fast_.sample(found.time, sample_);
+        slow_.adopt(sample_, fast_.surfaces(found.time));
+        // One that lies in what reflects it may come back to it without having left it. A piston
+        // that nothing holds is far away in the end.
+        return !touch.is_within && slow_.slack() < 1e-10L;
+    }
+
+    // Away from the wall; the size is compared with its distribution in the end.
+    void check_bath(const Collision& found) {
+        const auto& mover = slow_.movers()[static_cast<std::size_t>(found.second.surface())];
+        Eigen::Array2d normal = found.first_position - found.second_position;
+        if (particles_.radius[found.first] == 0.0) {
+            normal = 0.0;
+            normal[mover.axis] =
+                found.first_position[mover.axis] - static_cast<double>(mover.place);
+        }
+        normal /= std::sqrt(normal.square().sum());
+        const double temperature = std::get<Bath>(mover.behaviour).temperature;
+        const double unit = std::sqrt(temperature * particles_.inverse_mass[found.first]);
+        const double away = (normal * found.first_after).sum() / unit;
+        REQUIRE(away > 0.0);
+        tally_.flux.push_back(away);
+        if (dimension == 2)
+            tally_.along.push_back(
+                (normal[0] * found.first_after[1] - normal[1] * found.first_after[0]) / unit);
+        ++tally_.bath;
+    }
+
+    void compare(double time) {
+        fast_.sample(time, sample_);
+        const auto surfaces = fast_.surfaces(time);
+        // Rounding of a contact's place turns the velocities after it.
+        const auto near = [&](double found, long double expected, long double scale) {
+            return std::abs(found - expected) <= scale;
+        };
+        long double fastest = 1.0L;
+        for (const auto& disk : slow_.disks())
+            fastest = std::max(fastest, std::hypot(disk.v.x, disk.v.y));
+        for (const auto& mover : slow_.movers())
+            fastest = std::max(fastest, std::abs(mover.velocity));
+        for (std::size_t i = 0; i < slow_.disks().size(); ++i) {
+            const auto& disk = slow_.disks()[i];
+            CAPTURE(i);
+            for (int axis = 0; axis < dimension; ++axis) {
+                const auto row = static_cast<Eigen::Index>(i);
+                long double off = sample_.position(row, axis) - disk.x[axis];
+                if (box_.is_periodic(axis)) off = std::remainder(off, box_.length(axis));
+                CAPTURE(axis);
+                REQUIRE(near(static_cast<double>(off), 0.0L, slow_.slack()));
+                CAPTURE(sample_.velocity(row, axis));
+                CAPTURE(static_cast<double>(disk.v[axis]));
+                const long double turn =
+                    disk.radius > 0.0L ? slow_.slack() / disk.radius : slow_.slack();
+                REQUIRE(near(sample_.velocity(row, axis), disk.v[axis], 10.0L * turn * fastest));
+            }
+        }
+        for (std::size_t k = 0; k < slow_.movers().size(); ++k) {
+            const auto& mover = slow_.movers()[k];
+            CAPTURE(k);
+            REQUIRE(surfaces[k].motion.has_value() == mover.is_mobile);
+            if (!mover.is_mobile) continue;
+            CAPTURE(surfaces[k].motion->place);
+            CAPTURE(static_cast<double>(mover.place));
+            CAPTURE(surfaces[k].motion->velocity);
+            CAPTURE(static_cast<double>(mover.velocity));
+            REQUIRE(near(surfaces[k].motion->place, mover.place, slow_.slack()));
+            REQUIRE(near(surfaces[k].motion->velocity, mover.velocity,
+                         100.0L * slow_.slack() * fastest));
+        }
+    }
+
+    Box box_;
+    const Particles& particles_;
+    EventLoop<dimension, Scalar, true> fast_;
+    SlowSurfaces slow_;
+    Sample sample_;
+    SurfaceTally& tally_;
+};
+
+/// Disks at special places: in a corner, at rest on the floor.
+inline void move_some(const Box& box, const Particles& particles, Sample& start,
+                      std::uint64_t seed) {
+    Random random(seed, "special places");
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        const double which = random.uniform();
+        if (which > 0.3) continue;
+        const Sample before = start;
+        for (int axis = 0; axis < box.dimension; ++axis) {
+            if (box.is_periodic(axis)) continue;
+            const bool low = random.uniform() < 0.5;
+            if (which < 0.2 || axis == 1)  // touches this wall
+                start.position(i, axis) =
+                    low ? particles.radius[i] : box.length(axis) - particles.radius[i];
+            if (which < 0.1 || (which > 0.2 && axis == 1)) start.velocity(i, axis) = 0.0;
+        }
+        const SlowSurfaces slow(box, particles, start);
+        if (slow.least_gap() < -1e-12L) start = before;
+    }
+}
+
+/// Requires the same events of both, at most `most` of them.
+template <int dimension, class Scalar = double>
+void require_same_surface_events(const SurfaceScene& scene, std::uint64_t seed, SurfaceTally& tally,
+                                 int most, const Arithmetic& arithmetic = {}) {
+    Particles particles;
+    Sample start;
+    try {
+        std::tie(particles, start) = place(scene.gas);
+    } catch (const std::exception&) {
+        return;  // no room for them
+    }
+    move_some(scene.gas.box, particles, start, seed);
+    ++tally.scenes;
+    SurfaceComparison<dimension, Scalar> comparison(scene.gas.box, particles, start, tally,
+                                                    arithmetic);
+    try {
+        for (const RunEvent& event : scene.events) {
+            if (!comparison.go_on(event.at, most)) return;
+            if (!comparison.carry_out(event)) return;
+        }
+        comparison.go_on(20.0, most);
+    } catch (const std::runtime_error& error) {
+        ++tally.ended;  // a driven wall reaches another surface, or crushes a disk
+    }
+}
+
+}  // namespace carom::test

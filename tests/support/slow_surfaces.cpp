@@ -1,0 +1,679 @@
+#include "support/slow_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <variant>
+
+namespace carom::test {
+namespace {
+
+using Vector = SlowVector;
+constexpr long double infinite = std::numeric_limits<long double>::infinity();
+
+Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+Vector operator*(long double t, Vector a) { return {t * a.x, t * a.y}; }
+long double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+long double size(Vector a) { return std::hypot(a.x, a.y); }
+Vector left_of(Vector a) { return {-a.y, a.x}; }
+
+// c[0] + c[1] t + ... + c[4] t^4.
+struct Polynomial {
+    std::array<long double, 5> c{};
+
+    long double operator()(long double t) const {
+        return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
+    }
+    Polynomial slope() const { return {{c[1], 2.0L * c[2], 3.0L * c[3], 4.0L * c[4], 0.0L}}; }
+    bool is_constant() const {
+        return std::all_of(c.begin() + 1, c.end(), [](long double one) { return one == 0.0L; });
+    }
+};
+
+// Where it changes its sign between 0 and `end`: once at most between two places where its slope
+// does.
+std::vector<long double> sign_changes(const Polynomial& p, long double end) {
+    std::vector<long double> found;
+    if (p.is_constant()) return found;
+    std::vector<long double> places = sign_changes(p.slope(), end);
+    places.push_back(end);
+    long double before = 0.0L;
+    for (const long double place : places) {
+        long double low = before, high = place;
+        before = place;
+        const bool falls = p(high) < 0.0L;
+        if ((p(low) < 0.0L) == falls) continue;
+        while (true) {
+            const long double middle = 0.5L * (low + high);
+            if (!(middle > low && middle < high)) break;
+            ((p(middle) < 0.0L) == falls ? high : low) = middle;
+        }
+        found.push_back(high);
+    }
+    return found;
+}
+
+// When it becomes negative before `end`; at 0 if it is negative there and falls.
+std::vector<long double> falls_of(const Polynomial& p, long double end) {
+    std::vector<long double> falls;
+    bool is_negative = p(0.0L) < 0.0L;
+    if (is_negative && p.c[1] < 0.0L) falls.push_back(0.0L);
+    for (const long double t : sign_changes(p, end)) {
+        is_negative = !is_negative;
+        if (is_negative) falls.push_back(t);
+    }
+    return falls;
+}
+
+// r + v t + a t^2 / 2 in a direction.
+Polynomial along(Vector direction, Vector r, Vector v, Vector a) {
+    return {{dot(direction, r), dot(direction, v), 0.5L * dot(direction, a), 0.0L, 0.0L}};
+}
+
+}  // namespace
+
+// --------------------------------------------------------------------------------- what is there
+
+SlowSurfaces::SlowSurfaces(const Box& box, const Particles& particles, const Sample& start)
+    : box_(box), slack_(0.0L) {
+    const int dimension = box.dimension;
+    for (int side = 0; side < 4; ++side) {
+        const int axis = side / 2;
+        const long double place = side % 2 == 0 ? 0.0L : box.size[axis];
+        movers_.push_back({.axis = axis,
+                           .place = place,
+                           .behaviour = box.surfaces.sides[static_cast<std::size_t>(side)]});
+        if (axis < dimension && !box.is_periodic(axis)) add_partition(axis, place, {}, side);
+    }
+    std::int32_t surface = 4;
+    for (const Partition& line : box.surfaces.partitions) {
+        movers_.push_back({.axis = line.axis,
+                           .place = line.at,
+                           .behaviour = line.behaviour,
+                           .is_open = line.is_open});
+        add_partition(line.axis, line.at, line.gaps, surface++);
+    }
+    for (const Obstacle& obstacle : box.surfaces.obstacles) add_obstacle(obstacle, surface++);
+    for (Mover& mover : movers_) {
+        if (const auto* piston = std::get_if<Piston>(&mover.behaviour))
+            mover.velocity = piston->velocity;
+        set_motion(mover);
+    }
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        disks_.push_back({.x = {},
+                          .v = {},
+                          .a = {},
+                          .radius = particles.radius[i],
+                          .inverse_mass = particles.inverse_mass[i],
+                          .species = particles.species[i]});
+    adopt(start, {});
+    order_.resize(disks_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](auto a, auto b) { return disks_[a].x.x < disks_[b].x.x; });
+}
+
+void SlowSurfaces::add_partition(int axis, long double at,
+                                 const std::vector<std::pair<double, double>>& gaps,
+                                 std::int32_t surface) {
+    const auto point = [&](long double where) {
+        return axis == 0 ? Vector{at, where} : Vector{where, at};
+    };
+    const Vector direction = axis == 0 ? Vector{0.0L, 1.0L} : Vector{1.0L, 0.0L};
+    if (gaps.empty()) {
+        parts_.push_back({true, point(0.0L), point(0.0L), direction, infinite, 0.0L, surface});
+        return;
+    }
+    const long double end = box_.size[1 - axis];
+    long double from = 0.0L;
+    const auto add_piece = [&](long double to) {
+        if (to <= from) return;
+        parts_.push_back({true, point(from), point(to), direction, to - from, 0.0L, surface});
+        if (!box_.is_periodic(1 - axis) && from == 0.0L)  // beyond the wall too, which may move
+            parts_.push_back(
+                {true, point(0.0L), point(0.0L), -1.0L * direction, 1e9L, 0.0L, surface});
+        if (!box_.is_periodic(1 - axis) && to == end)
+            parts_.push_back({true, point(end), point(end), direction, 1e9L, 0.0L, surface});
+        for (const long double corner : {from, to})
+            parts_.push_back({false, point(corner), point(corner), {}, 0.0L, 0.0L, surface});
+    };
+    for (const auto& [gap_from, gap_to] : gaps) {
+        add_piece(gap_from);
+        from = gap_to;
+    }
+    add_piece(end);
+    // Where it reaches a wall, or its own image, it has no corner.
+    const bool is_ring = box_.is_periodic(1 - axis);
+    const bool is_whole = gaps.front().first > 0.0 && gaps.back().second < end;
+    std::erase_if(parts_, [&](const Part& part) {
+        const long double where = part.place[1 - axis];
+        return part.surface == surface && !part.is_line && (where == 0.0L || where == end) &&
+               (!is_ring || is_whole);
+    });
+}
+
+void SlowSurfaces::add_obstacle(const Obstacle& obstacle, std::int32_t surface) {
+    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+        const Vector center{disk->center[0], disk->center[1]};
+        parts_.push_back({false, center, center, {}, 0.0L, disk->radius, surface});
+        return;
+    }
+    const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
+    const auto corner = [&](std::size_t k) {
+        return Vector{corners[k % corners.size()][0], corners[k % corners.size()][1]};
+    };
+    for (std::size_t k = 0; k < corners.size(); ++k)
+        parts_.push_back({false, corner(k), corner(k), {}, 0.0L, 0.0L, surface});
+    for (std::size_t k = 0; k + (is_closed ? 0 : 1) < corners.size(); ++k) {
+        const Vector line = corner(k + 1) - corner(k);
+        const long double length = size(line);
+        parts_.push_back(
+            {true, corner(k), corner(k + 1), (1.0L / length) * line, length, 0.0L, surface});
+    }
+}
+
+// As its behaviour has it; the velocity of a piston is its own.
+void SlowSurfaces::set_motion(Mover& mover) {
+    mover.inverse_mass = mover.acceleration = 0.0L;
+    mover.stops = infinite;
+    if (const auto* driven = std::get_if<Driven>(&mover.behaviour)) {
+        mover.is_mobile = true;
+        mover.velocity = driven->until > time_ ? driven->velocity : 0.0;
+        mover.stops = driven->until > time_ ? driven->until : infinite;
+    } else if (const auto* piston = std::get_if<Piston>(&mover.behaviour)) {
+        mover.is_mobile = true;
+        if (mover.is_held) {
+            mover.velocity = 0.0L;
+        } else {
+            mover.inverse_mass = 1.0L / piston->mass;
+            mover.acceleration = piston->force / static_cast<long double>(piston->mass) +
+                                 box_.surfaces.gravity[mover.axis];
+        }
+    } else {
+        mover.velocity = 0.0L;
+    }
+}
+
+// Disks fall, but for those that a wall at rest carries.
+void SlowSurfaces::settle() {
+    const Vector gravity{box_.surfaces.gravity[0], box_.surfaces.gravity[1]};
+    for (Disk& disk : disks_) {
+        disk.a = gravity;
+        for (const Part& part : parts_) {
+            if (!part.is_line || part.length < infinite || !is_there(part)) continue;
+            if (movers_[static_cast<std::size_t>(part.surface)].is_mobile) continue;
+            const Vector normal = left_of(part.along);
+            const long double side = side_of(part, dot(normal, disk.x - part.place));
+            if (dot(normal, disk.v) == 0.0L && side * dot(normal, disk.a) < 0.0L &&
+                side * dot(normal, disk.x - part.place) < disk.radius + slack_)
+                disk.a = disk.a - dot(normal, disk.a) * normal;
+        }
+    }
+}
+
+// On which side of a line something is; of a wall that is the inside of the box, which left and top
+// have to the right of their way.
+long double SlowSurfaces::side_of(const Part& part, long double distance) {
+    if (part.surface < 4) return part.surface == 0 || part.surface == 3 ? -1.0L : 1.0L;
+    return distance < 0.0L ? -1.0L : 1.0L;
+}
+
+bool SlowSurfaces::is_there(const Part& part) const {
+    const auto k = static_cast<std::size_t>(part.surface);
+    return k >= movers_.size() || !movers_[k].is_open;
+}
+
+bool SlowSurfaces::lets_pass(const Part& part, const Disk& disk) const {
+    const auto k = static_cast<std::size_t>(part.surface);
+    if (k >= movers_.size()) return false;
+    const auto* membrane = std::get_if<Membrane>(&movers_[k].behaviour);
+    return membrane != nullptr && std::find(membrane->species.begin(), membrane->species.end(),
+                                            disk.species) != membrane->species.end();
+}
+
+bool SlowSurfaces::admits(const Mover& mover, const Disk& disk) const {
+    const auto* membrane = std::get_if<Membrane>(&mover.behaviour);
+    if (membrane == nullptr) return false;
+    const auto& speeds = disk.v[mover.axis] > 0.0L ? membrane->upward : membrane->downward;
+    return size(disk.v) > speeds.faster_than && size(disk.v) < speeds.slower_than;
+}
+
+// ------------------------------------------------------------------------------ what comes next
+
+std::vector<SlowVector> SlowSurfaces::images() const {
+    std::vector<Vector> images;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            if ((x == 0 || box_.is_periodic(0)) && (y == 0 || box_.is_periodic(1)))
+                images.push_back({x * static_cast<long double>(box_.size[0]),
+                                  y * static_cast<long double>(box_.size[1])});
+    return images;
+}
+
+SlowSurfaces::Motion SlowSurfaces::motion_of(const Disk& disk, const Part& part,
+                                             const Vector& image) const {
+    Motion m{disk.x + image - part.place, disk.v, disk.a};
+    const auto k = static_cast<std::size_t>(part.surface);
+    if (k >= movers_.size()) return m;
+    const Mover& mover = movers_[k];
+    // Parts are where their surface was at the start.
+    m.r[mover.axis] = disk.x[mover.axis] + image[mover.axis] - mover.place;
+    m.v[mover.axis] -= mover.velocity;
+    m.a[mover.axis] -= mover.acceleration;
+    return m;
+}
+
+SlowSurfaces::Motion SlowSurfaces::between(const Disk& a, const Disk& b,
+                                           const Vector& image) const {
+    return {b.x + image - a.x, b.v - a.v, b.a - a.a};
+}
+
+long double SlowSurfaces::time_to_circle(const Motion& m, long double distance,
+                                         long double before) const {
+    const long double way = before * (size(m.v) + 0.5L * before * size(m.a));
+    if (size(m.r) > distance + way) return infinite;
+    const Polynomial gap{{dot(m.r, m.r) - distance * distance, 2.0L * dot(m.r, m.v),
+                          dot(m.v, m.v) + dot(m.r, m.a), dot(m.v, m.a), 0.25L * dot(m.a, m.a)}};
+    const auto falls = falls_of(gap, before);
+    return falls.empty() ? infinite : falls.front();
+}
+
+long double SlowSurfaces::time_to_part(const Disk& disk, const Part& part, const Motion& m,
+                                       long double before) const {
+    // One that is let through, and in the surface, must leave it to meet it again.
+    const bool is_passing = disk.passing.contains(part.surface) && gap_of(m, part, disk) < slack_;
+    const long double reach = disk.radius + part.radius - (is_passing ? 0.0L : slack_);
+    const long double soonest = is_passing ? 1e-9L : 0.0L;
+    if (!part.is_line) {
+        if (reach <= 0.0L) return infinite;
+        const long double t = time_to_circle(m, reach, before);
+        return t < soonest ? infinite : t;
+    }
+    const Vector normal = left_of(part.along);
+    const long double way =
+        before * (std::abs(dot(normal, m.v)) + 0.5L * before * std::abs(dot(normal, m.a)));
+    if (std::abs(dot(normal, m.r)) > std::abs(reach) + way) return infinite;
+    const Polynomial foot = along(part.along, m.r, m.v, m.a);
+    const long double side = side_of(part, dot(normal, m.r));
+    long double first = infinite;
+    for (const long double from : {side, -side}) {
+        if (part.surface < 4 && from != side) continue;
+        Polynomial gap = along(from * normal, m.r, m.v, m.a);
+        gap.c[0] -= reach;
+        if (from != side && gap.c[0] > 0.0L) continue;  // a point in contact is on its side
+        for (const long double t : falls_of(gap, before)) {
+            if (t < soonest || (t == 0.0L && from != side)) continue;
+            if (part.length == infinite || (foot(t) >= 0.0L && foot(t) <= part.length)) {
+                first = std::min(first, t);
+                break;
+            }
+        }
+    }
+    return first;
+}
+
+void SlowSurfaces::look_at_pairs(Next& next) const {
+    const auto consider = [&](std::size_t i, std::size_t j, long double t) {
+        if (t < next.wait) next = {t, static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
+    };
+    if (box_.dimension == 1) {
+        for (std::size_t k = 0; k + 1 < order_.size(); ++k) {
+            const Disk &a = disks_[order_[k]], &b = disks_[order_[k + 1]];
+            const Motion m = between(a, b, {});
+            Polynomial gap = along({1.0L, 0.0L}, m.r, m.v, m.a);
+            gap.c[0] -= a.radius + b.radius - slack_;
+            const auto falls = falls_of(gap, next.wait);
+            if (!falls.empty()) consider(order_[k], order_[k + 1], falls.front());
+        }
+        return;
+    }
+    const std::vector<Vector> all = images();
+    for (std::size_t i = 0; i < disks_.size(); ++i)
+        for (std::size_t j = i + 1; j < disks_.size(); ++j) {
+            const Disk &a = disks_[i], &b = disks_[j];
+            const long double distance = a.radius + b.radius - slack_;
+            if (distance <= 0.0L || a.inverse_mass + b.inverse_mass == 0.0L) continue;
+            for (const Vector& image : all)
+                consider(i, j, time_to_circle(between(a, b, image), distance, next.wait));
+        }
+}
+
+void SlowSurfaces::look_at_parts(Next& next) const {
+    const std::vector<Vector> all = images();
+    for (std::size_t i = 0; i < disks_.size(); ++i)
+        for (const Part& part : parts_) {
+            if (!is_there(part) || lets_pass(part, disks_[i])) continue;
+            for (const Vector& image : all) {
+                const Motion m = motion_of(disks_[i], part, image);
+                const long double t = time_to_part(disks_[i], part, m, next.wait);
+                if (t < next.wait) next = {t, static_cast<std::int32_t>(i), -1 - part.surface};
+            }
+        }
+}
+
+// The end of a part that a mover meets, unless it is beside the part.
+std::optional<long double> SlowSurfaces::end_towards(const Part& part, const Mover& mover) const {
+    const long double first = part.place[mover.axis], last = part.end[mover.axis];
+    const long double low = std::min(first, last) - part.radius;
+    const long double high = std::max(first, last) + part.radius;
+    if (mover.place > low && mover.place < high) return std::nullopt;
+    return mover.place - low < high - mover.place ? low : high;
+}
+
+// Movers on one axis meet each other and what stands across their way; one that is in the reach of
+// such a thing already passes by it.
+void SlowSurfaces::look_at_movers(Next& next) const {
+    for (std::size_t k = 0; k < movers_.size(); ++k) {
+        const Mover& mover = movers_[k];
+        if (!mover.is_mobile) continue;
+        if (mover.stops - time_ < next.wait)
+            next = {std::max(0.0L, mover.stops - time_), -1 - static_cast<int>(k), -1};
+        if (mover.is_open) continue;
+        const auto consider = [&](long double apart, long double v, long double a, int second) {
+            const long double side = apart < 0.0L || (apart == 0.0L && v < 0.0L) ? -1.0L : 1.0L;
+            const Polynomial gap{{side * apart, side * v, side * 0.5L * a, 0.0L, 0.0L}};
+            const auto falls = falls_of(gap, next.wait);
+            if (!falls.empty()) next = {falls.front(), -1 - static_cast<int>(k), second};
+        };
+        for (std::size_t j = 0; j < movers_.size(); ++j)
+            if (j != k && movers_[j].axis == mover.axis && movers_[j].is_mobile &&
+                !movers_[j].is_open)
+                consider(mover.place - movers_[j].place, mover.velocity - movers_[j].velocity,
+                         mover.acceleration - movers_[j].acceleration, -2 - static_cast<int>(j));
+        for (std::size_t j = 0; j < parts_.size(); ++j) {
+            const Part& part = parts_[j];
+            const auto its = static_cast<std::size_t>(part.surface);
+            if (!is_there(part)) continue;
+            if (its < movers_.size() && (movers_[its].is_mobile || movers_[its].axis != mover.axis))
+                continue;
+            if (const auto end = end_towards(part, mover))
+                consider(mover.place - *end, mover.velocity, mover.acceleration,
+                         static_cast<int>(j));
+        }
+    }
+}
+
+// So short that nothing moves further than a quarter of the box, and the images looked at suffice.
+long double SlowSurfaces::longest_step() const {
+    long double fastest = 1e-300L, acceleration = 0.0L;
+    for (const Disk& disk : disks_) {
+        fastest = std::max(fastest, size(disk.v));
+        acceleration = std::max(acceleration, size(disk.a));
+    }
+    long double quarter = infinite;
+    for (int axis = 0; axis < box_.dimension; ++axis)
+        quarter = std::min(quarter, 0.25L * box_.size[axis]);
+    return 2.0L * quarter /
+           (fastest + std::sqrt(fastest * fastest + 2.0L * acceleration * quarter));
+}
+
+void SlowSurfaces::fly(long double wait) {
+    time_ += wait;
+    for (Disk& disk : disks_) {
+        disk.x = disk.x + wait * (disk.v + 0.5L * wait * disk.a);
+        disk.v = disk.v + wait * disk.a;
+        for (int axis = 0; axis < 2; ++axis)
+            if (box_.is_periodic(axis))
+                disk.x[axis] -= box_.size[axis] * std::floor(disk.x[axis] / box_.size[axis]);
+    }
+    for (Mover& mover : movers_) {
+        if (!mover.is_mobile) continue;
+        mover.place += wait * (mover.velocity + 0.5L * wait * mover.acceleration);
+        mover.velocity += wait * mover.acceleration;
+    }
+}
+
+// A mover stops (second = -1), or bounces off another (-2 - its number) or a part at rest.
+void SlowSurfaces::bounce(const Next& next) {
+    Mover& mover = movers_[static_cast<std::size_t>(-1 - next.first)];
+    if (next.second == -1) {
+        mover.velocity = 0.0L;
+        mover.stops = infinite;
+    } else if (next.second < -1) {
+        Mover& other = movers_[static_cast<std::size_t>(-2 - next.second)];
+        const long double impulse =
+            2.0L * (other.velocity - mover.velocity) / (mover.inverse_mass + other.inverse_mass);
+        mover.velocity += impulse * mover.inverse_mass;
+        other.velocity -= impulse * other.inverse_mass;
+        mover.place = other.place;
+    } else {
+        const Part& part = parts_[static_cast<std::size_t>(next.second)];
+        // Exactly there, as far as that is known: beyond it would not meet it again.
+        const long double before = std::exchange(mover.place, mover.place - 1e-9L * mover.velocity);
+        mover.place = end_towards(part, mover).value_or(before);
+        mover.velocity = -mover.velocity;
+    }
+}
+
+std::optional<SlowContact> SlowSurfaces::advance(long double time) {
+    while (time_ < time) {
+        Next next{std::min(time - time_, longest_step())};
+        const long double step = next.wait;
+        look_at_movers(next);
+        look_at_pairs(next);
+        look_at_parts(next);
+        const bool is_last = next.wait == step && step == time - time_;
+        fly(next.wait);
+        if (is_last) time_ = time;
+        if (next.wait == step) continue;
+        if (next.first < 0) {
+            bounce(next);
+            continue;
+        }
+        if (next.second < 0) {
+            const auto k = static_cast<std::size_t>(-1 - next.second);
+            Disk& disk = disks_[static_cast<std::size_t>(next.first)];
+            if (k < movers_.size() && admits(movers_[k], disk)) {
+                disk.passing.insert(static_cast<std::int32_t>(k));
+                continue;
+            }
+        }
+        return SlowContact{next.first, next.second};
+    }
+    find_slack();
+    return std::nullopt;
+}
+
+// ------------------------------------------------------------------------------------- what it
+// does
+
+SlowSurfaces::Touch SlowSurfaces::collide(const SlowContact& contact, const Vector& like) {
+    Disk& a = disks_[static_cast<std::size_t>(contact.first)];
+    a.passing.clear();
+    if (contact.second < 0) return collide_with_surface(a, -1 - contact.second, like);
+    Disk& b = disks_[static_cast<std::size_t>(contact.second)];
+    b.passing.clear();
+    Touch touch{infinite, 0.0L};
+    Vector normal;
+    if (box_.dimension == 1) {
+        const Motion m = between(a, b, {});
+        const auto rank = [&](std::int32_t i) {
+            return std::find(order_.begin(), order_.end(), static_cast<std::size_t>(i));
+        };
+        normal = {rank(contact.first) < rank(contact.second) ? 1.0L : -1.0L, 0.0L};
+        touch = {dot(normal, m.r) - a.radius - b.radius, dot(normal, m.v)};
+    } else {
+        for (const Vector& image : images()) {
+            const Motion m = between(a, b, image);
+            const long double gap = size(m.r) - a.radius - b.radius;
+            if (!(std::abs(gap) < std::abs(touch.gap))) continue;
+            normal = (1.0L / size(m.r)) * m.r;
+            touch = {gap, dot(normal, m.v)};
+        }
+    }
+    const long double impulse = 2.0L * touch.approach / (a.inverse_mass + b.inverse_mass);
+    a.v = a.v + a.inverse_mass * impulse * normal;
+    b.v = b.v - b.inverse_mass * impulse * normal;
+    return touch;
+}
+
+long double SlowSurfaces::gap_of(const Motion& m, const Part& part, const Disk& disk) const {
+    if (!part.is_line) return size(m.r) - part.radius - disk.radius;
+    const long double foot = dot(part.along, m.r);
+    if (part.length < infinite && (foot < -slack_ || foot > part.length + slack_)) return infinite;
+    return std::abs(dot(left_of(part.along), m.r)) - disk.radius;
+}
+
+SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t surface,
+                                                       const Vector& like) {
+    const bool moves = static_cast<std::size_t>(surface) < movers_.size();
+    Mover* mover = moves ? &movers_[static_cast<std::size_t>(surface)] : nullptr;
+    const bool is_membrane = moves && std::holds_alternative<Membrane>(mover->behaviour);
+    Touch best{.gap = infinite,
+               .approach = 0.0L,
+               .is_bath = moves && std::holds_alternative<Bath>(mover->behaviour)};
+    long double nearest = infinite;
+    Vector after = disk.v, normal;
+    for (const Part& part : parts_) {
+        if (part.surface != surface) continue;
+        for (const Vector& image : images()) {
+            const Motion m = motion_of(disk, part, image);
+            const long double gap = gap_of(m, part, disk);
+            // A disk that a membrane lets through may be reflected from within it.
+            if (gap > slack_ || (gap < -slack_ && !is_membrane)) continue;
+            if (!part.is_line && size(m.r) == 0.0L) continue;
+            const Vector n = part.is_line ? left_of(part.along) : (1.0L / size(m.r)) * m.r;
+            const long double side = part.is_line ? side_of(part, dot(n, m.r)) : 1.0L;
+            const long double approach = side * dot(n, m.v);
+            const long double other = moves ? mover->inverse_mass : 0.0L;
+            const long double share =
+                other > 0.0L ? disk.inverse_mass / (disk.inverse_mass + other) : 1.0L;
+            const Vector v = disk.v - 2.0L * share * dot(n, m.v) * n;
+            if (!(size(v - like) < nearest) && !(nearest == infinite)) continue;
+            nearest = size(v - like);
+            best.is_within = gap < -slack_;
+            best.gap = best.is_within ? 0.0L : gap;
+            best.approach = approach;
+            after = v;
+            normal = n;
+        }
+    }
+    if (moves && mover->inverse_mass > 0.0L)
+        mover->velocity -=
+            mover->inverse_mass *
+            (disk.inverse_mass > 0.0L
+                 ? (after - disk.v)[mover->axis] / disk.inverse_mass
+                 : 2.0L * (mover->velocity - disk.v[mover->axis]) / mover->inverse_mass);
+    disk.v = after;
+    return best;
+}
+
+long double SlowSurfaces::least_gap() const {
+    long double least = infinite;
+    const std::vector<Vector> all = images();
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+        for (const Part& part : parts_) {
+            if (!is_there(part) || lets_pass(part, disks_[i])) continue;
+            for (const Vector& image : all)
+                least = std::min(least, gap_of(motion_of(disks_[i], part, image), part, disks_[i]));
+        }
+        for (std::size_t j = i + 1; j < disks_.size(); ++j)
+            for (const Vector& image : all)
+                least = std::min(least, size(between(disks_[i], disks_[j], image).r) -
+                                            disks_[i].radius - disks_[j].radius);
+    }
+    return least;
+}
+
+// ------------------------------------------------------------------------------ what events change
+
+bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_the_way) {
+    const auto mover = [&](const auto& its) -> Mover& {
+        return movers_[static_cast<std::size_t>(its.surface)];
+    };
+    // That were let through, and would be in a wall.
+    const auto close_on = [&](std::int32_t surface) {
+        for (std::size_t i = 0; i < disks_.size(); ++i)
+            for (const Part& part : parts_)
+                for (const Vector& image : images())
+                    if (part.surface == surface && is_there(part) && !lets_pass(part, disks_[i]) &&
+                        gap_of(motion_of(disks_[i], part, image), part, disks_[i]) < -slack_)
+                        in_the_way.push_back(static_cast<std::int32_t>(i));
+    };
+    if (const auto* set = std::get_if<SetOpen>(&event.action)) {
+        const bool closes = mover(*set).is_open && !set->is_open;
+        mover(*set).is_open = set->is_open;
+        if (closes) close_on(set->surface);
+    } else if (const auto* move = std::get_if<MoveSurface>(&event.action)) {
+        const bool let_through = std::holds_alternative<Membrane>(mover(*move).behaviour);
+        mover(*move).behaviour = Driven{.velocity = move->velocity};
+        set_motion(mover(*move));
+        if (let_through) close_on(move->surface);
+    } else if (const auto* held = std::get_if<HoldPiston>(&event.action)) {
+        mover(*held).is_held = true;
+        set_motion(mover(*held));
+    } else if (const auto* released = std::get_if<ReleasePiston>(&event.action)) {
+        mover(*released).is_held = false;
+        set_motion(mover(*released));
+    } else if (const auto* change = std::get_if<ChangeSurface>(&event.action)) {
+        Mover& its = mover(*change);
+        const bool let_through = std::holds_alternative<Membrane>(its.behaviour);
+        its.behaviour = change->behaviour;
+        its.is_held = false;
+        if (const auto* piston = std::get_if<Piston>(&its.behaviour))
+            its.velocity = piston->velocity;
+        set_motion(its);
+        if (let_through) close_on(change->surface);
+    } else if (const auto* heat = std::get_if<Heat>(&event.action)) {
+        long double mass = 0.0L, energy = 0.0L, count = 0.0L;
+        Vector momentum;
+        std::vector<Disk*> all;
+        for (Disk& disk : disks_)
+            if (disk.inverse_mass > 0.0L && (!heat->species || disk.species == *heat->species))
+                all.push_back(&disk);
+        for (const Disk* disk : all) {
+            count += 1.0L;
+            mass += 1.0L / disk->inverse_mass;
+            momentum = momentum + (1.0L / disk->inverse_mass) * disk->v;
+        }
+        if (count < 2.0L) return false;
+        const Vector mean = (1.0L / mass) * momentum;
+        for (const Disk* disk : all)
+            energy += 0.5L * dot(disk->v - mean, disk->v - mean) / disk->inverse_mass;
+        const auto* to = std::get_if<Temperature>(&heat->amount);
+        // As much for each direction of each particle, but for the motion of them all.
+        const long double wanted = to != nullptr
+                                       ? 0.5L * box_.dimension * (count - 1.0L) * to->value
+                                       : energy + std::get<double>(heat->amount);
+        if (!(energy > 0.0L && wanted > 0.0L)) return false;
+        for (Disk* disk : all) disk->v = mean + std::sqrt(wanted / energy) * (disk->v - mean);
+    }
+    settle();
+    return in_the_way.empty();
+}
+
+void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& surfaces) {
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        for (int axis = 0; axis < box_.dimension; ++axis) {
+            disks_[i].x[axis] = state.position(row, axis);
+            disks_[i].v[axis] = state.velocity(row, axis);
+        }
+    }
+    for (std::size_t k = 0; k < surfaces.size() && k < movers_.size(); ++k) {
+        if (!surfaces[k].motion) continue;
+        movers_[k].place = surfaces[k].motion->place;
+        movers_[k].velocity = surfaces[k].motion->velocity;
+    }
+    find_slack();
+    settle();
+}
+
+// Of the places and, by the time's, of the ways of all.
+void SlowSurfaces::find_slack() {
+    long double furthest = box_.size.maxCoeff(), fastest = 0.0L;
+    for (const Disk& disk : disks_) {
+        furthest = std::max(furthest, size(disk.x));
+        fastest = std::max(fastest, size(disk.v));
+    }
+    for (const Mover& mover : movers_) {
+        furthest = std::max(furthest, std::abs(mover.place));
+        fastest = std::max(fastest, std::abs(mover.velocity));
+    }
+    slack_ = 1e-13L * (furthest + fastest * (1.0L + time_));
+}
+
+}  // namespace carom::test

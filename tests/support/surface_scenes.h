@@ -1,0 +1,221 @@
+// Small scenes with surfaces that act, obstacles, gravity and events, in the plane and on a line,
+// each from a number.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/run.h"
+#include "util/random.h"
+
+namespace carom::test {
+
+struct SurfaceScene {
+    Gas gas;
+    std::vector<RunEvent> events = {};
+};
+
+/// From much lighter than a disk to much heavier.
+inline double any_mass(Random& random) { return std::pow(10.0, random.uniform(-4.0, 2.0)); }
+
+/// What a side or a partition does. `piston`: it may be one.
+inline Behaviour any_behaviour(Random& random, bool is_side, bool may_move) {
+    const double which = random.uniform();
+    if (may_move && which < 0.2)
+        return Piston{any_mass(random), random.uniform(-1.0, 1.0), random.uniform(-0.5, 0.5)};
+    if (may_move && which < 0.35)
+        return Driven{random.uniform(-0.3, 0.3), random.uniform() < 0.5 ? 3.0 : 50.0};
+    if (which < 0.45) return Bath{random.uniform(0.5, 3.0)};
+    if (is_side || which < 0.7) return Reflecting{};
+    if (which < 0.8) return Membrane{.species = {static_cast<std::int32_t>(random.below(2))}};
+    return Membrane{.upward = {.faster_than = random.uniform(0.0, 2.0)},
+                    .downward = {.faster_than = 0.0, .slower_than = random.uniform(0.0, 2.0)}};
+}
+
+inline Partition any_partition(Random& random, const Box& box, bool may_move, std::string name) {
+    const int axis = static_cast<int>(random.below(2));
+    const bool has_gaps = random.uniform() < 0.5;
+    Partition line{.name = std::move(name),
+                   .axis = axis,
+                   .at = box.length(axis) * random.uniform(0.2, 0.8),
+                   .behaviour = any_behaviour(random, false, may_move && !box.is_periodic(axis)),
+                   .is_open = random.uniform() < 0.15};
+    if (!has_gaps || std::holds_alternative<Piston>(line.behaviour)) return line;
+    // Some narrower than a disk, some from a wall on.
+    const double length = box.length(1 - axis);
+    double from = random.uniform() < 0.2 ? 0.0 : length * random.uniform(0.05, 0.4);
+    for (int k = 0; k < 2 && from < 0.9 * length; ++k) {
+        const double to = std::min(length, from + length * std::pow(random.uniform(), 2.0) * 0.5);
+        line.gaps.emplace_back(from, to);
+        from = to + length * random.uniform(0.02, 0.3);
+    }
+    return line;
+}
+
+inline Obstacle any_obstacle(Random& random, const Box& box, std::string name) {
+    const Eigen::Array2d at{box.size[0] * random.uniform(0.15, 0.85),
+                            box.size[1] * random.uniform(0.15, 0.85)};
+    const auto near = [&](double far) {
+        return Eigen::Array2d(at + Eigen::Array2d{random.uniform(-far, far),  //
+                                                  random.uniform(-far, far)});
+    };
+    switch (random.below(5)) {
+        case 0:
+            return {std::move(name), Obstacle::Disk{at, random.uniform(0.05, 1.0)}};
+        case 1: {
+            const double x = random.uniform(0.1, 1.0), y = random.uniform(0.1, 1.0);
+            return {std::move(name),
+                    Obstacle::Lines{{at, at + Eigen::Array2d{x, 0.0}, at + Eigen::Array2d{x, y},
+                                     at + Eigen::Array2d{0.0, y}},
+                                    true}};
+        }
+        case 2:
+            return {std::move(name),
+                    Obstacle::Lines{{near(1.0), near(1.0), near(1.0), near(1.0)}, true}};
+        case 3:
+            return {std::move(name), Obstacle::Lines{{near(1.5), near(1.5)}, false}};
+        default: {  // a corner, often nearly closed
+            const double turn = random.uniform(0.0, 6.3), length = random.uniform(1.0, 2.5);
+            const double angle = std::pow(10.0, random.uniform(-2.0, 0.0));
+            const auto end = [&](double angle_of_it) {
+                return Eigen::Array2d(
+                    at + length * Eigen::Array2d{std::cos(angle_of_it), std::sin(angle_of_it)});
+            };
+            return {std::move(name), Obstacle::Lines{{end(turn), at, end(turn + angle)}, false}};
+        }
+    }
+}
+
+/// Whether a side or a partition that moves would begin inside of it.
+inline bool is_across(const Obstacle& obstacle, const Box& box) {
+    const auto is_at = [&](int axis, double place) {
+        double low = 1e300, high = -1e300;
+        const auto include = [&](double from, double to) {
+            low = std::min(low, from), high = std::max(high, to);
+        };
+        if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+            include(disk->center[axis] - disk->radius, disk->center[axis] + disk->radius);
+        else
+            for (const auto& corner : std::get<Obstacle::Lines>(obstacle.shape).corners)
+                include(corner[axis], corner[axis]);
+        return place > low && place < high;
+    };
+    bool is = false;
+    for (const Partition& line : box.surfaces.partitions) is = is || is_at(line.axis, line.at);
+    for (const int axis : {0, 1}) is = is || is_at(axis, 0.0) || is_at(axis, box.length(axis));
+    return is;
+}
+
+/// What happens to the first partition, if any, a side, or the velocities.
+inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool surfaces_move = true) {
+    std::vector<RunEvent> events;
+    double time = 0.0;
+    const auto side = static_cast<std::int32_t>(random.below(box.dimension == 1 ? 2 : 4));
+    const bool has_partition = !box.surfaces.partitions.empty();
+    for (int k = 0; k < 4; ++k) {
+        time += random.uniform(0.1, 2.0);
+        const bool of_partition = has_partition && random.uniform() < 0.7;
+        const std::int32_t which = of_partition ? Surfaces::first_partition : side;
+        const int axis = of_partition ? box.surfaces.partitions[0].axis : side / 2;
+        if (!of_partition && box.is_periodic(axis)) continue;
+        const bool may_move = !box.is_periodic(axis) && surfaces_move;
+        switch (random.below(5)) {
+            case 0:
+            case 1:
+                if (of_partition)
+                    events.push_back({time, SetOpen{which, random.uniform() < 0.5}});
+                else if (random.uniform() < 0.5)
+                    events.push_back({time, Heat{{}, random.uniform(-1.0, 3.0)}});
+                else
+                    events.push_back({time, Heat{static_cast<std::int32_t>(random.below(2)),
+                                                 Temperature{random.uniform(0.3, 3.0)}}});
+                break;
+            case 2:
+                if (may_move)
+                    events.push_back({time, MoveSurface{which, random.uniform(-0.3, 0.3)}});
+                break;
+            case 3: {
+                const bool has_gaps = of_partition && !box.surfaces.partitions[0].gaps.empty();
+                events.push_back(
+                    {time,
+                     ChangeSurface{which, any_behaviour(random, true, may_move && !has_gaps)}});
+                break;
+            }
+            default:
+                if (!may_move || (of_partition && !box.surfaces.partitions[0].gaps.empty())) break;
+                events.push_back({time, ChangeSurface{which, Piston{any_mass(random)}}});
+                events.push_back({time + 0.2, HoldPiston{which}});
+                events.push_back({time + 0.5, ReleasePiston{which}});
+                time += 0.5;
+                break;
+        }
+    }
+    return events;
+}
+
+/// Disks in the plane among surfaces of all kinds.
+inline SurfaceScene small_box(std::uint64_t seed) {
+    Random random(seed, "small box with surfaces");
+    SurfaceScene scene;
+    Gas& gas = scene.gas;
+    gas.seed = seed;
+    Box& box = gas.box;
+    Surfaces& surfaces = box.surfaces;
+    surfaces.seed = seed;
+    box.size = {random.uniform(4.0, 10.0), random.uniform(4.0, 10.0)};
+    for (Wall& wall : box.walls) wall = random.uniform() < 0.25 ? Wall::periodic : Wall::solid;
+    const double falls = random.uniform();
+    for (int axis = 0; axis < 2; ++axis)
+        if (!box.is_periodic(axis) && (axis == 1 ? falls < 0.6 : falls < 0.2))
+            surfaces.gravity[axis] = random.uniform(-2.0, 1.0);
+    const bool may_move = random.uniform() < 0.6;
+    for (std::size_t side = 0; side < 4; ++side)
+        if (!box.is_periodic(side / 2) && random.uniform() < 0.3)
+            surfaces.sides[side] = any_behaviour(random, true, may_move);
+    for (std::uint64_t k = random.below(3); k > 0; --k)
+        surfaces.partitions.push_back(any_partition(random, box, may_move, "line"));
+    for (std::uint64_t k = random.below(3); k > 0; --k) {
+        Obstacle obstacle = any_obstacle(random, box, "body");
+        if (!may_move || !is_across(obstacle, box))
+            surfaces.obstacles.push_back(std::move(obstacle));
+    }
+    const double radius = random.uniform() < 0.15 ? 0.0 : random.uniform(0.02, 0.5);
+    for (const char* name : {"one", "other"})
+        gas.species.push_back({.name = name,
+                               .count = static_cast<std::int64_t>(1 + random.below(5)),
+                               .radius = UniformDistribution{0.3 * radius, radius},
+                               .mass = Quantity{UniformDistribution{0.3, 3.0}},
+                               .velocity = Temperature{random.uniform(0.1, 2.0)}});
+    if (random.uniform() < 0.6) scene.events = any_events(random, box, may_move);
+    return scene;
+}
+
+/// Beads between ends that act.
+inline SurfaceScene small_wire(std::uint64_t seed) {
+    Random random(seed, "small wire with surfaces");
+    SurfaceScene scene;
+    Gas& gas = scene.gas;
+    gas.seed = seed;
+    Box& box = gas.box;
+    box.surfaces.seed = seed;
+    box.dimension = 1;
+    box.size = {random.uniform(5.0, 15.0), 0.0};
+    if (random.uniform() < 0.6) box.surfaces.gravity = {random.uniform(-1.0, 1.0), 0.0};
+    for (std::size_t side = 0; side < 2; ++side)
+        box.surfaces.sides[side] = any_behaviour(random, true, true);
+    const double radius = random.uniform() < 0.3 ? 0.0 : random.uniform(0.01, 0.3);
+    for (const char* name : {"one", "other"})
+        gas.species.push_back({.name = name,
+                               .count = static_cast<std::int64_t>(1 + random.below(5)),
+                               .radius = radius,
+                               .mass = Quantity{UniformDistribution{0.2, 5.0}},
+                               .velocity = Temperature{random.uniform(0.1, 2.0)}});
+    if (random.uniform() < 0.6) scene.events = any_events(random, box);
+    return scene;
+}
+
+}  // namespace carom::test

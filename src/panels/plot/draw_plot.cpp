@@ -319,7 +319,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
                   markup_of(plot.y.title, dc.theme), label_style(dc));
 }
 
-// Labels keep clear of all that lines will show in the film, and of levels.
+// Labels keep clear of all that lines will show in the film, of levels and of some markers.
 struct Obstacles {
     const Frame& frame;
     void operator()(const Line& line) const {
@@ -339,6 +339,11 @@ struct Obstacles {
     void operator()(const Level& level) const {
         const double y = frame.y(level.value, Beyond::clamped);
         frame.placer.keep_clear({frame.area.x, y}, {frame.area.right(), y});
+    }
+    void operator()(const Marker& marker) const {
+        const double x = frame.x(marker.value);
+        if (marker.is_kept_clear)
+            frame.placer.keep_clear({x, frame.area.y}, {x, frame.area.bottom()});
     }
     void operator()(const Layer&) const {}
 };

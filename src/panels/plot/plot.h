@@ -200,6 +200,7 @@ struct Marker : Layer {
     std::optional<double> up_to = {};  ///< none: the top
     Stroke stroke = {.width = 0.08};
     std::optional<Label> label = {};
+    bool is_kept_clear = false;  ///< labels lie beside it
 };
 
 /// The heights of bins side by side.

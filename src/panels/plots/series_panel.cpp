@@ -167,9 +167,9 @@ void SeriesPanel::make_plot() {
     for (const auto& one : record_.runs) names.push_back(one.name);
     if (compares) plot::name_runs(whole_, std::move(names));
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
+    add_events();
     add_levels();
     add_turns();
-    add_events();
     if (subject_.add) subject_.add(record_, whole_);
 }
 
@@ -298,7 +298,15 @@ void SeriesPanel::add_events() {
         marker.column = whole_.columns[0];
         marker.value = at;
         marker.stroke = {.width = 0.06, .dashes = {0.2, 0.4}};
-        if (events.size() <= most_named) marker.label = label_beside(whole_.x, at, word);
+        marker.is_kept_clear = true;
+        if (events.size() <= most_named) {
+            marker.label = label_beside(whole_.x, at, word);
+            plot::Anchor other_side = marker.label->anchors[0];
+            other_side.offset.x = -other_side.offset.x;
+            other_side.align = other_side.align == Align::left ? Align::right : Align::left;
+            marker.label->anchors.push_back(other_side);
+            marker.label->may_be_left_out = true;
+        }
         whole_.layers.emplace_back(std::move(marker));
     }
 }

@@ -302,6 +302,28 @@ TEST_CASE("events of surfaces are marked on time axes, and one bath is a level o
     CHECK(marks == "opened, heated 1; cooled 3; ");
 }
 
+TEST_CASE("words on events lie on nothing, or are left out") {
+    // At 10 there is no room for words between the events, at 8 there is on the left.
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\npartitions: [{name: door, x: 20}]\n"
+        "gas: [{count: 20, radius: 0.4, temperature: 1, position: {side: left, of: door}}]\n"
+        "run: {until: 40, events: [{at: 8, open: door}, {at: 10, move: right, velocity: -0.3}, "
+        "{at: 13, move: right, velocity: 0}, {at: 16, wall: top, temperature: 2}]}\n"
+        "film: {seconds: 1, fps: 5, size: [1280, 720], panels: [temperature, entropy, "
+        "pressure]}\n");
+    const test::Shot shot(scene);
+    const TextLog log;
+    FramePainter(*shot.panels).paint(shot.frames.back());
+    const auto drawn = [&](const char* word) {
+        return std::ranges::count_if(log.lines,
+                                     [&](const DrawnLine& line) { return line.markup == word; });
+    };
+    CHECK(drawn("opened") == 3);
+    CHECK(drawn("wall changed") == 3);
+    CHECK(drawn("moved") == 0);
+    CHECK(drawn("stopped") == 0);
+}
+
 TEST_CASE("a particle that falls has its corners where it collides") {
     Box box{.size = {20.0, 10.0}};
     box.surfaces.gravity = {0.0, -2.0};

@@ -11,13 +11,13 @@
 #include "panels/plot/layers.h"
 #include "stats/histogram.h"
 #include "stats/speed_classes.h"
+#include "stats/thinning.h"
 #include "util/archive.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr std::size_t pool_size = 200'000;
 constexpr std::uint8_t last_shade = 255;
 
 bool by_kind(ColorBy color_by) {
@@ -89,13 +89,10 @@ double GasColors::value(Eigen::Index i, double speed) const {
 
 void GasColors::survey(const FrameInput& input) {
     const Eigen::Index n = context_.particles.count();
-    const auto stride = std::max<Eigen::Index>(
-        1, static_cast<Eigen::Index>(static_cast<double>(n) * context_.frames / pool_size));
-    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride) {
+    for_each_kept(n, static_cast<double>(n), surveyed_++, context_.frames, [&](Eigen::Index i) {
         const double its = value(i, input.speed[i]);
         if (std::isfinite(its)) pool_.push_back(its);
-    }
-    ++surveyed_;
+    });
 }
 
 void GasColors::fix_scale() {

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "stats/histogram.h"
+#include "stats/thinning.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr std::size_t pool_size = 200'000;
 constexpr Eigen::Index few = 10;       // particles: none of their arrows is cut
 constexpr double fast = 0.98;          // of all speeds are slower, where there are many
 constexpr double beyond_a_wall = 0.7;  // units, that an arrow may reach
@@ -49,10 +49,8 @@ ArrowStyle VelocityArrows::style(const DrawContext& dc, double scale, Color grou
 void VelocityArrows::survey(const FrameInput& input) {
     if (!shown()) return;
     const Eigen::Index n = input.speed.size();
-    const auto stride = std::max<Eigen::Index>(
-        1, static_cast<Eigen::Index>(static_cast<double>(n) * context_.frames / pool_size));
-    for (Eigen::Index i = surveyed_ % stride; i < n; i += stride) pool_.push_back(input.speed[i]);
-    ++surveyed_;
+    for_each_kept(n, static_cast<double>(n), surveyed_++, context_.frames,
+                  [&](Eigen::Index i) { pool_.push_back(input.speed[i]); });
 }
 
 void VelocityArrows::fix_scale(double length) {

@@ -10,13 +10,13 @@
 
 #include "panels/chosen.h"
 #include "panels/surfaces/side_extent.h"
+#include "stats/thinning.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr std::size_t pool_size = 200'000;  // values kept of the whole run, for ranges and bins
-constexpr int probe_frames = 40;            // frames whose bars decide the height of the axis
+constexpr int probe_frames = 40;  // frames whose bars decide the height of the axis
 
 double finite_mean(const Eigen::ArrayXd& values) {
     const auto finite = values.isFinite();
@@ -108,13 +108,12 @@ void HistogramPanel::survey(const FrameInput& input) {
     if (subject_.position_axis)
         widen_to_sides(*subject_.extent, context_.scene.gas.box, *subject_.position_axis, input);
     const double numbers = record_.values();
-    const auto stride = std::max<Eigen::Index>(
-        1, static_cast<Eigen::Index>(numbers * context_.frames / static_cast<double>(pool_size)));
     // Bars of a few particles over a while are as rough as their probes are few.
-    const int probes = window() == 0.0
-                           ? probe_frames
-                           : static_cast<int>(std::clamp(pool_size / numbers, double(probe_frames),
-                                                         std::max(40.0, double(context_.frames))));
+    const int probes =
+        window() == 0.0
+            ? probe_frames
+            : static_cast<int>(std::clamp(most_kept_of_film / numbers, double(probe_frames),
+                                          std::max(40.0, double(context_.frames))));
     const bool probe = surveyed_ % std::max(1, context_.frames / probes) == 0;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         HistogramSeries& one = record_.series[k];
@@ -123,9 +122,11 @@ void HistogramPanel::survey(const FrameInput& input) {
         if (surveyed_ == 0) one.mean_start = one.lowest_mean = one.highest_mean = mean;
         one.lowest_mean = std::min(one.lowest_mean, mean);
         one.highest_mean = std::max(one.highest_mean, mean);
-        for (Eigen::Index i = surveyed_ % stride; i < values.size(); i += stride)
+        const auto keep = [&](Eigen::Index i) {
             if (std::isfinite(values[i]))  // of moving infinite masses some are not
                 record_.pools.front().push_back(values[i]);
+        };
+        for_each_kept(values.size(), numbers, surveyed_, context_.frames, keep);
         if (probe) record_.probes[k].push_back({input.tick.time, values});
     }
     ++surveyed_;

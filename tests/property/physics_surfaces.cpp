@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "physics/simulation.h"
+#include "support/surface_account.h"
 #include "support/surface_scenes.h"
 
 using namespace carom;
@@ -27,4 +28,13 @@ TEST_CASE("the account of energy closes") {
         }
     }
     CHECK(whole > 250);
+}
+
+TEST_CASE("no disk sinks into a surface and no energy is lost, however late the clock") {
+    for (const double clock : {0.0, 1e10}) {
+        CAPTURE(clock);
+        const auto found = test::long_run_of_surfaces(clock, 200'000, 50.0);
+        CHECK(found.deepest < 1e-12);
+        CHECK(found.error < 1e-12);
+    }
 }

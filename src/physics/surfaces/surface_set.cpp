@@ -18,7 +18,7 @@ namespace {
 // More work than this, in units of the energy that a box has without it, only a driven wall does
 // that crushes the gas: in a plane the volume falls as the energy rises. It would hit ever faster,
 // without end.
-constexpr double most_times_energy = 1e8;
+constexpr double most_times_energy = 1e5;
 
 template <typename Scalar>
 Scalar dot(const std::array<Scalar, 2>& a,

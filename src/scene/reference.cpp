@@ -135,7 +135,7 @@ class Page {
 
 std::string reference_example() { return example; }
 
-std::string scene_reference(PanelKinds kinds) {
+std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& formats) {
     Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules);
     page.add(scene_table(kinds, 2).section(), scene_table(kinds, 1).section());
     page.add(
@@ -147,7 +147,7 @@ std::string scene_reference(PanelKinds kinds) {
     page.add(
         "A figure set, a file given to `carom figures`, lists scenes whose figures belong "
         "together ([figures.md](figures.md)):\n\n");
-    const Section set = set_table(kinds, {}).section();
+    const Section set = set_table(kinds, formats).section();
     page.add(set, set);
     page.add(
         "## Limits\n\nWhat exceeds a limit is refused before memory is taken: "

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scene/panel_kind.h"
 
 namespace carom {
 
-/// docs/scene-reference.md, whole: Markdown, UTF-8.
-std::string scene_reference(PanelKinds kinds);
+/// docs/scene-reference.md, whole: Markdown, UTF-8. Figures have these formats.
+std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& formats);
 
 /// The scene that the page shows.
 std::string reference_example();

@@ -146,7 +146,7 @@ FigureSet load_set(const std::string& path, const Overrides& overrides,
         set.title = part.scene.title;
         set.description = part.scene.description;
     } else {
-        file = load_figure_set(path, panel_kinds());
+        file = load_figure_set(path, panel_kinds(), figure_formats());
         set.title = file.title;
         set.description = file.description;
     }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/json.h"
+#include "media/formats.h"
 #include "panels/registry.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"
@@ -206,7 +207,7 @@ std::string scene_schema_json() {
 
 std::string set_schema_json() {
     Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
-    schema.update(section_schema(set_table(panel_kinds(), {}).section()));
+    schema.update(section_schema(set_table(panel_kinds(), figure_formats()).section()));
     return text_of(schema, 1) + "\n";
 }
 

@@ -144,14 +144,14 @@ std::string template_of(const std::string& name, const Node& written, const fs::
 
 }  // namespace
 
-KeyTable<SetFile> set_table(PanelKinds kinds, const fs::path& path) {
+KeyTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
+                            const fs::path& path) {
     const auto page =
         parsed(text(1, most_title_letters),
                [path](const std::string& name, const Node& node, Reading& reading) {
                    return std::optional(template_of(name, node, path, reading.errors));
                });
     const auto pages = one_or_list(page, {page_names.size()}, "a list of templates");
-    const auto formats = list_of(word({"svg", "pdf", "png", "csv"}), 1, {4}, "a list of formats");
     return {
         .name = "a figure set",
         .keys = {
@@ -174,7 +174,9 @@ KeyTable<SetFile> set_table(PanelKinds kinds, const fs::path& path) {
                      "The pages: `markdown`, `html`, `latex`, or a template beside the set, a "
                      "file that ends in .md, .html or .tex; or a list of these.")
                 .default_value("html"),
-            bind_key("formats", &SetFile::formats, formats, "The kinds of files of its figures.")
+            bind_key("formats", &SetFile::formats,
+                     list_of(word(formats), 1, {double(formats.size())}, "a list of formats"),
+                     "The kinds of files of its figures.")
                 .default_text("all")}};
 }
 
@@ -199,7 +201,8 @@ FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelK
     return figure.value();
 }
 
-SetFile load_figure_set(const fs::path& path, PanelKinds kinds) {
+SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
+                        const std::vector<std::string>& formats) {
     Errors errors;
     const auto source = std::make_shared<Source>();
     auto root = read_yaml_file(path, *source, errors);
@@ -208,7 +211,7 @@ SetFile load_figure_set(const fs::path& path, PanelKinds kinds) {
                                                            : "expected a set (a mapping with "
                                                              "`title` and `scenes`)");
     errors.throw_if_any();
-    const KeyTable<SetFile> table = set_table(kinds, path);
+    const KeyTable<SetFile> table = set_table(kinds, formats, path);
     check_mapping(root.value(), table.section(), errors);
     SetFile set;
     const Gas no_gas;

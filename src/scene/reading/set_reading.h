@@ -52,14 +52,16 @@ const Node* key_of_set(const Node& root);
 /// Whether a file is a figure set. False when it cannot be read.
 bool is_figure_set(const std::filesystem::path& path);
 
-/// Loads and validates a set, with comparisons of these kinds of panel. Throws SceneError with
-/// every diagnostic of the file.
-SetFile load_figure_set(const std::filesystem::path& path, PanelKinds kinds);
+/// Loads and validates a set, with comparisons of these kinds of panel and figures in these
+/// formats. Throws SceneError with every diagnostic of the file.
+SetFile load_figure_set(const std::filesystem::path& path, PanelKinds kinds,
+                        const std::vector<std::string>& formats);
 
 /// A comparison as a figure of one of its scenes. Throws SceneError.
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds);
 
 /// The keys of the set that lies at `path`.
-KeyTable<SetFile> set_table(PanelKinds kinds, const std::filesystem::path& path);
+KeyTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
+                            const std::filesystem::path& path = {});
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "media/formats.h"
 #include "panels/registry.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/check.h"
@@ -46,7 +47,7 @@ void visit_keys(const Visit& visit) {
     for (const int dimension : {1, 2})
         visit_sections(scene_table(panel_kinds(), dimension).section(), each);
     visit_sections(template_table(panel_kinds()).section(), each);
-    visit_sections(set_table(panel_kinds(), {}).section(), each);
+    visit_sections(set_table(panel_kinds(), figure_formats()).section(), each);
 }
 
 bool passes(const Key& key, Node value) {

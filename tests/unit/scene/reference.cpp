@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "media/formats.h"
 #include "panels/registry.h"
 #include "scene/keys/key_text.h"
 #include "scene/load.h"
@@ -65,14 +66,14 @@ TEST_CASE("the reference page is current") {
     fs::current_path(carom::test::checkout());
     const fs::path page = "docs/scene-reference.md";
     if (std::getenv("CAROM_UPDATE_DOCS") != nullptr)
-        std::ofstream(page) << scene_reference(panel_kinds());
-    const bool current = contents(page) == scene_reference(panel_kinds());
+        std::ofstream(page) << scene_reference(panel_kinds(), figure_formats());
+    const bool current = contents(page) == scene_reference(panel_kinds(), figure_formats());
     INFO("make it anew with ./dev docs");
     CHECK(current);
 }
 
 TEST_CASE("the reference page tells every key, and its example is valid") {
-    const std::string page = scene_reference(panel_kinds());
+    const std::string page = scene_reference(panel_kinds(), figure_formats());
     for (const int dimension : {1, 2}) {
         const Section scene = scene_table(panel_kinds(), dimension).section();
         for (const char* name : {"box", "gas", "run", "film"})
@@ -87,7 +88,7 @@ TEST_CASE("the reference page tells every key, and its example is valid") {
 }
 
 TEST_CASE("the page tells what a wire has otherwise") {
-    const std::string page = scene_reference(panel_kinds());
+    const std::string page = scene_reference(panel_kinds(), figure_formats());
     const std::size_t species = page.find("## An item of `gas`");
     REQUIRE(species != std::string::npos);
     const std::string part = page.substr(species, page.find("\n## ", species) - species);

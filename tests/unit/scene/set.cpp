@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "media/formats.h"
 #include "panels/registry.h"
 #include "scene/reading/set_reading.h"
 #include "support/files.h"
@@ -31,7 +32,7 @@ struct Example {
         fs::current_path(folder.path());
         std::string text;
         try {
-            load_figure_set("sets/set.yaml", panel_kinds());
+            load_figure_set("sets/set.yaml", panel_kinds(), figure_formats());
         } catch (const SceneError& error) {
             text = error.what();
         }
@@ -48,7 +49,7 @@ TEST_CASE("a set lists scenes, in its folder and in the one above") {
         "  - {scene: beside.yaml, title: Other, figures: [b, a]}\n"
         "template: [html, mine.md]\nformats: [png, svg]\n");
     CHECK(is_figure_set(example.path));
-    const SetFile set = load_figure_set(example.path, panel_kinds());
+    const SetFile set = load_figure_set(example.path, panel_kinds(), figure_formats());
     CHECK(set.title == "T");
     CHECK(set.description.empty());
     REQUIRE(set.scenes.size() == 2);
@@ -66,7 +67,7 @@ TEST_CASE("a set lists scenes, in its folder and in the one above") {
 
 TEST_CASE("a set has a page in HTML, unless it says otherwise") {
     const Example example("title: T\nscenes: [beside.yaml]\n");
-    CHECK(load_figure_set(example.path, panel_kinds()).templates ==
+    CHECK(load_figure_set(example.path, panel_kinds(), figure_formats()).templates ==
           std::vector<std::string>{"html"});
 }
 

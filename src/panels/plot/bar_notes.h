@@ -7,8 +7,8 @@
 
 namespace carom::plot {
 
-/// How many rows above the plot they take: one, or none.
-int rows_of(const BarNotes& notes, const Plot& plot, const DrawContext& dc);
+/// Where they stand, in every frame.
+PlaceOfNotes place_of_notes(const Plot& plot, const DrawContext& dc);
 
 /// Draws how many values lie beyond the ends of the axis.
 void draw_counts_beyond(Canvas& canvas, const Frame& frame, const Plot& plot);

@@ -129,13 +129,6 @@ double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_besid
     return sum;
 }
 
-double height_of_notes(const Plot& plot, const DrawContext& dc, bool is_key_beside) {
-    double sum = height_of_rows(plot, dc, is_key_beside);
-    if (!plot.bar_notes) return sum;
-    sum += note_height * rows_of(*plot.bar_notes, plot, dc);
-    return sum > 0.0 ? sum + gap_over_bars : 0.0;
-}
-
 // One entry at the left edge of the plot, its sample left of that.
 void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, double y) {
     const DrawContext& dc = frame.dc;
@@ -231,15 +224,16 @@ struct PlotArea {
 
 // Under the title and the notes, right of so much for the labels of the axis; the note that may be
 // beside is, where that leaves more of the area.
-PlotArea area_of(const Plot& plot, const DrawContext& dc, double left) {
+PlotArea area_of(const Plot& plot, const DrawContext& dc, const PlaceOfNotes& place, double left) {
     const Rect whole = plot_area(dc);
     const auto under_notes = [&](bool is_key_beside) {
         Rect area = whole;
-        const double notes = height_of_notes(plot, dc, is_key_beside) * dc.unit;
+        double rows = height_of_rows(plot, dc, is_key_beside) + place.row;
+        if (plot.bar_notes && rows > 0.0) rows += gap_over_bars;
         area.x += left;
         area.width -= left;
-        area.y += notes;
-        area.height = std::max(dc.unit, area.height - notes);
+        area.y += rows * dc.unit;
+        area.height = std::max(dc.unit, area.height - rows * dc.unit);
         return area;
     };
     const Rect under = under_notes(false);
@@ -265,6 +259,7 @@ Scale scale_of(const Axis& axis, double from, double to, std::optional<double> s
 
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
     const double u = dc.unit;
+    const PlaceOfNotes place = place_of_notes(plot, dc);
     const auto equal_scale = [&](const Rect& area) {
         return plot.has_equal_scales ? std::optional(scale_in(area, plot)) : std::nullopt;
     };
@@ -273,8 +268,10 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
             plot.y.has_zero_place ? std::min(0.3 * area.height, zero_place_height * u) : 0.0;
         return scale_of(plot.y, area.bottom() - floor, area.y, equal_scale(area));
     };
-    const double space = y_axis_space(scale_up(area_of(plot, dc, 0.0).rect), style_of(plot.y, dc));
-    const auto [area, is_key_beside] = area_of(plot, dc, std::max(0.0, space - least_left * u));
+    const double space =
+        y_axis_space(scale_up(area_of(plot, dc, place, 0.0).rect), style_of(plot.y, dc));
+    const auto [area, is_key_beside] =
+        area_of(plot, dc, place, std::max(0.0, space - least_left * u));
     placer = LabelPlacer(area);
     const double row = dc.area.y + first_baseline * u + drop_over_bars(plot, dc) +
                        height_of_rows(plot, dc, is_key_beside) * u;
@@ -284,6 +281,7 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
             scale_up(area),
             plot.y.kind,
             placer,
+            place,
             {area.x, row},
             is_key_beside};
 }

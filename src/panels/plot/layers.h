@@ -13,6 +13,13 @@
 
 namespace carom::plot {
 
+/// Where the words over bars stand: at the top right or left of the plot, or in a row above it.
+struct PlaceOfNotes {
+    enum class Side { right, left, above } side = Side::right;
+    double width = 0.0;  ///< of a name and its number, pixels
+    double row = 0.0;    ///< its height, units; 0: none
+};
+
 /// Where a plot's data lie on a canvas.
 struct Frame {
     const DrawContext& dc;
@@ -20,6 +27,7 @@ struct Frame {
     Scale x_scale, y_scale;  ///< unless an axis is linear, of decimal logarithms
     Axis::Kind y_kind;
     LabelPlacer& placer;
+    PlaceOfNotes notes = {};     ///< over bars
     Point row = {};              ///< where the last row above the plot begins, on its baseline
     bool is_key_beside = false;  ///< of a note that may be
 

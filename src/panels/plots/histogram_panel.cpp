@@ -168,6 +168,7 @@ void HistogramPanel::begin_counting() {
     record_ = {};
     running_.assign(choices_.size(), RunningHistogram(axes_.bins, window()));
     for (std::size_t k = 0; k < count(); ++k) roles_.push_back(roles_of(k));
+    make_plot();
 }
 
 void HistogramPanel::archive(Archive& archive) {

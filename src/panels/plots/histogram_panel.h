@@ -73,6 +73,10 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     struct Roles {
         plot::Role bar, curve, fit;
     };
+    struct SeriesLayers {
+        plot::Bars bars;   ///< without their heights
+        plot::Line curve;  ///< of no points: none
+    };
 
     void finish_record() override;
     void make_axes() override;
@@ -96,14 +100,15 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::string to_name() const;
     std::string value_name() const;
     Roles roles_of(std::size_t k) const;
-    plot::Bars bars(std::size_t k, const HistogramCounts& now) const;
+    SeriesLayers layers_of(std::size_t k) const;
     plot::Stroke fit_stroke(std::size_t k) const;
     plot::Note fit_note(std::size_t k, const MeanHistogram* now) const;
     plot::Marker mean_mark(std::size_t k, double mean, bool is_start) const;
     std::vector<plot::BarNotes::Name> mean_names(const HistogramCounts* now) const;
     plot::BarNotes bar_notes(const HistogramCounts* now) const;
     plot::Text names_of_choices(const std::string& last) const;
-    void add_titles(plot::Plot& plot) const;
+    void add_titles();
+    void make_plot();
     void add_series(plot::Plot& plot, std::size_t k, const HistogramCounts* now) const;
 
     PanelContext context_;
@@ -114,6 +119,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     double span_ = 0.0;  ///< of simulated time in the film
     HistogramAxes axes_;
     std::vector<Roles> roles_;               ///< of each series
+    plot::Plot whole_;                       ///< of the whole film: all but numbers and layers
+    std::vector<SeriesLayers> layers_;       ///< of each series, the same in every frame
     std::vector<RunningHistogram> running_;  ///< of each choice, in the second pass
     double seen_until_ = -1;                 ///< time of the last sample in a mean
 };

@@ -82,8 +82,7 @@ HistogramPanel::Roles HistogramPanel::roles_of(std::size_t k) const {
     return {choice_role(context_, choices_[k].chosen, k), line(0.4), line(0.7)};
 }
 
-plot::Bars HistogramPanel::bars(std::size_t k, const HistogramCounts& now) const {
-    const MeanHistogram& one = now.series[k];
+HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
     std::vector<double> from, to;
     for (int i = 0; i < axes_.bins.count; ++i) {
         from.push_back(axes_.bins.edge(i));
@@ -93,27 +92,25 @@ plot::Bars HistogramPanel::bars(std::size_t k, const HistogramCounts& now) const
     bars.part = "bar";
     bars.from = column(from_name(), std::move(from));
     bars.to = column(to_name(), std::move(to));
-    bars.value = column(value_name(), one.counts);
-    bars.below = one.below;
-    bars.above = one.above;
     bars.role = roles_[k].bar;
+    bars.error_stroke.role = count() > 1 ? roles_[k].curve : Role{Role::Of::ink};
     bars.depth = depth_of_bars;
-    if (!now.errors.empty()) {
-        bars.error = column("standard error (count)", now.errors[k]);
-        bars.error_stroke.role = count() > 1 ? roles_[k].curve : Role{Role::Of::ink};
-    }
+    Line curve = line_of("curve", axes_.curves[k], from_name(), value_name());
+    curve.stroke = {.role = roles_[k].curve, .width = compares() ? thin_width : line_width};
     if (compares()) {  // areas of more than two would hide one another
         bars.alpha = 0.0;
         bars.edge = stroke_of_run(k, line_width);
         bars.depth += static_cast<int>(k);
+        curve.depth = depth_of_bars + static_cast<int>(count());
     } else if (count() > 1) {
         bars.alpha = tint_alpha;
         bars.edge = Stroke{.role = roles_[k].bar,
                            .width = 0.1,
                            .print_dashes = dashes_in_print(k, count()),
                            .shade = Shade::legible};
+        curve.stroke.print_dashes = dashes_in_print(k, count());
     }
-    return bars;
+    return {std::move(bars), std::move(curve)};
 }
 
 // Dashed beside the equilibrium curve, which has no other colour in print.
@@ -161,16 +158,15 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramCounts
         if (compares()) layer.run = k;
         plot.layers.emplace_back(std::move(layer));
     };
-    if (now) add(bars(k, *now));
-    if (!axes_.curves[k].empty()) {
-        Line curve = line_of("curve", axes_.curves[k], from_name(), value_name());
-        curve.stroke = {.role = roles_[k].curve, .width = compares() ? thin_width : line_width};
-        if (compares())
-            curve.depth = depth_of_bars + static_cast<int>(count());
-        else
-            curve.stroke.print_dashes = dashes_in_print(k, count());
-        add(std::move(curve));
+    if (now) {
+        Bars bars = layers_[k].bars;
+        bars.value = column(value_name(), now->series[k].counts);
+        bars.below = now->series[k].below;
+        bars.above = now->series[k].above;
+        if (!now->errors.empty()) bars.error = column("standard error (count)", now->errors[k]);
+        add(std::move(bars));
     }
+    if (!axes_.curves[k].empty()) add(layers_[k].curve);
     if (now == nullptr) return;
     const MeanHistogram& one = now->series[k];
     if (spec_.fit) {
@@ -247,7 +243,7 @@ plot::Text HistogramPanel::names_of_choices(const std::string& last) const {
 }
 
 // What the words say of the time, and of the equilibrium curves where there is room.
-void HistogramPanel::add_titles(Plot& plot) const {
+void HistogramPanel::add_titles() {
     const std::string quantity = capitalised(subject_.quantity);
     const std::string runs = axes_.runs > 1 ? fmt::format(", mean of {} runs", axes_.runs) : "";
     Text words = escape_markup(spec_.title.value_or(subject_.title)), time = axes_.time + runs;
@@ -256,11 +252,11 @@ void HistogramPanel::add_titles(Plot& plot) const {
             words = quantity + " of " + escape_markup(name_of(context_, choices_.front().chosen));
         const std::string unit = axes_.counts_per_cent() ? ", per cent" : "";
         time = unit + (axes_.time.empty() ? "" : ": " + axes_.time);
-        plot.titles = {words + time, quantity + time};
+        whole_.titles = {words + time, quantity + time};
         if (axes_.has_curves())
-            plot.titles = {words + time + ", thin lines: in equilibrium",
-                           words + time + ", thin: equilibrium",
-                           quantity + time + ", thin: equilibrium", quantity + time};
+            whole_.titles = {words + time + ", thin lines: in equilibrium",
+                             words + time + ", thin: equilibrium",
+                             quantity + time + ", thin: equilibrium", quantity + time};
         return;
     }
     const bool several = count() > 1;
@@ -269,18 +265,18 @@ void HistogramPanel::add_titles(Plot& plot) const {
     words += ": " + time;
     const Text shortest =
         several ? quantity + ": " + names_of_choices(", ") + ", " + time : quantity + ": " + time;
-    plot.titles = {words, shortest};
+    whole_.titles = {words, shortest};
     if (!axes_.has_curves()) return;
     if (several) {
         for (const char* ending :
              {", lines: in equilibrium", ", lines: equilibrium", ", lines: theory"})
-            plot.wide_titles.push_back(words + ending);
+            whole_.wide_titles.push_back(words + ending);
         return;
     }
     const Text curve = ", " + named("equilibrium", {Role::Of::accent});
-    plot.wide_titles = {words + " and " + named("in equilibrium", {Role::Of::accent}),
-                        words + curve};
-    plot.titles = {words + curve, shortest + curve, shortest};
+    whole_.wide_titles = {words + " and " + named("in equilibrium", {Role::Of::accent}),
+                          words + curve};
+    whole_.titles = {words + curve, shortest + curve, shortest};
 }
 
 std::string HistogramPanel::from_name() const {
@@ -295,18 +291,23 @@ std::string HistogramPanel::value_name() const {
     return axes_.counts_per_cent() ? "value (per cent)" : "value (count)";
 }
 
+void HistogramPanel::make_plot() {
+    whole_.x = {.title = subject_.quantity, .low = axes_.bins.low, .high = axes_.bins.high};
+    whole_.y.high = axes_.top;
+    whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
+    add_titles();
+    whole_.columns = {from_name(), to_name(), value_name()};
+    if (axes_.runs > 1) whole_.columns.emplace_back("standard error (count)");
+    std::vector<std::string> names;
+    for (const auto& one : axes_.series) names.push_back(one.name);
+    if (compares()) name_runs(whole_, std::move(names));
+    for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
+}
+
 Plot HistogramPanel::plot(const PanelState* state) const {
     const HistogramCounts* now =
         state ? &static_cast<const HistogramState&>(*state).counts : nullptr;
-    Plot plot{.x = {.title = subject_.quantity, .low = axes_.bins.low, .high = axes_.bins.high},
-              .y = {.high = axes_.top}};
-    plot.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
-    add_titles(plot);
-    plot.columns = {from_name(), to_name(), value_name()};
-    if (axes_.runs > 1) plot.columns.emplace_back("standard error (count)");
-    std::vector<std::string> names;
-    for (const auto& one : axes_.series) names.push_back(one.name);
-    if (compares()) name_runs(plot, std::move(names));
+    Plot plot = whole_;
     for (std::size_t k = 0; spec_.fit && k < std::min(count(), most_fit_rows); ++k)
         plot.notes.push_back(fit_note(k, now ? &now->series[k] : nullptr));
     plot.bar_notes = bar_notes(now);

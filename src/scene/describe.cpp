@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/reversal/mirrored_events.h"
+#include "physics/ways_back.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
 
@@ -212,7 +214,9 @@ std::string words_of_surface_event(const RunEvent& event, const Gas& gas) {
     return "";
 }
 
-std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run, const Gas& gas) {
+namespace {
+
+std::string words_of(const MirroredEvent& mirrored, const Run& run, const Gas& gas) {
     const RunEvent& event = run.events.at(mirrored.event);
     if (!mirrored.is_undone) return words_of_surface_event(event, gas);
     RunEvent undone = event;
@@ -231,12 +235,29 @@ std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run
     return words_of_surface_event(undone, gas);
 }
 
-std::string words_of_way_back(const WayBack& way, const Run& run) {
+// Empty where the gas goes on the way it came.
+std::string words_of(const WayBack& way, const Run& run) {
     if (!way.event || way.end >= run.until) return "";
     const RunEvent& event = run.events.at(*way.event);
     if (event.at >= way.begin) return "The gas leaves the way it came";
     return fmt::format("The gas leaves the way it came, as what happened at time {} is not undone",
                        event.at);
+}
+
+}  // namespace
+
+std::vector<Happening> happenings(const Run& run, const Gas& gas) {
+    std::vector<Happening> all;
+    for (const RunEvent& event : run.events)
+        all.push_back(
+            {event.at, fmt::format("time {}", event.at), words_of_surface_event(event, gas)});
+    for (const MirroredEvent& mirrored : mirrored_events(run))
+        all.push_back({mirrored.at, fmt::format("time {}, on the way back", mirrored.at),
+                       words_of(mirrored, run, gas)});
+    for (const WayBack& way : ways_back(run.events))
+        all.push_back({way.end, "time " + plain_number(way.end), words_of(way, run)});
+    std::erase_if(all, [](const Happening& one) { return one.words.empty(); });
+    return all;
 }
 
 std::string words_of_events(const Run& run, const Gas& gas) {
@@ -254,21 +275,13 @@ std::string words_of_events(const Run& run, const Gas& gas) {
         text += fmt::format(" {} times a particle is moved by a small amount.", nudges.size());
     else
         for (const std::string& one : nudges) text += one;
-    std::vector<std::string> changes;
-    for (const RunEvent& event : run.events)
-        if (const std::string words = words_of_surface_event(event, gas); !words.empty())
-            changes.push_back(fmt::format(" At time {}: {}.", event.at, words));
-    for (const MirroredEvent& mirrored : mirrored_events(run))
-        changes.push_back(fmt::format(" At time {}, on the way back: {}.", mirrored.at,
-                                      words_of_surface_event(mirrored, run, gas)));
-    for (const WayBack& way : ways_back(run.events))
-        if (const std::string words = words_of_way_back(way, run); !words.empty())
-            changes.push_back(fmt::format(" At time {}: {}.", plain_number(way.end), words));
+    const std::vector<Happening> changes = happenings(run, gas);
     if (changes.size() > most_of_surfaces)
         text += fmt::format(" {} times a wall, a partition or the heat of the gas is changed.",
                             changes.size());
     else
-        for (const std::string& one : changes) text += one;
+        for (const Happening& one : changes)
+            text += fmt::format(" At {}: {}.", one.when, one.words);
     return text.empty() ? text : text.substr(1);
 }
 

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "physics/reversal/mirrored_events.h"
-#include "physics/ways_back.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -31,12 +29,15 @@ std::string words_of(const Perturbation& nudge);
 /// empty for other events.
 std::string words_of_surface_event(const RunEvent& event, const Gas& gas);
 
-/// The same of one that comes again after a reversal.
-std::string words_of_surface_event(const MirroredEvent& mirrored, const Run& run, const Gas& gas);
+/// What happens at a time: "time 190, on the way back", "The partition “divider” closes".
+struct Happening {
+    double at;
+    std::string when, words;
+};
 
-/// That the gas does not go on the way it came, and why; empty where it does. A whole sentence
-/// without its full stop.
-std::string words_of_way_back(const WayBack& way, const Run& run);
+/// What happens to surfaces and to the heat of the gas; then what of it comes again after a
+/// reversal; then where the gas does not go on the way it came.
+std::vector<Happening> happenings(const Run& run, const Gas& gas);
 
 /// What the events of a run do, in whole sentences; empty if there are none. Of many nudges only
 /// how many they are, and so of many events of surfaces; those that come again after a reversal are

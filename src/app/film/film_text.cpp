@@ -62,23 +62,14 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     for (const Mark& mark : scene.marks)
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
+    const auto add = [&](double time, const std::string& words) {
+        if (time < begins) return;
+        if (const auto frame = shown_from(time)) at(*frame).events.push_back(words);
+    };
     for (const RunEvent& event : scene.run.events)
-        if (const auto* moved = std::get_if<Perturbation>(&event.action); event.at >= begins) {
-            const std::string words =
-                moved ? words_of(*moved) : words_of_surface_event(event, scene.gas);
-            if (words.empty()) continue;
-            if (const auto frame = shown_from(event.at)) at(*frame).events.push_back(words);
-        }
-    for (const MirroredEvent& again : mirrored_events(scene.run)) {
-        if (again.at < begins) continue;
-        if (const auto frame = shown_from(again.at))
-            at(*frame).events.push_back(words_of_surface_event(again, scene.run, scene.gas));
-    }
-    for (const WayBack& way : ways_back(scene.run.events)) {
-        const std::string words = words_of_way_back(way, scene.run);
-        if (words.empty() || way.end < begins) continue;
-        if (const auto frame = shown_from(way.end)) at(*frame).events.push_back(words);
-    }
+        if (const auto* moved = std::get_if<Perturbation>(&event.action))
+            add(event.at, words_of(*moved));
+    for (const Happening& one : happenings(scene.run, scene.gas)) add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = scene.film.end_card;

@@ -112,18 +112,10 @@ Facts rows_of(const char* label, const std::vector<std::string>& lines) {
     return rows;
 }
 
-// What happens to surfaces and to the energy, mirrored events last.
 Facts event_rows(const Scene& scene) {
     std::vector<std::string> lines;
-    for (const RunEvent& event : scene.run.events)
-        if (const std::string words = words_of_surface_event(event, scene.gas); !words.empty())
-            lines.push_back(fmt::format("time {}: {}", event.at, words));
-    for (const MirroredEvent& mirrored : mirrored_events(scene.run))
-        lines.push_back(fmt::format("time {}, on the way back: {}", mirrored.at,
-                                    words_of_surface_event(mirrored, scene.run, scene.gas)));
-    for (const WayBack& way : ways_back(scene.run.events))
-        if (const std::string words = words_of_way_back(way, scene.run); !words.empty())
-            lines.push_back(fmt::format("time {}: {}", plain_number(way.end), words));
+    for (const Happening& one : happenings(scene.run, scene.gas))
+        lines.push_back(one.when + ": " + one.words);
     return rows_of("events", lines);
 }
 

@@ -339,3 +339,33 @@ TEST_CASE("events that no box can have are refused") {
     run.events = {{0.5, ChangeSurface{divider, Piston{2.0}}}, {1.0, HoldPiston{divider}}};
     Simulation(gas_beside_divider(2), run).advance_to(2.0);
 }
+
+// A driven partition that has been opened stops where its motion ends, and stays open; what an
+// event left out of the mirror has done to a surface stays when another is undone.
+TEST_CASE("the end of a motion and what is undone change nothing else of a surface") {
+    Gas gas;
+    gas.box.size = {20.0, 10.0};
+    gas.box.surfaces.partitions = {
+        {.name = "p", .axis = 0, .at = 5.0, .behaviour = Driven{.velocity = 0.5, .until = 8.0}}};
+    gas.species = {{.name = "points", .count = 1, .radius = 0.0, .velocity = Temperature{1.0}}};
+    constexpr std::int32_t p = Surfaces::first_partition;
+    SUBCASE("the end of a motion") {
+        Run run;
+        run.events = {{4.0, SetOpen{p, true}}};
+        Simulation simulation(gas, run);
+        simulation.advance_to(12.0);
+        CHECK(simulation.surfaces()[p].is_open);
+        CHECK(simulation.surfaces()[p].motion->velocity == 0.0);
+        CHECK(simulation.surfaces()[p].motion->place == doctest::Approx(9.0));
+    }
+    SUBCASE("what is undone") {
+        Run run;
+        run.events = {{2.0, MoveSurface{p, 0.25}},
+                      {4.0, SetOpen{p, true}, false},
+                      {6.0, ReverseVelocities{}}};
+        Simulation simulation(gas, run);
+        simulation.advance_to(10.5);
+        CHECK(simulation.surfaces()[p].is_open);
+        CHECK(simulation.surfaces()[p].motion->velocity == -0.5);
+    }
+}

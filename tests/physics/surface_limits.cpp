@@ -5,7 +5,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "physics/events/event_loop.h"
+#include "physics/placement/placement.h"
 #include "physics/simulation.h"
+#include "physics/surfaces/surface_error.h"
 #include "support/bodies.h"
 
 using namespace carom;
@@ -126,4 +129,26 @@ TEST_CASE("a disk at rest on a shelf, a piston or a moving wall, and on others, 
             box_under_gravity(10.0, 10.0),
             {{4.5, 0.5, 0.0, 0.0}, {5.5, 0.5, 0.0, 0.0}, {5.0, 0.5 + std::sqrt(0.75), 0.0, 0.0}});
     }
+}
+
+// A simulation refuses it before the run, as the partition reaches the obstacle.
+TEST_CASE("a driven partition that crushes a piston against an obstacle ends the run") {
+    Gas gas;
+    gas.box.size = {10.0, 10.0};
+    gas.box.surfaces.partitions = {
+        {.name = "driven", .axis = 0, .at = 2.0, .behaviour = Driven{.velocity = 0.5}},
+        {.name = "piston",
+         .axis = 0,
+         .at = 4.0,
+         .behaviour = Piston{.mass = 1.0, .velocity = 0.1}}};
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{8.0, 5.0}, 1.0}}};
+    gas.species = {{.name = "points",
+                    .count = 1,
+                    .radius = 0.0,
+                    .velocity = Temperature{1.0},
+                    .position = Places{{{9.5, 9.0}}}}};
+    const auto [particles, start] = place(gas);
+    EventLoop<2, double, true> loop(gas.box, particles);
+    loop.start(start);
+    CHECK_THROWS_WITH_AS(loop.advance(20.0, nullptr), "crushes a piston", SurfaceError);
 }

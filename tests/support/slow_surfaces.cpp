@@ -372,11 +372,12 @@ void SlowSurfaces::look_at_movers(Next& next) const {
         if (mover.stops - time_ < next.wait)
             next = {std::max(0.0L, mover.stops - time_), -1 - static_cast<int>(k), -1};
         if (mover.is_open) continue;
-        const auto consider = [&](long double apart, long double v, long double a, int second) {
+        const auto consider = [&](long double apart, long double v, long double a, int second,
+                                  long double place = 0.0L) {
             const long double side = apart < 0.0L || (apart == 0.0L && v < 0.0L) ? -1.0L : 1.0L;
             const Polynomial gap{{side * apart, side * v, side * 0.5L * a, 0.0L, 0.0L}};
             const auto falls = falls_of(gap, next.wait);
-            if (!falls.empty()) next = {falls.front(), -1 - static_cast<int>(k), second};
+            if (!falls.empty()) next = {falls.front(), -1 - static_cast<int>(k), second, place};
         };
         for (std::size_t j = 0; j < movers_.size(); ++j)
             if (j != k && movers_[j].axis == mover.axis && movers_[j].is_mobile &&
@@ -391,7 +392,7 @@ void SlowSurfaces::look_at_movers(Next& next) const {
                 continue;
             if (const auto end = end_towards(part, mover))
                 consider(mover.place - *end, mover.velocity, mover.acceleration,
-                         static_cast<int>(j));
+                         static_cast<int>(j), *end);
         }
     }
 }
@@ -440,10 +441,7 @@ void SlowSurfaces::bounce(const Next& next) {
         other.velocity -= impulse * other.inverse_mass;
         mover.place = other.place;
     } else {
-        const Part& part = parts_[static_cast<std::size_t>(next.second)];
-        // Exactly there, as far as that is known: beyond it would not meet it again.
-        const long double before = std::exchange(mover.place, mover.place - 1e-9L * mover.velocity);
-        mover.place = end_towards(part, mover).value_or(before);
+        mover.place = next.place;  // exactly: beyond it would not meet it again
         mover.velocity = -mover.velocity;
     }
 }

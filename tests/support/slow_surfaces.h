@@ -99,6 +99,7 @@ class SlowSurfaces {
     struct Next {
         long double wait;
         std::int32_t first = -1, second = -1;  ///< first < 0: of movers, or none
+        long double place = 0.0L;              ///< of a part that a mover reaches
     };
 
     void add_partition(int axis, long double at, const std::vector<std::pair<double, double>>& gaps,

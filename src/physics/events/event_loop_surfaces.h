@@ -36,7 +36,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size
             move_epoch_to(now_);
             Change<Scalar> change = changes_.take_next();
             carry_out(change);
-            if (auto* its = std::get_if<SurfaceChange<Scalar>>(&change.what)) its->is_stop = false;
+            if (auto* its = std::get_if<SurfaceChange<Scalar>>(&change.what))
+                its->is_pending = false;
             changes_.add_behind(std::move(change));
             geometry_.resettle(bodies_);
             predict_all();
@@ -141,7 +142,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::stop_later(std::int32_t surface
     if constexpr (has_surfaces) {
         changes_.erase_if([&](const ChangeAction<Scalar>& action) {
             const auto* change = std::get_if<SurfaceChange<Scalar>>(&action);
-            return change != nullptr && change->is_stop && change->surface == surface;
+            return change != nullptr && change->is_pending && change->surface == surface;
         });
         const auto moving = geometry_.surfaces().control(surface, now_);
         const auto* driven = std::get_if<Driven>(&moving.behaviour);
@@ -150,7 +151,9 @@ void EventLoop<Dimension, Scalar, has_surfaces>::stop_later(std::int32_t surface
         still.velocity = 0.0;
         const Scalar end = clock_.local(driven->until);
         if (end > now_)
-            changes_.add_ahead({end, SurfaceChange<Scalar>{surface, moving, still, true}});
+            changes_.add_ahead(
+                {end, SurfaceChange<Scalar>{surface, SurfaceChange<Scalar>::Part::end, moving,
+                                            still, true}});
     }
 }
 
@@ -171,8 +174,12 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
         surfaces.set_control(surface, before, now_);
         return number_[k];
     }
-    if (is_mirrored) changes_.add_behind({now_, SurfaceChange<Scalar>{surface, before, after}});
-    if (!std::holds_alternative<SetOpen>(action)) stop_later(surface);
+    using Part = typename SurfaceChange<Scalar>::Part;
+    const bool opens = std::holds_alternative<SetOpen>(action);
+    const Part part = opens ? Part::opening : Part::motion;
+    if (is_mirrored)
+        changes_.add_behind({now_, SurfaceChange<Scalar>{surface, part, before, after}});
+    if (!opens) stop_later(surface);
     geometry_.resettle(bodies_);
     predict_all();
     return std::nullopt;
@@ -187,14 +194,16 @@ void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const Change<Scalar>&
         }
         const auto& its = std::get<SurfaceChange<Scalar>>(change.what);
         auto& surfaces = geometry_.surfaces();
-        if (surfaces.control(its.surface, now_).is_open && !its.after.is_open)
+        const auto before = surfaces.control(its.surface, now_);
+        const auto after = its.applied_to(before);
+        if (before.is_open && !after.is_open)
             for (std::size_t k = 0; k < bodies_.size(); ++k)
                 if (surfaces.overlapped(bodies_[k], now_, its.surface))
                     throw SurfaceError(
                         its.surface, "cannot close again as the run goes back",
                         fmt::format(": particle {} is in its way, with {} bits", number_[k], bits_),
                         "use `precision: auto`, and let all events be undone that were before");
-        surfaces.set_control(its.surface, its.after, now_);
+        surfaces.set_control(its.surface, after, now_);
     }
 }
 

@@ -22,12 +22,32 @@ struct Scaling {
     std::array<Scalar, 2> mean;
 };
 
-/// A surface is changed from one control to another.
+/// A surface is changed from one control to another, in one part of it: other events may have
+/// changed the others since this was known.
 template <typename Scalar>
 struct SurfaceChange {
+    enum class Part {
+        opening,
+        motion,  ///< the behaviour, whether it is held, and the velocity
+        end      ///< a driven surface stops by itself: the velocity
+    };
     std::int32_t surface;
+    Part part;
     SurfaceControl<Scalar> before, after;
-    bool is_stop = false;  ///< it is driven, and stops then by itself unless it is changed before
+    bool is_pending = false;  ///< an end that another motion makes void
+
+    SurfaceControl<Scalar> applied_to(SurfaceControl<Scalar> control) const {
+        if (part == Part::opening) {
+            control.is_open = after.is_open;
+            return control;
+        }
+        control.velocity = after.velocity;
+        if (part == Part::motion) {
+            control.behaviour = after.behaviour;
+            control.is_held = after.is_held;
+        }
+        return control;
+    }
 };
 
 template <typename Scalar>

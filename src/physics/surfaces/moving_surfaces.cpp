@@ -174,9 +174,15 @@ void MovingSurfaces<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other
         (as_precise_as(mover.velocity, mover.inverse_mass) + partner.inverse_mass);
     mover.velocity += impulse * mover.inverse_mass;
     partner.velocity -= impulse * partner.inverse_mass;
-    if (mover.inverse_mass == 0.0 || partner.inverse_mass == 0.0)
-        driven_work_ += energy(mover) + energy(partner) - before;
     ++partner.changes;
+    const bool mover_is_driven = mover.inverse_mass == 0.0;
+    if (!mover_is_driven && partner.inverse_mass > 0.0) return;
+    const double after = energy(mover) + energy(partner);
+    driven_work_ += after - before;
+    // Between it and something at rest a piston is hit ever faster, without end.
+    if (after > most_work_)
+        throw crushes(mover_is_driven ? static_cast<std::int32_t>(&mover - movers_.data()) : other,
+                      "a piston");
 }
 
 template <typename Scalar>

@@ -88,7 +88,8 @@ class MovingSurfaces {
     std::vector<bool> is_open_, is_held_;
     std::vector<Barrier> barriers_;
     std::vector<Mover<Scalar>> movers_;
-    double driven_work_ = 0.0;  ///< of driven surfaces, and of events on pistons
+    double driven_work_ = 0.0;          ///< of driven surfaces, and of events on pistons
+    double most_work_ = never<double>;  ///< that is not done by crushing
 
   private:
     double energy_of_piston(std::size_t mover) const;

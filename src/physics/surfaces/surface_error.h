@@ -29,9 +29,9 @@ class SurfaceError : public std::runtime_error {
     std::string reason_, hint_;
 };
 
-/// What it presses on has nowhere to go.
-inline SurfaceError crushes(std::int32_t surface) {
-    return {surface, "crushes the gas", "",
+/// What it presses on, the gas or a piston, has nowhere to go.
+inline SurfaceError crushes(std::int32_t surface, const char* what = "the gas") {
+    return {surface, std::string("crushes ") + what, "",
             "stop it before (`until`, or an event), let it press less, or end the run"};
 }
 

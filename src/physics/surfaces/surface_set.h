@@ -84,7 +84,7 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     double energy_of(const LargeVector<Body>& bodies) const;
 
     using Base::at, Base::barriers_, Base::behaviours_, Base::box_, Base::driven_work_,
-        Base::is_held_, Base::is_open_, Base::least_radius_, Base::movers_;
+        Base::is_held_, Base::is_open_, Base::least_radius_, Base::most_work_, Base::movers_;
 
     int bits_;
     double size_of_box_;
@@ -93,7 +93,6 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     bool has_gravity_;
     bool some_passed_ = false;
     std::int64_t at_rest_ = 0;
-    double most_work_ = never<double>;
 };
 
 extern template class SurfaceSet<double>;

@@ -102,6 +102,7 @@ class SurfaceComparison {
         CAPTURE(found.first);
         CAPTURE(second);
         require_nothing_before(found.time);
+        if (slow_.least_room() < 1e-9L) return false;
         const auto touch =
             slow_.collide({found.first, second}, {found.first_after[0], found.first_after[1]});
         CAPTURE(static_cast<double>(touch.gap));

@@ -363,6 +363,27 @@ std::optional<long double> SlowSurfaces::end_towards(const Part& part, const Mov
     return mover.place - low < high - mover.place ? low : high;
 }
 
+// consider(distance, velocity, acceleration, what, its place): another mover (-2 - its number), or
+// a part at rest.
+template <class Consider>
+void SlowSurfaces::for_each_that_reaches(std::size_t k, const Consider& consider) const {
+    const Mover& mover = movers_[k];
+    for (std::size_t j = 0; j < movers_.size(); ++j)
+        if (j != k && movers_[j].axis == mover.axis && movers_[j].is_mobile && !movers_[j].is_open)
+            consider(mover.place - movers_[j].place, mover.velocity - movers_[j].velocity,
+                     mover.acceleration - movers_[j].acceleration, -2 - static_cast<int>(j));
+    for (std::size_t j = 0; j < parts_.size(); ++j) {
+        const Part& part = parts_[j];
+        const auto its = static_cast<std::size_t>(part.surface);
+        if (!is_there(part)) continue;
+        if (its < movers_.size() && (movers_[its].is_mobile || movers_[its].axis != mover.axis))
+            continue;
+        if (const auto end = end_towards(part, mover))
+            consider(mover.place - *end, mover.velocity, mover.acceleration, static_cast<int>(j),
+                     *end);
+    }
+}
+
 // Movers on one axis meet each other and what stands across their way; one that is in the reach of
 // such a thing already passes by it.
 void SlowSurfaces::look_at_movers(Next& next) const {
@@ -379,22 +400,17 @@ void SlowSurfaces::look_at_movers(Next& next) const {
             const auto falls = falls_of(gap, next.wait);
             if (!falls.empty()) next = {falls.front(), -1 - static_cast<int>(k), second, place};
         };
-        for (std::size_t j = 0; j < movers_.size(); ++j)
-            if (j != k && movers_[j].axis == mover.axis && movers_[j].is_mobile &&
-                !movers_[j].is_open)
-                consider(mover.place - movers_[j].place, mover.velocity - movers_[j].velocity,
-                         mover.acceleration - movers_[j].acceleration, -2 - static_cast<int>(j));
-        for (std::size_t j = 0; j < parts_.size(); ++j) {
-            const Part& part = parts_[j];
-            const auto its = static_cast<std::size_t>(part.surface);
-            if (!is_there(part)) continue;
-            if (its < movers_.size() && (movers_[its].is_mobile || movers_[its].axis != mover.axis))
-                continue;
-            if (const auto end = end_towards(part, mover))
-                consider(mover.place - *end, mover.velocity, mover.acceleration,
-                         static_cast<int>(j), *end);
-        }
+        for_each_that_reaches(k, consider);
     }
+}
+
+long double SlowSurfaces::least_room() const {
+    long double least = infinite;
+    const auto consider = [&](long double apart, long double, long double, int,
+                              long double = 0.0L) { least = std::min(least, std::abs(apart)); };
+    for (std::size_t k = 0; k < movers_.size(); ++k)
+        if (movers_[k].is_mobile && !movers_[k].is_open) for_each_that_reaches(k, consider);
+    return least;
 }
 
 // So short that nothing moves further than a quarter of the box, and the images looked at suffice.
@@ -480,10 +496,9 @@ std::optional<SlowContact> SlowSurfaces::advance(long double time) {
 
 SlowSurfaces::Touch SlowSurfaces::collide(const SlowContact& contact, const Vector& like) {
     Disk& a = disks_[static_cast<std::size_t>(contact.first)];
-    a.passing.clear();
+    if (contact.second < 0) a.passing.erase(-1 - contact.second);
     if (contact.second < 0) return collide_with_surface(a, -1 - contact.second, like);
     Disk& b = disks_[static_cast<std::size_t>(contact.second)];
-    b.passing.clear();
     Touch touch{infinite, 0.0L};
     Vector normal;
     if (box_.dimension == 1) {

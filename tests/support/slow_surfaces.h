@@ -79,6 +79,10 @@ class SlowSurfaces {
     /// Takes over the state of another simulator.
     void adopt(const Sample& state, const std::vector<SurfaceState>& surfaces);
 
+    /// The smallest distance of a mover from what it could reach: where it is none, round-off
+    /// decides what a disk between them does.
+    long double least_room() const;
+
     /// The smallest distance of any two that should not overlap.
     long double least_gap() const;
 
@@ -121,6 +125,8 @@ class SlowSurfaces {
     void look_at_pairs(Next& next) const;
     void look_at_parts(Next& next) const;
     std::optional<long double> end_towards(const Part& part, const Mover& mover) const;
+    template <class Consider>
+    void for_each_that_reaches(std::size_t k, const Consider& consider) const;
     void look_at_movers(Next& next) const;
     long double longest_step() const;
     void fly(long double wait);

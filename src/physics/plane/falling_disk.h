@@ -32,7 +32,8 @@ struct FallingDisk
     double radius = 0.0, inverse_mass = 0.0;
     std::int32_t species = 0;
     std::int32_t turns = 0;  ///< of a bead: how often it has gone round a periodic line
-    /// Bit k modulo 64: surface k has let it through since it last hit something.
+    /// Bit k modulo 64: surface k has let it through since that last reflected it. While it lies in
+    /// the surface it is let through, whatever it meets there.
     std::uint64_t passing = 0;
     bool is_at_rest = false;  ///< on a floor, so that it does not fall
 };

@@ -221,7 +221,6 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
             body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
             body.passing |= bit_of(its.surface);
-            some_passed_ = true;
             return false;
         }
     }
@@ -232,6 +231,7 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
         leave_bath(body, its, bath->temperature, number, now);
     else
         reflect(body, its, now);
+    body.passing &= ~bit_of(its.surface);
     path_has_changed(body);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
     return true;

@@ -48,9 +48,8 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     /// Gives a disk its acceleration. One that lies on a wall and does not leave it does not fall:
     /// the wall carries it.
     void settle_at_rest(Body& body);
-    /// To be called when a disk has met another: the same, and it has left what let it through.
+    /// To be called when a disk has met another or a surface: the same.
     void path_has_changed(Body& body) {
-        if (some_passed_) body.passing = 0;
         if (has_gravity_ && (at_rest_ > 0 || body.v[0] == 0.0 || body.v[1] == 0.0))
             settle_at_rest(body);
     }
@@ -91,7 +90,6 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     std::vector<std::int32_t> floors_;  ///< lines from wall to wall
     std::vector<SurfaceTotals> totals_;
     bool has_gravity_;
-    bool some_passed_ = false;
     std::int64_t at_rest_ = 0;
 };
 

@@ -95,7 +95,8 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
     const bool touches = is_inside || !(gap(zero) > 0);
     if (!is_inside && touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
     const PositiveRoots<Scalar> turns(bend, 3 * va, 1.5 * aa);
-    bool falls = now < 0 && !touches;  // the distance, from `start` to the next root of h
+    const bool falls_at_first = now < 0 || (!(now > 0) && bend < 0);  // also from rest
+    bool falls = falls_at_first && !touches;  // the distance, from `start` to the next root of h
     Scalar start = zero, low = zero;
     for (int piece = 0; piece <= turns.count; ++piece) {
         Scalar high = low;
@@ -108,7 +109,8 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
         }
         const bool falls_at_end = approach(high) < 0;
         if (falls_at_end != falls) {
-            const bool turns_here = falls != (approach(low) < 0);
+            const bool falls_at_low = piece == 0 ? falls_at_first : approach(low) < 0;
+            const bool turns_here = falls != falls_at_low;
             Scalar turn = turns_here ? low : bracketed_root(low, high, steps, approach_and_slope);
             if (falls && !(gap(turn) > 0) && !(is_inside && (start == zero || !(gap(start) > 0))))
                 return gap(start) > 0 ? bracketed_root(start, turn, steps, gap_and_slope) : start;

@@ -2,6 +2,7 @@
 // mean is five standard errors of blocks of the same run: chance fails one in two million.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -188,4 +189,34 @@ TEST_CASE("a slow piston keeps T V in a plane, and T L^2 on a line") {
         const double room = dimension == 1 ? 1.0 : 9.94 / 4.94 / 2.0 * (1.0 + 0.28 / 100.0);
         check_mean_of_blocks(kept, room);
     }
+}
+
+// The entropy of places, by their numbers n in parts of equal size: -sum of n ln(n / N). Where the
+// gas is uniform in k of them, it is N ln k less half a chi-squared number of k - 1: five standard
+// deviations and the mean of that.
+TEST_CASE("the entropy of a free expansion grows by N ln(V1 / V0), and the temperature stays") {
+    constexpr int count = 4000, parts = 10;
+    Gas gas;
+    gas.box.size = {20.0, 10.0};
+    gas.box.surfaces.partitions = {{.name = "divider", .axis = 0, .at = 10.0}};
+    gas.species = {points("points", count, 1.0, {{0.0, 0.0}, {10.0, 10.0}})};
+    Run run;
+    run.events = {{1.0, SetOpen{Surfaces::first_partition, true}}};
+    Simulation simulation(gas, run);
+    const auto entropy = [&] {
+        Eigen::ArrayXd numbers = Eigen::ArrayXd::Zero(parts);
+        for (const double x : simulation.sample().position.col(0))
+            numbers[std::min(static_cast<Eigen::Index>(x * parts / 20.0),
+                             Eigen::Index{parts - 1})] += 1.0;
+        double sum = 0.0;
+        for (const double n : numbers)
+            if (n > 0.0) sum -= n * std::log(n / count);
+        return sum;
+    };
+    simulation.advance_to(1.0);
+    const double before = entropy(), energy = simulation.energy_account().kinetic;
+    simulation.advance_to(200.0);
+    const double mean = 0.5 * (parts - 1), deviation = std::sqrt(mean + 0.5 * (parts / 2 - 1));
+    CHECK(std::abs(entropy() - before - count * std::numbers::ln2) < mean + 5.0 * deviation);
+    CHECK(simulation.energy_account().kinetic == doctest::Approx(energy).epsilon(1e-12));
 }

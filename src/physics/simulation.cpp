@@ -102,9 +102,11 @@ void check_events(const std::vector<RunEvent>& events, double present, Eigen::In
 
 bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
     const std::vector<Barrier> barriers = barriers_of(box, box.size.maxCoeff());
-    for (Eigen::Index i = 0; i < particles.count(); ++i)
-        if (surface_in_the_way(box, barriers, start.position.row(i), particles.radius[i]))
-            return false;
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        const Eigen::Array2d center{start.position(i, 0),
+                                    box.dimension == 1 ? 0.0 : start.position(i, 1)};
+        if (surface_in_the_way(box, barriers, center, particles.radius[i])) return false;
+    }
     return true;
 }
 

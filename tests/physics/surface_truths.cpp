@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/simulation.h"
+#include "support/blocks.h"
 #include "support/goodness_of_fit.h"
 
 using namespace carom;
@@ -18,16 +19,7 @@ namespace {
 constexpr int blocks = 40;
 
 void check_mean_of_blocks(const std::vector<double>& values, double expected) {
-    double mean = 0.0, square = 0.0;
-    const auto count = static_cast<double>(values.size());
-    for (const double x : values) mean += x / count;
-    for (const double x : values) square += (x - mean) * (x - mean);
-    const double error = std::sqrt(square / (count - 1.0) / count);
-    CAPTURE(mean);
-    CAPTURE(error);
-    CAPTURE(expected);
-    CHECK(std::abs(mean - expected) < 5.0 * error);
-    CHECK(error < 0.03 * std::abs(expected));
+    test::check_mean(values, expected, 0.03);
 }
 
 Species points(const char* name, std::int64_t count, double mass, Region within) {

@@ -14,6 +14,7 @@
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/equilibrium.h"
 #include "physics/theory/theory.h"
+#include "support/blocks.h"
 #include "support/relative.h"
 #include "util/random.h"
 
@@ -43,26 +44,7 @@ struct Start {
     }
 };
 
-// Mean of blocks, and its standard error.
-struct Mean {
-    double value, error;
-};
-Mean mean_of(const std::vector<double>& blocks) {
-    double sum = 0.0, squares = 0.0;
-    for (const double x : blocks) sum += x;
-    const auto count = static_cast<double>(blocks.size());
-    const double mean = sum / count;
-    for (const double x : blocks) squares += (x - mean) * (x - mean);
-    return {mean, std::sqrt(squares / (count - 1.0) / count)};
-}
-void check_mean(const std::vector<double>& blocks, double expected) {
-    const Mean mean = mean_of(blocks);
-    CAPTURE(mean.value);
-    CAPTURE(mean.error);
-    CAPTURE(expected);
-    CHECK(std::abs(mean.value - expected) < 5.0 * mean.error);
-    CHECK(mean.error < 0.02 * std::abs(expected));
-}
+constexpr double most_error = 0.02;  // of a mean, in units of it
 
 std::int64_t all_hits(const Simulation& simulation) {
     std::int64_t hits = 0;
@@ -122,8 +104,9 @@ TEST_CASE("the mean free path of a Sinai billiard is (L^2 - pi R^2) / 2R") {
     start.box.surfaces.obstacles = {{"disk", Obstacle::Disk{{1.5, 1.5}, radius}}};
     start.places = {{0.1, 0.2}};
     start.velocities = {{std::cos(1.0), std::sin(1.0)}};
-    check_mean(free_paths(start.simulation(), 1.0),
-               (length * length - std::numbers::pi * radius * radius) / (2.0 * radius));
+    test::check_mean(free_paths(start.simulation(), 1.0),
+                     (length * length - std::numbers::pi * radius * radius) / (2.0 * radius),
+                     most_error);
 }
 
 TEST_CASE("the mean free path of any billiard is pi area / perimeter") {
@@ -135,7 +118,8 @@ TEST_CASE("the mean free path of any billiard is pi area / perimeter") {
     start.velocities = {{std::cos(0.7), std::sin(0.7)}};
     const double area = 12.0 - 1.0 - std::numbers::pi * 0.09;
     const double perimeter = 14.0 + 2.0 + 2.0 * std::numbers::sqrt2 + std::numbers::pi * 0.6;
-    check_mean(free_paths(start.simulation(), 1.0), std::numbers::pi * area / perimeter);
+    test::check_mean(free_paths(start.simulation(), 1.0), std::numbers::pi * area / perimeter,
+                     most_error);
 }
 
 TEST_CASE("a driven wall reflects v to 2u - v, and does the work") {
@@ -173,7 +157,7 @@ TEST_CASE("Jarzynski: the mean of exp(-W/T) over starts is the ratio of the volu
         }
         blocks.push_back(sum / starts);
     }
-    check_mean(blocks, end / begin);
+    test::check_mean(blocks, end / begin, most_error);
 }
 
 TEST_CASE("a piston on points in a column stands at two thirds of E / F on average") {
@@ -199,7 +183,7 @@ TEST_CASE("a piston on points in a column stands at two thirds of E / F on avera
         }
         blocks.push_back(sum / 400.0);
     }
-    check_mean(blocks, 2.0 * energy / (3.0 * force));
+    test::check_mean(blocks, 2.0 * energy / (3.0 * force), most_error);
     // The account: kinetic energies, and the force times the height.
     const auto piston = *simulation.surfaces()[3].motion;
     const double now = 0.5 * simulation.sample().velocity.square().sum() +
@@ -232,9 +216,9 @@ TEST_CASE("particles leave a heat bath with the energies of its flux") {
             normal_sum = along_sum = 0.0;
         }
     }
-    const Mean across = mean_of(normal), parallel = mean_of(along);
-    CHECK(std::abs(across.value - 2.0 * temperature / mass) < 5.0 * across.error);
-    CHECK(std::abs(parallel.value - temperature / mass) < 5.0 * parallel.error);
+    const test::Estimate across = test::estimate(normal), parallel = test::estimate(along);
+    CHECK(std::abs(across.mean - 2.0 * temperature / mass) < 5.0 * across.error);
+    CHECK(std::abs(parallel.mean - temperature / mass) < 5.0 * parallel.error);
 }
 
 TEST_CASE("one point between two baths carries 1.5 (T1 - T2) G of heat") {
@@ -256,8 +240,8 @@ TEST_CASE("one point between two baths carries 1.5 (T1 - T2) G of heat") {
     }
     const double hits = 2.0 / (length * (1.0 / std::sqrt(warm) + 1.0 / std::sqrt(cold)) *
                                std::sqrt(2.0 * std::numbers::pi));
-    const Mean mean = mean_of(flow);
-    CHECK(std::abs(mean.value - 1.5 * (warm - cold) * hits) < 5.0 * mean.error);
+    const test::Estimate flux = test::estimate(flow);
+    CHECK(std::abs(flux.mean - 1.5 * (warm - cold) * hits) < 5.0 * flux.error);
 }
 
 TEST_CASE("a gap lets through what fits, a membrane those it names") {

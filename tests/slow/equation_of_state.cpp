@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "physics/simulation.h"
+#include "support/blocks.h"
 #include "support/equal_disks.h"
 
 using namespace carom;

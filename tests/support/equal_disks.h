@@ -21,14 +21,4 @@ inline Gas equal_disks(double packing, std::int64_t count) {
     return gas;
 }
 
-/// Mean of blocks and its standard error.
-struct Estimate {
-    double mean, error;
-};
-
-inline Estimate estimate(const Eigen::ArrayXd& blocks) {
-    const double n = static_cast<double>(blocks.size()), mean = blocks.mean();
-    return {mean, std::sqrt((blocks - mean).square().sum() / (n * (n - 1.0)))};
-}
-
 }  // namespace carom::test

@@ -18,14 +18,9 @@
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/run.h"
+#include "support/slow_numbers.h"
 
 namespace carom::test {
-
-struct SlowVector {
-    long double x = 0.0L, y = 0.0L;
-    long double& operator[](int axis) { return axis == 0 ? x : y; }
-    long double operator[](int axis) const { return axis == 0 ? x : y; }
-};
 
 struct SlowContact {
     std::int32_t first, second;  ///< second: -1 - the number of a surface, as in surface.h

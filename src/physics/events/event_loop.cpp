@@ -367,10 +367,12 @@ void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall() {
     if (++at_one_instant_ <= bound) return;
     if constexpr (has_surfaces)
         if (const auto surface = geometry_.surfaces().hardest_worker()) throw crushes(*surface);
-    throw std::runtime_error(
-        fmt::format("{} collide without end at t = {:g}: they fill the box along a line, or are "
-                    "squeezed between infinite or far heavier masses",
-                    Dimension == 1 ? "beads" : "disks", clock_.absolute(now_)));
+    const bool falls = (box_.surfaces.gravity != 0.0).any();
+    throw std::runtime_error(fmt::format(
+        "{} collide without end at t = {:g}: they fill the box along a line, or are squeezed "
+        "between infinite or far heavier masses{}",
+        Dimension == 1 ? "beads" : "disks", clock_.absolute(now_),
+        falls ? ", or lie without velocity on an obstacle, a piston or one another" : ""));
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>

@@ -124,10 +124,6 @@ class EventLoop {
     using Body = typename Geometry::Body;
     /// Planes of doubles search so many disks that memory is slow.
     static constexpr bool is_large = of_doubles && Dimension == 2;
-    struct None {};
-    using Prefetching =
-        typename std::conditional_t<is_large, std::type_identity<FetchAhead<Geometry>>,
-                                    std::type_identity<None>>::type;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
@@ -157,6 +153,7 @@ class EventLoop {
     Scalar surface_event(std::size_t k) const;
     void carry_out(const Change<Scalar>& change);
     void scale(const Scaling<Scalar>& scaling);
+    std::optional<std::int32_t> first_in(std::int32_t surface) const;
     bool counts_for(const Body& body, const std::optional<std::int32_t>& species) const;
     void stop_later(std::int32_t surface);
     void move_on_to(const Scalar& time);
@@ -174,7 +171,7 @@ class EventLoop {
     ChangeHistory<Scalar> changes_;
     double heat_of_events_ = 0.0;
     int cycles_since_sorted_ = 0;
-    [[no_unique_address]] Prefetching fetch_ahead_;
+    FetchAhead<Geometry> fetch_ahead_;  ///< used where memory is slow
     CollisionCounts counts_;
     ImpulseTotals impulses_;
     Scalar last_collision_ = -1.0;

@@ -167,15 +167,14 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
     const auto after = control_after(before, action, time);
     surfaces.set_control(surface, after, now_);
     // Disks that it let through may be in it.
-    const bool let_through = before.is_open || (!std::holds_alternative<SetOpen>(action) &&
-                                                std::holds_alternative<Membrane>(before.behaviour));
-    for (std::size_t k = 0; let_through && !after.is_open && k < bodies_.size(); ++k) {
-        if (!surfaces.overlapped(bodies_[k], now_, surface)) continue;
+    const bool opens = std::holds_alternative<SetOpen>(action);
+    const bool let_through =
+        before.is_open || (!opens && std::holds_alternative<Membrane>(before.behaviour));
+    if (const auto one = let_through && !after.is_open ? first_in(surface) : std::nullopt) {
         surfaces.set_control(surface, before, now_);
-        return number_[k];
+        return one;
     }
     using Part = typename SurfaceChange<Scalar>::Part;
-    const bool opens = std::holds_alternative<SetOpen>(action);
     const Part part = opens ? Part::opening : Part::motion;
     if (is_mirrored)
         changes_.add_behind({now_, SurfaceChange<Scalar>{surface, part, before, after}});
@@ -197,14 +196,23 @@ void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const Change<Scalar>&
         const auto before = surfaces.control(its.surface, now_);
         const auto after = its.applied_to(before);
         if (before.is_open && !after.is_open)
-            for (std::size_t k = 0; k < bodies_.size(); ++k)
-                if (surfaces.overlapped(bodies_[k], now_, its.surface))
-                    throw SurfaceError(
-                        its.surface, "cannot close again as the run goes back",
-                        fmt::format(": particle {} is in its way, with {} bits", number_[k], bits_),
-                        "use `precision: auto`, and let all events be undone that were before");
+            if (const auto one = first_in(its.surface))
+                throw SurfaceError(
+                    its.surface, "cannot close again as the run goes back",
+                    fmt::format(": particle {} is in its way, with {} bits", *one, bits_),
+                    "use `precision: auto`, and let all events be undone that were before");
         surfaces.set_control(its.surface, after, now_);
     }
+}
+
+// The first particle that overlaps a surface, if any.
+template <int Dimension, typename Scalar, bool has_surfaces>
+std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::first_in(
+    std::int32_t surface) const {
+    if constexpr (has_surfaces)
+        for (std::size_t k = 0; k < bodies_.size(); ++k)
+            if (geometry_.surfaces().overlapped(bodies_[k], now_, surface)) return number_[k];
+    return std::nullopt;
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>

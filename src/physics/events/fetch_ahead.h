@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// Of a plane whose disks are found by a PairSearch.
+/// Of a plane whose disks are found by a PairSearch; for others there is only the class.
 template <typename Geometry>
 class FetchAhead {
   public:

@@ -49,7 +49,7 @@ void Line<Scalar, BodyType>::predict_pair(const Bodies& bodies, std::int32_t i, 
     const Body& right = bodies[static_cast<std::size_t>(to_the_right ? j : i)];
     const Scalar approach = velocity_at(left, 0, now) - velocity_at(right, 0, now);
     Scalar time = now;
-    if constexpr (requires { left.a; }) {
+    if constexpr (Falls<Body>) {
         const Scalar apart = std::max(Scalar(0.0), gap(left, right, now, at_end));
         time += fall_time<Scalar>(apart, -approach, right.a[0] - left.a[0]);
     } else {
@@ -125,7 +125,7 @@ bool Line<Scalar, BodyType>::collide(Bodies& bodies, std::int32_t i, std::int32_
     const bool around = &left > &right;
     const auto depth = static_cast<double>(-gap(left, right, a.time, around));
     Scalar impulse = 2.0 * (left.v[0] - right.v[0]) / w;  // 2 v / (w1 + w2)
-    if constexpr (requires { a.a; })
+    if constexpr (Falls<Body>)
         impulse =
             divided_by_sum<Scalar>(2.0 * (left.v[0] - right.v[0]), as_precise_as(w, a.inverse_mass),
                                    as_precise_as(w, b.inverse_mass));

@@ -40,13 +40,20 @@ struct FallingDisk
 
 using FallingDisks = LargeVector<FallingDisk<double>>;
 
-/// As advance_body() with a known acceleration, which is not looked up: only the first cache line
-/// is read. What is read as a pair is written as a pair (disk_state.h).
-inline void advance_body(DiskState& d, double now, const std::array<double, 2>& a) {
+/// Where a disk with this acceleration is, and how fast, in pairs as it has them (disk_state.h).
+[[gnu::always_inline]] inline void fall(const DiskState& d, double now,
+                                        const std::array<double, 2>& a, std::array<double, 2>& x,
+                                        std::array<double, 2>& v) {
     const double t = now - d.time;
-    const TwoLanes v = load_two(d.v.data()), gain = t * load_two(a.data());
-    store_two(load_two(d.x.data()) + t * (v + 0.5 * gain), d.x.data());
-    store_two(v + gain, d.v.data());
+    const TwoLanes before = load_two(d.v.data()), gain = t * load_two(a.data());
+    store_two(load_two(d.x.data()) + t * (before + 0.5 * gain), x.data());
+    store_two(before + gain, v.data());
+}
+
+/// As advance_body() with a known acceleration, which is not looked up: only the first cache line
+/// is read.
+inline void advance_body(DiskState& d, double now, const std::array<double, 2>& a) {
+    fall(d, now, a, d.x, d.v);
     d.time = now;
 }
 
@@ -74,10 +81,7 @@ struct DiskView {
     }
     /// With a known acceleration, as for advance_body().
     DiskView(const DiskState& d, double time, const std::array<double, 2>& gravity) : a(gravity) {
-        const double t = time - d.time;
-        const TwoLanes velocity = load_two(d.v.data()), gain = t * load_two(gravity.data());
-        store_two(load_two(d.x.data()) + t * (velocity + 0.5 * gain), x.data());
-        store_two(velocity + gain, v.data());
+        fall(d, time, gravity, x, v);
     }
 };
 

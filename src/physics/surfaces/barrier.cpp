@@ -167,7 +167,7 @@ std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open) {
 
 std::optional<std::int32_t> surface_in_the_way(const Box& box, const std::vector<Barrier>& barriers,
                                                const Eigen::Array2d& center, double radius) {
-    const double slack = 1e-12 * box.size.maxCoeff();
+    const double slack = slack_of_places(box);
     for (const Barrier& barrier : barriers)
         if (distance_from(barrier, center) < radius - slack) return barrier.surface;
     if (barriers.empty()) return std::nullopt;

@@ -54,6 +54,9 @@ std::vector<Behaviour> behaviours_of(const Box& box);
 /// `with_open`, without those of open partitions.
 std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open = false);
 
+/// How much deeper than this a disk lies in what it overlaps; less is round-off of places.
+inline double slack_of_places(const Box& box) { return 1e-12 * box.size.maxCoeff(); }
+
 /// The distance of a point from a barrier, negative only in a circle or beyond a wall; infinite
 /// beside the ends of a line.
 double distance_from(const Barrier& barrier, const Eigen::Array2d& point);

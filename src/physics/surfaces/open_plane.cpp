@@ -111,7 +111,6 @@ OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
       image_reach_(largest_ +
                    most_growth_of_cells * std::max(grid_.cell_size()[0], grid_.cell_size()[1])),
       gravity_{box.surfaces.gravity[0], box.surfaces.gravity[1]},
-      has_gravity_((box.surfaces.gravity != 0.0).any()),
       surfaces_(box, image_reach_, {0.25 * grid_.cell_size()[0], 0.25 * grid_.cell_size()[1]},
                 arithmetic.bits) {
     for (std::size_t axis = 0; axis < 2; ++axis) gridded_[axis] = {0.0, box.length(axis)};
@@ -304,8 +303,8 @@ inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& v
                     .no_high = cell == last_with_end_,
                     .x = load_two(view.x.data()),
                     .v = load_two(view.v.data())};
-    const Leaving leaving =
-        has_gravity_ ? leaving_in_fall(in, load_two(view.a.data())) : leaving_straight(in);
+    const Leaving leaving = surfaces_.has_gravity() ? leaving_in_fall(in, load_two(view.a.data()))
+                                                    : leaving_straight(in);
     side = first_cell_side + leaving.side;
     return leaving.time;
 }
@@ -384,10 +383,10 @@ Scalar OpenPlane<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i,
                                                  const Scalar& now) {
     Body& body = at(bodies, i);
     // Beyond a periodic side it meets other images of the same barriers.
-    if (!all_fall() || grid_.is_last(body.cell, side ^ 1)) return predict(bodies, i, now);
     if constexpr (of_doubles)
-        return next_event(body, this->radius_of(i), now,
-                          First(this->first_contact_after_crossing(bodies, i, side, now)));
+        if (all_fall() && !grid_.is_last(body.cell, side ^ 1))
+            return next_event(body, this->radius_of(i), now,
+                              First(this->first_contact_after_crossing(bodies, i, side, now)));
     return predict(bodies, i, now);
 }
 

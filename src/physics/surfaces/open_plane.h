@@ -1,7 +1,7 @@
 // The plane of plane.h for boxes with surfaces that act, obstacles or gravity: which disks may
 // touch, which surfaces they reach, and when. Each cell lists the barriers at rest that a disk in
-// it may touch; all moving ones are looked at always, as they are few. For doubles and for many
-// bits. Knows no queue and no clock.
+// it may touch; of each moving one the rows or columns of cells are known from which it may be
+// touched. For doubles and for many bits. Knows no queue and no clock.
 #pragma once
 
 #include <array>
@@ -143,7 +143,6 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     double image_reach_;               ///< as far beyond a periodic side barriers have images
     std::array<Interval, 2> gridded_;  ///< that the grid was made for
     std::array<double, 2> gravity_;
-    bool has_gravity_;
     SurfaceSet<Scalar> surfaces_;
     /// Along each axis the cells without a border below and above, -1 where a box is periodic.
     TwoLanes first_with_end_{}, last_with_end_{};

@@ -131,7 +131,7 @@ void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
     if (std::exchange(body.is_at_rest, false)) --at_rest_;
     body.a = {as_precise_as(body.x[0], gravity[0]), as_precise_as(body.x[0], gravity[1])};
     if ((body.v[0] != 0.0) & (body.v[1] != 0.0)) return;  // floors lie along an axis
-    const double slack = 1e-12 * box_.size.maxCoeff();
+    const double slack = slack_of_places(box_);
     for (const std::int32_t k : floors_) {
         const Barrier& wall = this->barrier(k);
         if (this->is_mobile(wall) || !this->is_there(wall) || dot(wall.normal, body.v) != 0.0)

@@ -45,6 +45,8 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     /// crushes the gas.
     bool hit(Body& body, std::int32_t barrier, const Scalar& now);
 
+    bool has_gravity() const { return has_gravity_; }
+
     /// Gives a disk its acceleration. One that lies on a wall and does not leave it does not fall:
     /// the wall carries it.
     void settle_at_rest(Body& body);

@@ -1,0 +1,208 @@
+// What contacts and events change.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "support/slow_surfaces.h"
+
+namespace carom::test {
+
+using Vector = SlowVector;
+
+SlowSurfaces::Touch SlowSurfaces::collide(const SlowContact& contact, const Vector& like) {
+    Disk& a = disks_[static_cast<std::size_t>(contact.first)];
+    if (contact.second < 0) a.passing.erase(-1 - contact.second);
+    if (contact.second < 0) return collide_with_surface(a, -1 - contact.second, like);
+    Disk& b = disks_[static_cast<std::size_t>(contact.second)];
+    Touch touch{infinite, 0.0L};
+    Vector normal;
+    if (box_.dimension == 1) {
+        const Motion m = between(a, b, {});
+        const auto rank = [&](std::int32_t i) {
+            return std::find(order_.begin(), order_.end(), static_cast<std::size_t>(i));
+        };
+        normal = {rank(contact.first) < rank(contact.second) ? 1.0L : -1.0L, 0.0L};
+        touch = {dot(normal, m.r) - a.radius - b.radius, dot(normal, m.v)};
+    } else {
+        for (const Vector& image : images()) {
+            const Motion m = between(a, b, image);
+            const long double gap = size(m.r) - a.radius - b.radius;
+            if (!(std::abs(gap) < std::abs(touch.gap))) continue;
+            normal = (1.0L / size(m.r)) * m.r;
+            touch = {gap, dot(normal, m.v)};
+        }
+    }
+    const long double impulse = 2.0L * touch.approach / (a.inverse_mass + b.inverse_mass);
+    a.v = a.v + a.inverse_mass * impulse * normal;
+    b.v = b.v - b.inverse_mass * impulse * normal;
+    return touch;
+}
+
+long double SlowSurfaces::gap_of(const Motion& m, const Part& part, const Disk& disk) const {
+    if (!part.is_line) return size(m.r) - part.radius - disk.radius;
+    const long double foot = dot(part.along, m.r);
+    if (part.length < infinite && (foot < -slack_ || foot > part.length + slack_)) return infinite;
+    return std::abs(dot(left_of(part.along), m.r)) - disk.radius;
+}
+
+SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t surface,
+                                                       const Vector& like) {
+    const bool moves = static_cast<std::size_t>(surface) < movers_.size();
+    Mover* mover = moves ? &movers_[static_cast<std::size_t>(surface)] : nullptr;
+    const bool is_membrane = moves && std::holds_alternative<Membrane>(mover->behaviour);
+    Touch best{.gap = infinite,
+               .approach = 0.0L,
+               .is_bath = moves && std::holds_alternative<Bath>(mover->behaviour)};
+    long double nearest = infinite;
+    Vector after = disk.v, normal;
+    for (const Part& part : parts_) {
+        if (part.surface != surface) continue;
+        for (const Vector& image : images()) {
+            const Motion m = motion_of(disk, part, image);
+            const long double gap = gap_of(m, part, disk);
+            // A disk that a membrane lets through may be reflected from within it.
+            if (gap > slack_ || (gap < -slack_ && !is_membrane)) continue;
+            if (!part.is_line && size(m.r) == 0.0L) continue;
+            const Vector n = part.is_line ? left_of(part.along) : (1.0L / size(m.r)) * m.r;
+            const long double side = part.is_line ? side_of(part, dot(n, m.r)) : 1.0L;
+            const long double approach = side * dot(n, m.v);
+            const long double other = moves ? mover->inverse_mass : 0.0L;
+            const long double share =
+                other > 0.0L ? disk.inverse_mass / (disk.inverse_mass + other) : 1.0L;
+            const Vector v = disk.v - 2.0L * share * dot(n, m.v) * n;
+            if (!(size(v - like) < nearest) && !(nearest == infinite)) continue;
+            nearest = size(v - like);
+            best.is_within = gap < -slack_;
+            best.gap = best.is_within ? 0.0L : gap;
+            best.approach = approach;
+            after = v;
+            normal = n;
+        }
+    }
+    if (moves && mover->inverse_mass > 0.0L)
+        mover->velocity -=
+            mover->inverse_mass *
+            (disk.inverse_mass > 0.0L
+                 ? (after - disk.v)[mover->axis] / disk.inverse_mass
+                 : 2.0L * (mover->velocity - disk.v[mover->axis]) / mover->inverse_mass);
+    disk.v = after;
+    return best;
+}
+
+long double SlowSurfaces::least_gap() const {
+    long double least = infinite;
+    const std::vector<Vector> all = images();
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+        for (const Part& part : parts_) {
+            if (!is_there(part) || lets_pass(part, disks_[i])) continue;
+            for (const Vector& image : all)
+                least = std::min(least, gap_of(motion_of(disks_[i], part, image), part, disks_[i]));
+        }
+        for (std::size_t j = i + 1; j < disks_.size(); ++j)
+            for (const Vector& image : all)
+                least = std::min(least, size(between(disks_[i], disks_[j], image).r) -
+                                            disks_[i].radius - disks_[j].radius);
+    }
+    return least;
+}
+
+// ------------------------------------------------------------------------------ what events change
+
+bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_the_way) {
+    const auto mover = [&](const auto& its) -> Mover& {
+        return movers_[static_cast<std::size_t>(its.surface)];
+    };
+    // That were let through, and would be in a wall.
+    const auto close_on = [&](std::int32_t surface) {
+        for (std::size_t i = 0; i < disks_.size(); ++i)
+            for (const Part& part : parts_)
+                for (const Vector& image : images())
+                    if (part.surface == surface && is_there(part) && !lets_pass(part, disks_[i]) &&
+                        gap_of(motion_of(disks_[i], part, image), part, disks_[i]) < -slack_)
+                        in_the_way.push_back(static_cast<std::int32_t>(i));
+    };
+    if (const auto* set = std::get_if<SetOpen>(&event.action)) {
+        const bool closes = mover(*set).is_open && !set->is_open;
+        mover(*set).is_open = set->is_open;
+        if (closes) close_on(set->surface);
+    } else if (const auto* move = std::get_if<MoveSurface>(&event.action)) {
+        const bool let_through = std::holds_alternative<Membrane>(mover(*move).behaviour);
+        mover(*move).behaviour = Driven{.velocity = move->velocity};
+        set_motion(mover(*move));
+        if (let_through) close_on(move->surface);
+    } else if (const auto* held = std::get_if<HoldPiston>(&event.action)) {
+        mover(*held).is_held = true;
+        set_motion(mover(*held));
+    } else if (const auto* released = std::get_if<ReleasePiston>(&event.action)) {
+        mover(*released).is_held = false;
+        set_motion(mover(*released));
+    } else if (const auto* change = std::get_if<ChangeSurface>(&event.action)) {
+        Mover& its = mover(*change);
+        const bool let_through = std::holds_alternative<Membrane>(its.behaviour);
+        its.behaviour = change->behaviour;
+        its.is_held = false;
+        if (const auto* piston = std::get_if<Piston>(&its.behaviour))
+            its.velocity = piston->velocity;
+        set_motion(its);
+        if (let_through) close_on(change->surface);
+    } else if (const auto* heat = std::get_if<Heat>(&event.action)) {
+        long double mass = 0.0L, energy = 0.0L, count = 0.0L;
+        Vector momentum;
+        std::vector<Disk*> all;
+        for (Disk& disk : disks_)
+            if (disk.inverse_mass > 0.0L && (!heat->species || disk.species == *heat->species))
+                all.push_back(&disk);
+        for (const Disk* disk : all) {
+            count += 1.0L;
+            mass += 1.0L / disk->inverse_mass;
+            momentum = momentum + (1.0L / disk->inverse_mass) * disk->v;
+        }
+        if (count < 2.0L) return false;
+        const Vector mean = (1.0L / mass) * momentum;
+        for (const Disk* disk : all)
+            energy += 0.5L * dot(disk->v - mean, disk->v - mean) / disk->inverse_mass;
+        const auto* to = std::get_if<Temperature>(&heat->amount);
+        // As much for each direction of each particle, but for the motion of them all.
+        const long double wanted = to != nullptr
+                                       ? 0.5L * box_.dimension * (count - 1.0L) * to->value
+                                       : energy + std::get<double>(heat->amount);
+        if (!(energy > 0.0L && wanted > 0.0L)) return false;
+        for (Disk* disk : all) disk->v = mean + std::sqrt(wanted / energy) * (disk->v - mean);
+    }
+    settle();
+    return in_the_way.empty();
+}
+
+void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& surfaces) {
+    for (std::size_t i = 0; i < disks_.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        for (int axis = 0; axis < box_.dimension; ++axis) {
+            disks_[i].x[axis] = state.position(row, axis);
+            disks_[i].v[axis] = state.velocity(row, axis);
+        }
+    }
+    for (std::size_t k = 0; k < surfaces.size() && k < movers_.size(); ++k) {
+        if (!surfaces[k].motion) continue;
+        movers_[k].place = surfaces[k].motion->place;
+        movers_[k].velocity = surfaces[k].motion->velocity;
+    }
+    find_slack();
+    settle();
+}
+
+// Of the places and, by the time's, of the ways of all.
+void SlowSurfaces::find_slack() {
+    long double furthest = box_.size.maxCoeff(), fastest = 0.0L;
+    for (const Disk& disk : disks_) {
+        furthest = std::max(furthest, size(disk.x));
+        fastest = std::max(fastest, size(disk.v));
+    }
+    for (const Mover& mover : movers_) {
+        furthest = std::max(furthest, std::abs(mover.place));
+        fastest = std::max(fastest, std::abs(mover.velocity));
+    }
+    slack_ = 1e-13L * (furthest + fastest * (1.0L + time_));
+}
+
+}  // namespace carom::test

@@ -40,6 +40,10 @@ std::string hex_of(Color color);
 /// Relative luminance of WCAG 2.2, dimensionless in [0, 1].
 double relative_luminance(Color color);
 
+/// How different two colours look, about 0.02 where that is just seen side by side: their distance
+/// in Oklab (Ottosson 2020, "A perceptual color space for image processing").
+double difference(Color a, Color b);
+
 /// Contrast ratio of WCAG 2.2, dimensionless in [1, 21].
 double contrast(Color a, Color b);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace carom {
@@ -183,6 +184,39 @@ Color kind_color(std::size_t index, const Theme& theme) {
     }
     assert(false);
     return theme.ink;
+}
+
+ColorMap direction_map(const Theme& theme) {
+    switch (theme.kind) {
+        case ThemeKind::dark:
+            return ColorMap({sky_blue, reddish_purple, yellow, bluish_green, sky_blue});
+        case ThemeKind::light:
+            return ColorMap({blue, darker_purple, orange, bluish_green, blue});
+        case ThemeKind::print:
+            break;
+    }
+    return ColorMap({in_print[0], in_print[2], in_print[1], in_print[3], in_print[0]});
+}
+
+std::vector<Color> kind_colors_beside(const ColorMap& map, const Theme& theme) {
+    constexpr int samples = 64;
+    constexpr double least_contrast_with_words = 1.6;
+    std::vector<std::pair<double, Color>> kinds;
+    for (std::size_t k = 0; k < on_dark.size(); ++k) {
+        const Color color = kind_color(k, theme);
+        double least = INFINITY;
+        for (const Color other : {theme.highlight, theme.accent, theme.page})
+            least = std::min(least, difference(color, other));
+        if (contrast(color, theme.ink) < least_contrast_with_words) least = 0.0;
+        for (int i = 0; i <= samples; ++i)
+            least = std::min(least, difference(color, map.at(double(i) / samples)));
+        const double stands_out = contrast(color, theme.page) / least_contrast_of_marks;
+        kinds.emplace_back(least * std::min(1.0, stands_out), color);
+    }
+    std::ranges::stable_sort(kinds, std::greater(), &std::pair<double, Color>::first);
+    std::vector<Color> colors;
+    for (const auto& [distance, color] : kinds) colors.push_back(color);
+    return colors;
 }
 
 }  // namespace carom

@@ -41,11 +41,19 @@ ColorMap color_map_on(std::string_view name, const Theme& theme);
 /// kinds are told apart by all viewers; between them the map is no scale for the colour-blind.
 ColorMap netlogo_map(bool dark_ground);
 
+/// Around the circle of directions, counterclockwise from the right, the first colour again at the
+/// end: right and left, blue and yellow or orange, are told apart by all viewers.
+ColorMap direction_map(const Theme& theme);
+
 /// Greys from light to dark by even steps, for print.
 ColorMap grey_map();
 
 /// Okabe and Ito's colours for kinds, in a fixed order for each theme, greys in print; repeats
 /// after eight. The last ones on light grounds, and pale greys, need an edge (see edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
+
+/// The same colours, the one first that is furthest from all colours of a map, from words and from
+/// curves of theory: for kinds in a picture where the map means something else.
+std::vector<Color> kind_colors_beside(const ColorMap& map, const Theme& theme);
 
 }  // namespace carom

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "panels/gas/gas_colors.h"
+
 namespace carom {
 
 std::vector<Chosen> choices(const PanelSpec& spec) {
@@ -42,17 +44,25 @@ std::string name_of(const PanelContext& context, const Chosen& chosen) {
     return chosen.species ? context.scene.gas.species[*chosen.species].name : "all";
 }
 
+namespace {
+
+plot::Role kind_role(const PanelContext& context, std::size_t index) {
+    return plot::own_role([&](const Theme& theme) { return kind_in(context.scene, index, theme); });
+}
+
+}  // namespace
+
 plot::Role species_role(const PanelContext& context, std::size_t species) {
     const std::optional<std::string>& own = context.scene.looks[species].color;
     if (own)
         if (const std::optional<Color> parsed = parse_color(*own))
             return {.of = plot::Role::Of::own, .own = {*parsed, *parsed, *parsed}};
-    return {.of = plot::Role::Of::kind, .index = species};
+    return kind_role(context, species);
 }
 
 plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place) {
     if (chosen.species) return species_role(context, *chosen.species);
-    return {.of = plot::Role::Of::kind, .index = context.scene.gas.species.size() + place};
+    return kind_role(context, context.scene.gas.species.size() + place);
 }
 
 plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& chosen,

@@ -91,7 +91,8 @@ struct Velocity {
     std::vector<Eigen::Array2d> values;  ///< one for all, or one for each particle; y is 0 in 1-D
 };
 struct Temperature {
-    double value;  ///< each component normal with variance T/m
+    double value;           ///< each component normal with variance T/m
+    bool is_exact = false;  ///< scaled, so that thermal_motion() of the species has this value
 };
 using VelocityRule = std::variant<AtRest, Speed, Velocity, Temperature>;
 

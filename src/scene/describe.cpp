@@ -22,7 +22,9 @@ std::string start_of(const Species& species) {
         return "at different speeds";
     }
     if (const auto* temperature = std::get_if<Temperature>(&species.velocity))
-        return fmt::format("at temperature {}", temperature->value);
+        return (temperature->is_exact ? "at temperature "
+                                      : "with velocities sampled at temperature ") +
+               fmt::format("{}", temperature->value);
     return std::holds_alternative<AtRest>(species.velocity) ? "at rest" : "with given velocities";
 }
 
@@ -219,20 +221,15 @@ namespace {
 std::string words_of(const MirroredEvent& mirrored, const Run& run, const Gas& gas) {
     const RunEvent& event = run.events.at(mirrored.event);
     if (!mirrored.is_undone) return words_of_surface_event(event, gas);
-    RunEvent undone = event;
-    if (auto* set = std::get_if<SetOpen>(&undone.action))
-        set->is_open = !set->is_open;
-    else if (const auto* hold = std::get_if<HoldPiston>(&event.action))
-        undone.action = ReleasePiston{hold->surface};
-    else if (const auto* release = std::get_if<ReleasePiston>(&event.action))
-        undone.action = HoldPiston{release->surface};
-    else if (std::holds_alternative<Heat>(event.action))
-        return "The energy goes back that the gas had been given or had lost";
-    else if (const auto* move = std::get_if<MoveSurface>(&event.action))
+    if (const auto* move = std::get_if<MoveSurface>(&event.action))
         return name_of_surface(move->surface, gas) + " does again what it did before";
-    else if (const auto* change = std::get_if<ChangeSurface>(&event.action))
+    if (const auto* change = std::get_if<ChangeSurface>(&event.action))
         return name_of_surface(change->surface, gas) + " does again what it did before";
-    return words_of_surface_event(undone, gas);
+    if (const std::optional<RunEvent> opposite = opposite_of(event))
+        return words_of_surface_event(*opposite, gas);
+    return std::holds_alternative<Heat>(event.action)
+               ? "The gas loses the energy that it was given, or gets back what it lost"
+               : "";
 }
 
 // Empty where the gas goes on the way it came.

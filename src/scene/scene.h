@@ -16,7 +16,7 @@
 namespace carom {
 
 enum class ThemeName { light, dark, print };
-enum class ColorBy { speed, speed_class, energy, species, mass };
+enum class ColorBy { speed, speed_class, energy, direction, species, mass };
 enum class Labels { none, mass, index };
 
 /// A number that monitors can show.
@@ -40,7 +40,7 @@ struct PictureSize {
 
 /// How a species is drawn.
 struct SpeciesLook {
-    std::optional<std::string> color;    ///< #rrggbb
+    std::optional<std::string> color;    ///< #rrggbb, of its disks and lines in all pictures
     bool fill = true;                    ///< false: rings
     std::string label;                   ///< a word beside it, may be empty
     std::optional<double> trail;         ///< seconds of film; none: by the film

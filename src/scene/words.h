@@ -35,6 +35,7 @@ inline constexpr auto enum_words<ColorBy> =
     std::to_array<EnumWord<ColorBy>>({{ColorBy::speed, "speed"},
                                       {ColorBy::speed_class, "speed-class"},
                                       {ColorBy::energy, "energy"},
+                                      {ColorBy::direction, "direction"},
                                       {ColorBy::species, "species"},
                                       {ColorBy::mass, "mass"}});
 

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "physics/mechanics.h"
 #include "physics/particles.h"
 #include "physics/theory/kinds.h"
-#include "physics/theory/mechanics.h"
 
 namespace carom {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "physics/mechanics.h"
 #include "physics/placement/overlap.h"
-#include "physics/theory/mechanics.h"
 
 namespace carom {
 namespace {

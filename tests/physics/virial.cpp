@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/mechanics.h"
 #include "physics/simulation.h"
-#include "physics/theory/mechanics.h"
 #include "stats/pressure.h"
 #include "support/bodies.h"
 #include "support/relative.h"

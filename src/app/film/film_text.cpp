@@ -9,6 +9,7 @@
 
 #include "app/progress.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/mechanics.h"
 #include "scene/describe.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
@@ -117,6 +118,8 @@ std::string coloring(const Scene& scene) {
             return "the colour of a particle tells whether it is slow, medium or fast";
         case ColorBy::mass:
             return "the colour of a particle tells its mass";
+        case ColorBy::direction:
+            return "the colour of a particle tells the direction of its motion";
         case ColorBy::energy:
             return "the colour of a particle tells its energy";
         case ColorBy::speed:
@@ -247,7 +250,7 @@ void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceRes
     constexpr bool only_changes = true;
     moment.surfaces = words_at_present(scene_.gas, advanced.surfaces, only_changes);
     moment.mean_speed = speed.mean();
-    moment.mean_energy = energy.mean();
+    moment.mean_energy = mean_over_finite_masses(particles_, energy);
     moment.shares = class_shares(speed, moment.mean_speed);
     for (std::size_t k = 0; k < scene_.gas.species.size(); ++k) {
         const Eigen::Array<bool, Eigen::Dynamic, 1> members =

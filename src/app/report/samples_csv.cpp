@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include "physics/theory/mechanics.h"
+#include "physics/mechanics.h"
 #include "util/csv.h"
 
 namespace carom {

@@ -191,7 +191,7 @@ void ContactTimePanel::add_labels(Plot& plot) const {
                                                {.at = contact, .offset = {0.7, -0.5}},
                                                at_right(0.0, true, -note_height, true)});
     if (are_points_) return;
-    add(three_digits(other.x) + " is too late",
+    add("they would separate at " + three_digits(other.x),
         {at_right(contact_, false, 1.3),
          at_right(0.0, true, 1.1),
          at_right(0.0, true, 2.1),

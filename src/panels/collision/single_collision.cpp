@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/palette.h"
 #include "panels/gas/bead_words.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
@@ -230,10 +231,20 @@ ArrowStyle SingleCollisionPanel::style(const DrawContext& dc, Color color) const
     return plot::arrow_style(dc, color, dc.theme.page, 0.07);
 }
 
-// Open arrows where there is no other colour to tell them by.
+// A colour that neither particle has; open arrows where there is no such colour.
 ArrowStyle SingleCollisionPanel::change_style(const DrawContext& dc) const {
     const Color accent = edge_of(dc.theme.accent, dc.theme);
-    if (to_pixel(accent) != to_pixel(dc.theme.ink)) return style(dc, accent);
+    const Color first = color_of(context_, met_, 0, dc.theme),
+                second = color_of(context_, met_, 1, dc.theme);
+    constexpr double least_difference = 0.12;
+    if (to_pixel(accent) != to_pixel(dc.theme.ink)) {
+        const bool is_apart =
+            std::min(difference(accent, first), difference(accent, second)) > least_difference;
+        return style(
+            dc, is_apart ? accent
+                         : edge_of(kind_colors_beside(ColorMap({first, second}), dc.theme).front(),
+                                   dc.theme));
+    }
     ArrowStyle open = style(dc, dc.theme.page);
     open.edge = std::max(1.0, 0.1 * dc.unit);
     open.edge_color = dc.theme.ink;
@@ -313,9 +324,12 @@ void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
     TextStyle style = label_style(dc);
     style.align = Align::center;
     const double middle = stage.area.x + stage.area.width / 2;
-    for (const char* words : {index == 1 ? "changes " : "speeds ", ""}) {
+    using Words = std::array<const char*, 3>;
+    for (const char* words : index == 1 ? Words{"changes ", "|Δ<i>v</i>| ", "Δ "}
+                                        : Words{"speeds ", "|<i>v</i>| ", ""}) {
         const std::string text = amounts(index, dc, words);
-        if (*words != '\0' && measure_text(text, style).width > stage.area.width) continue;
+        const bool is_last = *words == '\0' || std::string_view(words) == "Δ ";
+        if (!is_last && measure_text(text, style).width > stage.area.width) continue;
         draw_text(canvas, {middle, stage.area.bottom() - 0.3 * dc.unit}, text, style);
         return;
     }

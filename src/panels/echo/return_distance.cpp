@@ -180,11 +180,11 @@ std::string ReturnDistancePanel::account_of(const Echo& run, std::size_t shown) 
         if (step.reversal != run.steps[shown - 1].reversal || !step.is_known) continue;
         last = &step;
         if (run.radius > 0.0 && step.apart.log10_largest > std::log10(run.radius))
-            return fmt::format("a radius astray after {} collisions of each",
+            return fmt::format("one radius off after {} collisions of each",
                                three_digits(step.collisions));
     }
-    if (last == nullptr) return "not on the way back";
-    return fmt::format("{} from the way out after {} collisions of each",
+    if (last == nullptr) return "not yet reversed";
+    return fmt::format("a return error of {} after {} collisions of each",
                        three_digits_of_power(last->apart.log10_largest),
                        three_digits(last->collisions));
 }
@@ -281,7 +281,7 @@ void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t shown
     const Echo& echo = record_.runs[run];
     const Steps points = law(echo, shown > 0 ? echo.steps[shown - 1].reversal : 0);
     if (points.empty()) return;
-    Line curve = line("curve", "growth law", points, largest);
+    Line curve = line("curve", "upper estimate", points, largest);
     if (shown == 0) curve.shown.end = 0;
     curve.stroke = {.role = {Role::Of::accent}, .width = law_width};
     curve.depth = static_cast<int>(record_.runs.size()) + 1;
@@ -306,7 +306,7 @@ void ReturnDistancePanel::add_level(Plot& plot) const {
     level.more = {column(distance_column, {first.radius})};
     level.still = true;
     Label name;
-    name.words = {first.all_alike ? "a radius" : "a mean radius"};
+    name.words = {first.all_alike ? "one radius" : "mean radius"};
     name.anchors = {{.at = {1.0, power},
                      .x_is_share = true,
                      .offset = {-0.4, 1.2},
@@ -329,7 +329,7 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
     marker.value = along(*there);
     marker.still = true;
     Label name;
-    name.words = {"home"};
+    name.words = {"exact return", "return"};
     name.anchors = {{.at = {marker.value, 1.0},
                      .y_is_share = true,
                      .offset = {-0.4, -0.5},
@@ -342,8 +342,8 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
 void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     Label label;
-    const std::string time = "time " + three_digits(run.reversals.front());
-    label.words = {"begins at " + time, "from " + time};
+    const std::string time = "<i>t</i> = " + three_digits(run.reversals.front());
+    label.words = {"starts at the reversal, " + time, "starts at " + time, time};
     for (const Point at : {Point{0.5, 0.5}, {0.5, 0.75}, {0.5, 0.25}, {0.6, 0.5}})
         label.anchors.push_back({.at = at,
                                  .x_is_share = true,
@@ -356,9 +356,9 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
 // With the bits of the run's numbers, which are why it returns or does not. The growth law is the
 // same for all runs, or there is none to name.
 void ReturnDistancePanel::add_words(Plot& plot) const {
-    const std::string title = "Distance from the way out";
+    const std::string title = "Return error";
     const int bits = context_.scene.run.bits.value_or(bits_of_double);
-    plot.titles = {fmt::format("{}, in numbers of {} bits", title, bits),
+    plot.titles = {fmt::format("{} ({}-bit arithmetic)", title, bits),
                    fmt::format("{}, {} bits", title, bits), title};
     if (compares()) plot.titles = {title};
     if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
@@ -369,8 +369,8 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
         for (const Distance& distance : {largest, root_mean_square})
             lines.entries.push_back({stroke(distance, 0), {distance.name, distance.short_name}});
     if (has_law())
-        lines.entries.push_back(
-            {Stroke{.role = {Role::Of::accent}, .width = law_width}, {"growth law"}});
+        lines.entries.push_back({Stroke{.role = {Role::Of::accent}, .width = law_width},
+                                 {"upper estimate of growth", "upper estimate"}});
     lines.wraps = true;
     plot.notes = {std::move(lines)};
     std::vector<std::string> names;
@@ -380,7 +380,9 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
     if (has_law() &&
         std::ranges::all_of(record_.runs, [&](const Echo& run) { return run.bits == lost; }))
         plot.finding = fmt::format(
-            "The growth law: distances double {} times with each collision of a particle.",
+            "Upper estimate of the growth: small distances double {} times with each collision of "
+            "a "
+            "particle.",
             three_digits(*lost));
 }
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "panels/chosen.h"
 #include "panels/plot/layers.h"
@@ -18,17 +21,10 @@
 namespace carom {
 namespace {
 
-constexpr std::uint8_t last_shade = 255;
-
-bool by_kind(ColorBy color_by) {
-    return color_by == ColorBy::species || color_by == ColorBy::speed_class;
-}
-
-ColorMap scale_colors(const Scene& scene, const Theme& theme) {
-    if (!scene.film.palette && theme.kind == ThemeKind::print) return grey_map();
-    const std::string name = scene.film.palette.value_or("viridis");
-    return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
-}
+// Shades: those of the scale or of the classes of speed, then these, then the species.
+constexpr std::uint16_t scale_shades = 256;
+constexpr std::uint16_t infinite_shade = scale_shades, resting_shade = scale_shades + 1,
+                        first_species = scale_shades + 2;
 
 std::string scale_title(ColorBy color_by) {
     switch (color_by) {
@@ -41,6 +37,18 @@ std::string scale_title(ColorBy color_by) {
     }
 }
 
+std::string scale_name(const Scene& scene) {
+    return scene.film.color_by == ColorBy::direction ? "direction"
+                                                     : scene.film.palette.value_or("viridis");
+}
+
+ColorMap scale_colors(const Scene& scene, const Theme& theme) {
+    const std::string name = scale_name(scene);
+    if (name == "direction") return direction_map(theme);
+    if (!scene.film.palette && theme.kind == ThemeKind::print) return grey_map();
+    return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
+}
+
 }  // namespace
 
 std::vector<std::string> palette_names() {
@@ -48,6 +56,20 @@ std::vector<std::string> palette_names() {
     std::vector<std::string> names(maps.begin(), maps.end());
     names.emplace_back("netlogo");
     return names;
+}
+
+Color kind_in(const Scene& scene, std::size_t index, const Theme& theme) {
+    const ColorBy by = scene.film.color_by;
+    if (by == ColorBy::species || by == ColorBy::speed_class || theme.kind == ThemeKind::print)
+        return kind_color(index, theme);
+    // A set for each map and theme, made once: searching it takes a while.
+    using Key = std::pair<std::string, ThemeKind>;
+    static std::mutex mutex;
+    static std::map<Key, std::vector<Color>> sets;
+    const std::scoped_lock lock(mutex);
+    std::vector<Color>& set = sets[{scale_name(scene), theme.kind}];
+    if (set.empty()) set = kind_colors_beside(scale_colors(scene, theme), theme);
+    return set[index % set.size()];
 }
 
 std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme) {
@@ -109,20 +131,27 @@ void GasColors::archive(Archive& archive) {
     shades_ = make_shades(theme_of(context_.scene.film.theme));
 }
 
-std::uint8_t GasColors::shade(Eigen::Index i, double speed, double mean_speed) const {
-    switch (context_.scene.film.color_by) {
-        case ColorBy::species:
-            return static_cast<std::uint8_t>(context_.particles.species[i]);
-        case ColorBy::speed_class:
-            return static_cast<std::uint8_t>(speed_class(speed, mean_speed));
-        default: {
-            const double its = value(i, speed);
-            if (!std::isfinite(its)) return last_shade;
-            const double share = std::clamp(its / scale_top_, 0.0, 1.0);
-            return static_cast<std::uint8_t>(
-                std::lround(share * (tells_infinite() ? last_shade - 1 : last_shade)));
-        }
+std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
+    const auto species = static_cast<std::size_t>(context_.particles.species[i]);
+    if (context_.scene.film.color_by == ColorBy::species || has_own_color(species))
+        return static_cast<std::uint16_t>(first_species + species);
+    const auto on_scale = [](double share) {
+        return static_cast<std::uint16_t>(std::lround(share * (scale_shades - 1)));
+    };
+    if (context_.scene.film.color_by == ColorBy::speed_class)
+        return static_cast<std::uint16_t>(speed_class(motion.speed, motion.mean_speed));
+    if (context_.scene.film.color_by == ColorBy::direction) {
+        if (motion.speed == 0.0) return resting_shade;
+        const double turns =
+            std::atan2(motion.direction[1], motion.direction[0]) / (2.0 * std::numbers::pi);
+        return on_scale(turns - std::floor(turns));
     }
+    if (is_told_infinite(i)) return infinite_shade;
+    return on_scale(std::clamp(value(i, motion.speed) / scale_top_, 0.0, 1.0));
+}
+
+bool GasColors::has_own_color(std::size_t species) const {
+    return context_.scene.looks[species].color.has_value();
 }
 
 // A scale is searched for where it begins to stand out from the ground: not in every frame.
@@ -132,44 +161,101 @@ std::vector<Color> GasColors::of_shades(const Theme& theme) const {
 }
 
 std::vector<Color> GasColors::make_shades(const Theme& theme) const {
-    std::vector<Color> colors;
-    if (context_.scene.film.color_by == ColorBy::species) {
-        for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
-            colors.push_back(plot::color_of(species_role(context_, k), theme));
-        return colors;
+    std::vector<Color> colors(first_species, theme.ink);
+    if (context_.scene.film.color_by == ColorBy::speed_class) {
+        std::ranges::copy(speed_class_colors(context_.scene, theme), colors.begin());
+    } else {
+        const ColorMap map = scale_colors(context_.scene, theme);
+        for (std::size_t i = 0; i < scale_shades; ++i)
+            colors[i] = map.at(double(i) / (scale_shades - 1));
     }
-    if (context_.scene.film.color_by == ColorBy::speed_class)
-        return speed_class_colors(context_.scene, theme);
-    const ColorMap map = scale_colors(context_.scene, theme);
-    const int last = tells_infinite() ? last_shade - 1 : last_shade;
-    for (int i = 0; i <= last; ++i) colors.push_back(map.at(double(i) / last));
-    if (tells_infinite()) colors.push_back(theme.ink);
+    for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
+        colors.push_back(plot::color_of(species_role(context_, k), theme));
     return colors;
 }
 
 bool GasColors::is_told_infinite(Eigen::Index particle) const {
-    return tells_infinite() && context_.particles.inverse_mass[particle] == 0.0;
+    return tells_infinite() && context_.particles.inverse_mass[particle] == 0.0 &&
+           !has_own_color(static_cast<std::size_t>(context_.particles.species[particle]));
+}
+
+struct GasColors::Entry {
+    Color color;
+    std::string name;
+    bool is_hatched = false;
+};
+
+// The colours with a name each; species only where the film or their own colour tells them apart.
+std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
+    const std::vector<Color> colors = of_shades(theme);
+    const ColorBy by = context_.scene.film.color_by;
+    std::vector<Entry> all;
+    if (by == ColorBy::speed_class)
+        all = {{colors[0], "slow"}, {colors[1], "medium"}, {colors[2], "fast"}};
+    if (by == ColorBy::direction && context_.scene.gas.box.dimension == 1)
+        all = {{colors[0], "to the right"}, {colors[scale_shades / 2], "to the left"}};
+    if (tells_infinite()) all.push_back({colors[infinite_shade], "infinite", true});
+    for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
+        if (by == ColorBy::species || has_own_color(k))
+            all.push_back({colors[first_species + k], context_.scene.gas.species[k].name});
+    return all;
 }
 
 void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
-    if (by_kind(context_.scene.film.color_by))
-        draw_legend(canvas, dc);
-    else
-        draw_scale(canvas, dc);
+    const double u = dc.unit;
+    const ColorBy by = context_.scene.film.color_by;
+    const double entries_height = 2.4 * u * static_cast<double>(entries(dc.theme).size());
+    double y = dc.area.y + 0.9 * u;
+    if (by == ColorBy::direction && context_.scene.gas.box.dimension == 2) {
+        draw_wheel(canvas, dc);
+        y += 8.4 * u;
+    } else if (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass) {
+        const double bottom =
+            std::max(dc.area.y + 7.8 * u, dc.area.bottom() - std::min(entries_height, 6.0 * u));
+        draw_bar(canvas, dc, bottom);
+        y = bottom + 1.9 * u;
+    }
+    y = draw_entries(canvas, dc, y);
+    if (by != ColorBy::speed_class) return;
+    for (const char* line : {"below ½,", "above 1½", "of the", "mean"}) {
+        draw_text(canvas, {dc.area.x, y}, line, label_style(dc));
+        y += 1.5 * u;
+    }
 }
 
-void GasColors::draw_scale(Canvas& canvas, const DrawContext& dc) const {
-    const double u = dc.unit;
-    const double below = tells_infinite() ? 2.4 * u : 0.0;
-    const double height = std::max(6.0 * u, dc.area.height - 1.8 * u - below);
-    const double middle = dc.area.y + dc.area.height / 2;
-    const Rect bar{dc.area.x, std::max(dc.area.y + 1.8 * u, middle - height / 2), 0.8 * u, height};
+// A ring of the colours, and arrows to all sides.
+void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
+    const double u = dc.unit, radius = 2.2 * u;
+    const Point center{dc.area.x + radius + 0.4 * u, dc.area.y + 1.5 * u + radius};
     const ColorMap map = scale_colors(context_.scene, dc.theme);
-    constexpr int steps = 256;
+    draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u}, "direction", label_style(dc));
+    constexpr int steps = 96;
+    const auto at = [&](double turns, double distance) -> Point {
+        const double angle = 2.0 * std::numbers::pi * turns;
+        return {center.x + distance * std::cos(angle), center.y - distance * std::sin(angle)};
+    };
     for (int i = 0; i < steps; ++i) {
-        const double top = bar.bottom() - bar.height * (i + 1) / steps;
-        canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / steps) + 1.0},
-                    map.at(i / (steps - 1.0)));
+        const double from = (i - 0.6) / steps, to = (i + 0.6) / steps;
+        const std::vector<Point> part{at(from, radius), at(to, radius), at(to, 0.62 * radius),
+                                      at(from, 0.62 * radius)};
+        canvas.fill_polygon(part, map.at(double(i) / steps));
+    }
+    for (const double turns : {0.0, 0.25, 0.5, 0.75}) {
+        canvas.stroke_line(center, at(turns, 0.5 * radius), 0.1 * u, dc.theme.muted);
+        const std::vector<Point> head{at(turns, 0.56 * radius), at(turns + 0.06, 0.4 * radius),
+                                      at(turns - 0.06, 0.4 * radius)};
+        canvas.fill_polygon(head, dc.theme.muted);
+    }
+}
+
+void GasColors::draw_bar(Canvas& canvas, const DrawContext& dc, double bottom) const {
+    const double u = dc.unit;
+    const Rect bar{dc.area.x, dc.area.y + 1.8 * u, 0.8 * u, bottom - dc.area.y - 1.8 * u};
+    const ColorMap map = scale_colors(context_.scene, dc.theme);
+    for (int i = 0; i < scale_shades; ++i) {
+        const double top = bar.bottom() - bar.height * (i + 1) / scale_shades;
+        canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / scale_shades) + 1.0},
+                    map.at(i / (scale_shades - 1.0)));
     }
     draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, scale_title(context_.scene.film.color_by),
               label_style(dc));
@@ -179,46 +265,35 @@ void GasColors::draw_scale(Canvas& canvas, const DrawContext& dc) const {
                   {bar.right() + 0.4 * u,
                    std::clamp(scale(tick.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
                   tick.label, label_style(dc));
-    if (!tells_infinite()) return;
-    const Point infinite{bar.x + 0.6 * u, bar.bottom() + 1.6 * u};
-    canvas.fill_circle(infinite, 0.7 * u, dc.theme.ink);
-    draw_hatching(canvas, dc, infinite, 0.7 * u);
-    draw_text(canvas, {infinite.x + 1.0 * u, infinite.y + 0.36 * u}, "infinite", label_style(dc));
 }
 
-void GasColors::draw_legend(Canvas& canvas, const DrawContext& dc) const {
+// From the baseline `y` on, as many as there is room for; where the next one would be.
+double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) const {
     const double u = dc.unit;
-    std::vector<std::string> names{"slow", "medium", "fast"};
-    if (context_.scene.film.color_by == ColorBy::species) {
-        names.clear();
-        for (const Species& species : context_.scene.gas.species) names.push_back(species.name);
-    }
-    const std::vector<Color> colors = of_shades(dc.theme);
+    const std::vector<Entry> all = entries(dc.theme);
     TextStyle style = label_style(dc);
     style.max_width = dc.area.width - 1.4 * u;
-    double y = dc.area.y + 0.9 * u;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        const std::vector<std::string> lines = wrapped(names[k], style, 2);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const Entry& entry = all[k];
+        const std::vector<std::string> lines = wrapped(entry.name, style, 2);
         const double end = y + 1.4 * u * static_cast<double>(lines.size() - 1);
-        const double last = k + 1 == names.size() ? 0.0 : 1.8 * u;  // room for how many more
+        const double last = k + 1 == all.size() ? 0.0 : 1.8 * u;  // room for how many more
         if (k > 1 && end + last > dc.area.bottom()) {
-            draw_text(canvas, {dc.area.x, y}, fmt::format("and {} more", names.size() - k),
+            draw_text(canvas, {dc.area.x, y}, fmt::format("and {} more", all.size() - k),
                       label_style(dc));
             break;
         }
         const Point swatch{dc.area.x + 0.5 * u, y - 0.35 * u};
-        canvas.fill_circle(swatch, 0.45 * u, edge_of(colors[k], dc.theme));
-        canvas.fill_circle(swatch, 0.38 * u, colors[k]);
+        const double radius = entry.is_hatched ? 0.62 * u : 0.38 * u;
+        if (!entry.is_hatched) canvas.fill_circle(swatch, 0.45 * u, edge_of(entry.color, dc.theme));
+        canvas.fill_circle(swatch, radius, entry.color);
+        if (entry.is_hatched) draw_hatching(canvas, dc, swatch, radius);
         for (std::size_t line = 0; line < lines.size(); ++line)
             draw_text(canvas, {dc.area.x + 1.4 * u, y + 1.4 * u * static_cast<double>(line)},
                       escape_markup(lines[line]), style);
         y = end + 1.8 * u;
     }
-    if (context_.scene.film.color_by != ColorBy::speed_class) return;
-    const std::array bounds{"below ½,", "above 1½", "of the", "mean"};
-    for (std::size_t k = 0; k < bounds.size(); ++k)
-        draw_text(canvas, {dc.area.x, dc.area.y + (7.2 + 1.5 * double(k)) * u}, bounds[k],
-                  label_style(dc));
+    return y;
 }
 
 }  // namespace carom

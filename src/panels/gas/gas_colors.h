@@ -1,5 +1,5 @@
-// What the colour of a particle says (speed, energy, mass, species): one scale for the whole film,
-// and its key. Knows no places.
+// What the colour of a particle says (speed, energy, direction, mass, species): one scale for the
+// whole film, and its key. Knows no places.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,10 @@ namespace carom {
 
 /// Names of the colours from slow to fast: the colour maps, and `netlogo`.
 std::vector<std::string> palette_names();
+
+/// The colour of a kind in pictures of a scene: where the colours of the gas are a scale, not one
+/// of these. Can be called from any thread.
+Color kind_in(const Scene& scene, std::size_t index, const Theme& theme);
 
 /// The colours of slow, medium and fast.
 std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme);
@@ -32,12 +36,18 @@ class GasColors {
     /// Writes or reads the scale.
     void archive(Archive& archive);
 
-    /// The colour of a particle at a speed, as an index into of_shades(); `mean_speed` is that of
-    /// all.
-    std::uint8_t shade(Eigen::Index particle, double speed, double mean_speed) const;
+    /// The motion of a particle, and the mean speed of all.
+    struct Motion {
+        double speed;
+        Eigen::Array2d direction;  ///< of any length; y is 0 on a line
+        double mean_speed;
+    };
+
+    /// The colour of a particle, as an index into of_shades().
+    std::uint16_t shade(Eigen::Index particle, const Motion& motion) const;
     std::vector<Color> of_shades(const Theme& theme) const;
 
-    /// Whether the scale tells infinite masses from all others, by their shade, the last, and
+    /// Whether the scale tells infinite masses from all others, by a shade of their own and
     /// hatching.
     bool tells_infinite() const { return tells_infinite_; }
     bool is_told_infinite(Eigen::Index particle) const;
@@ -48,8 +58,12 @@ class GasColors {
   private:
     std::vector<Color> make_shades(const Theme& theme) const;
     double value(Eigen::Index particle, double speed) const;
-    void draw_scale(Canvas& canvas, const DrawContext& dc) const;
-    void draw_legend(Canvas& canvas, const DrawContext& dc) const;
+    bool has_own_color(std::size_t species) const;
+    struct Entry;
+    std::vector<Entry> entries(const Theme& theme) const;
+    double draw_entries(Canvas& canvas, const DrawContext& dc, double y) const;
+    void draw_bar(Canvas& canvas, const DrawContext& dc, double bottom) const;
+    void draw_wheel(Canvas& canvas, const DrawContext& dc) const;
 
     PanelContext context_;
     bool tells_infinite_;

@@ -143,7 +143,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     const std::vector<Color> colors = colors_.of_shades(theme);
     const Eigen::ArrayXd& radius = context_.particles.radius;
     for (Eigen::Index i = 0; i < gas.place.rows(); ++i) {
-        const std::uint8_t shade = gas.shades[static_cast<std::size_t>(i)];
+        const std::uint16_t shade = gas.shades[static_cast<std::size_t>(i)];
         add_row(table, "disk", i,
                 {gas.place(i, 0), gas.place(i, 1), radius[i], hex_of(colors[shade % colors.size()]),
                  label(i, gas)},

@@ -14,8 +14,12 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     const double mean_speed = input.speed.mean();
     state.place = places.cast<float>();
     if (arrows_.shown()) state.velocity = input.sample.velocity.cast<float>();
+    const Eigen::ArrayXXd& velocity = input.sample.velocity;
+    const auto direction = [&](Eigen::Index i) -> Eigen::Array2d {
+        return {velocity(i, 0), velocity.cols() == 2 ? velocity(i, 1) : 0.0};
+    };
     for (Eigen::Index i = 0; i < places.rows(); ++i)
-        state.shades.push_back(colors_.shade(i, input.speed[i], mean_speed));
+        state.shades.push_back(colors_.shade(i, {input.speed[i], direction(i), mean_speed}));
     state.label_alpha = name_alpha(context_, input.tick);
     ghosts_.see(input.tick, places);
     state.ghosts = ghosts_.present();

@@ -15,9 +15,9 @@ namespace carom {
 
 /// What such a panel shows in one frame, in single precision.
 struct ParticleState : PanelState {
-    Eigen::ArrayXXf place;             ///< of all particles, a column for each axis, as drawn
-    Eigen::ArrayXXf velocity;          ///< empty: not shown
-    std::vector<std::uint8_t> shades;  ///< index into the film's colours
+    Eigen::ArrayXXf place;              ///< of all particles, a column for each axis, as drawn
+    Eigen::ArrayXXf velocity;           ///< empty: not shown
+    std::vector<std::uint16_t> shades;  ///< index into the film's colours
     double label_alpha = 0.0;
     std::shared_ptr<const Ghosts> ghosts;  ///< may be null
     double ghost_words = 0.0;
@@ -25,7 +25,7 @@ struct ParticleState : PanelState {
 
     std::size_t bytes() const override {
         return static_cast<std::size_t>(place.size() + velocity.size()) * sizeof(float) +
-               shades.size();
+               shades.size() * sizeof(std::uint16_t);
     }
 };
 

@@ -62,7 +62,7 @@ struct LinePanel::Drawing {
 
     Eigen::Index count() const { return context.particles.count(); }
     double place(Eigen::Index i) const { return static_cast<double>(now.place(i, 0)); }
-    Color color_of(std::uint8_t shade) const { return colors[shade % colors.size()]; }
+    Color color_of(std::uint16_t shade) const { return colors[shade % colors.size()]; }
     Color color(Eigen::Index i) const { return color_of(now.shades[static_cast<std::size_t>(i)]); }
     bool is_rod(Eigen::Index i) const { return map.is_true(i) ? v.rods : v.larger_rods; }
 
@@ -284,7 +284,7 @@ void LinePanel::Drawing::draw_band(std::size_t line) const {
 // In one colour, or in those of the speeds.
 void LinePanel::Drawing::draw_line(std::size_t line, std::optional<Color> one, double width) const {
     const std::vector<WorldLines::Bend>& bends = now.lines[line];
-    const auto own = [&](std::uint8_t shade) { return edge_of(color_of(shade), dc.theme); };
+    const auto own = [&](std::uint16_t shade) { return edge_of(color_of(shade), dc.theme); };
     const auto [least, most] = std::ranges::minmax(bends, {}, &WorldLines::Bend::place);
     for_each_turn(least.place, most.place, [&](double back) {
         std::vector<Point> path;

@@ -128,7 +128,7 @@ Table LinePanel::table(const PanelState& state, const Theme& theme) const {
                  column_name("radius as drawn", reduced::length), "colour", "label"}};
     if (arrows_.shown()) table.columns.push_back(column_name("velocity", reduced::speed));
     const std::vector<Color> colors = colors_.of_shades(theme);
-    const auto color = [&](std::uint8_t shade) { return hex_of(colors[shade % colors.size()]); };
+    const auto color = [&](std::uint16_t shade) { return hex_of(colors[shade % colors.size()]); };
     for (Eigen::Index i = 0; i < now.place.rows(); ++i) {
         std::string label = words_on(context_, i, shown_labels());
         if (label.empty() && now.label_alpha > 0.0 && stands_out(context_, i))

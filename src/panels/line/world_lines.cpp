@@ -43,9 +43,11 @@ void WorldLines::choose(const LineMap& map) {
 void WorldLines::bend(std::size_t line, double time, double place, double mean_speed) {
     std::deque<Bend>& bends = bends_[line];
     if (!bends.empty() && time - bends.back().time < finest * memory_) return;
-    const double speed =
-        bends.empty() ? 0.0 : std::abs(place - bends.back().place) / (time - bends.back().time);
-    bends.push_back({time, place, colors_.shade(particles_[line], speed, mean_speed)});
+    const double velocity =
+        bends.empty() ? 0.0 : (place - bends.back().place) / (time - bends.back().time);
+    bends.push_back(
+        {time, place,
+         colors_.shade(particles_[line], {std::abs(velocity), {velocity, 0.0}, mean_speed})});
 }
 
 void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,

@@ -15,9 +15,9 @@ class WorldLines {
   public:
     /// A place and a time at which a velocity changes.
     struct Bend {
-        double time;         ///< simulated
-        double place;        ///< as drawn, length
-        std::uint8_t shade;  ///< of the piece that ends here
+        double time;          ///< simulated
+        double place;         ///< as drawn, length
+        std::uint16_t shade;  ///< of the piece that ends here
     };
 
     /// Of the last `memory` units of simulated time. Refers to the map and the colours.

@@ -1,4 +1,4 @@
-// Lines that grow, their ways back, and bands of errors around them; points.
+// Lines that grow, and bands of errors around them; points.
 #include <algorithm>
 #include <cmath>
 
@@ -9,28 +9,13 @@ namespace {
 
 constexpr double detail = 0.08;  // units: points nearer than half a line's width show nothing new
 
-// A tint for the way back, which lies inside a line of the colour itself: on any ground it is seen.
-Color lighter(Color color) { return mix(color, rgb(0xFFFFFF), 0.7); }
-
 template <class Curve>
 std::size_t end_of(const Curve& curve) {
     return std::min(curve.shown.end, curve.x.size());
 }
 
-template <class Curve>
-bool piece_ends(const Curve& curve, std::size_t i) {
-    return i + 1 == end_of(curve) || (curve.piece && (*curve.piece)[i + 1] != (*curve.piece)[i]);
-}
-
-void draw_piece(Canvas& canvas, const Frame& frame, const Line& line, std::size_t last,
-                const std::vector<Point>& path) {
-    Stroke stroke = line.stroke;
-    const bool is_way_back = line.turns_back && line.piece && (*line.piece)[last] % 2 == 1;
-    if (is_way_back) stroke.width += 0.1;
-    draw_stroke(canvas, frame.dc, path, stroke);
-    if (is_way_back)
-        canvas.stroke_path(path, frame.pixels(0.12), lighter(color_of(stroke, frame.dc.theme)),
-                           dashes_of(stroke, frame.dc));
+bool piece_ends(const Line& line, std::size_t i) {
+    return i + 1 == end_of(line) || (line.piece && (*line.piece)[i + 1] != (*line.piece)[i]);
 }
 
 }  // namespace
@@ -49,9 +34,8 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
             is_apart(path.back(), *last, frame.pixels(detail)))
             path.push_back(*last);
         if (!ends) continue;
-        draw_piece(canvas, frame, line, i, path);
+        draw_stroke(canvas, frame.dc, path, line.stroke);
         path.clear();
-        if (line.joins_pieces) path.push_back(*last);
     }
     if (line.beyond == Beyond::cut) canvas.release_clip();
     if (last && line.head) draw_mark(canvas, frame.dc, *last, *line.head);
@@ -67,7 +51,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
         lower.clear();
     };
     for (std::size_t i = band.shown.first; i < end_of(band); ++i) {
-        const bool ends = piece_ends(band, i);
+        const bool ends = i + 1 == end_of(band);
         if (std::isfinite(band.error[i])) {
             const double x = frame.x(band.x[i]);
             const Point high{x, frame.y(band.y[i] + band.error[i], Beyond::clamped)};

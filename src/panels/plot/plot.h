@@ -149,9 +149,7 @@ struct Line : Layer {
     Shown shown = {};
     std::shared_ptr<const std::vector<int>> piece = {};  ///< none: one piece
     std::string piece_column = {};                       ///< of the table; empty: not listed
-    bool turns_back = false;    ///< its odd pieces are ways back, drawn inside the line
-    bool joins_pieces = false;  ///< a piece begins where the one before ends
-    bool is_thinned = true;     ///< points that lie on one another are drawn once
+    bool is_thinned = true;  ///< points that lie on one another are drawn once
     Stroke stroke = {};
     Beyond beyond = Beyond::clamped;
     std::optional<Mark> head = {};  ///< where it has come to

@@ -21,7 +21,8 @@ const plot::Stroke of_fit{.role = {.of = plot::Role::Of::highlight},
 std::optional<plot::Line> fit_of(const PanelContext& context, const SeriesRun& run,
                                  std::size_t line, double from, double& coefficient) {
     std::vector<double> times, squares;
-    for (std::size_t i = 0; i < run.time.size() && run.reversals[i] == 0; ++i) {
+    const double reversal = run.turns.empty() ? INFINITY : run.turns.front();
+    for (std::size_t i = 0; i < run.time.size() && run.time[i] <= reversal; ++i) {
         const bool stands = !times.empty() && times.back() == run.time[i];
         if (run.time[i] < from || stands || !std::isfinite(run.lines[line][i])) continue;
         times.push_back(run.time[i]);
@@ -50,7 +51,7 @@ void add_fits(const PanelContext& context, const std::vector<Chosen>& chosen, do
             if (!line) continue;
             line->of = name_of(context, chosen[compares ? record.compared : i]);
             line->x.name = whole.columns[0];
-            line->y.name = whole.columns[2];
+            line->y.name = whole.columns[1];
             if (compares) line->run = k;
             if (compares) line->stroke = plot::stroke_of_run(k, of_fit.width);
             const std::string value = three_digits(coefficient);

@@ -8,6 +8,7 @@
 
 #include "draw/axis.h"
 #include "panels/chosen.h"
+#include "physics/reversal/mirrored_events.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 
@@ -18,8 +19,6 @@ using plot::Role;
 
 constexpr int band_depth = 1000;  // behind all lines
 const Role muted{.of = Role::Of::muted};
-
-std::string time_column() { return column_name("time", reduced::time); }
 
 // A word beside an upright line, where the axis has more room, as low as no line crosses it.
 plot::Label label_beside(const plot::Axis& axis, double at, const std::string& word) {
@@ -77,8 +76,7 @@ SeriesPanel::SeriesPanel(const PanelContext& context, SeriesSubject subject)
 void SeriesPanel::survey(const FrameInput& input) {
     const std::vector<double> now = subject_.measure(input);
     SeriesRun& run = record_.runs.front();
-    run.time.push_back(folded_time(context_.scene.run, input.tick.time));
-    run.reversals.push_back(input.tick.reversals);
+    run.time.push_back(input.tick.time);
     run.lines.resize(now.size());
     for (std::size_t k = 0; k < now.size(); ++k) run.lines[k].push_back(now[k]);
 }
@@ -86,11 +84,19 @@ void SeriesPanel::survey(const FrameInput& input) {
 void SeriesPanel::finish_record() {
     SeriesRun& run = record_.runs.front();
     if (subject_.reference) run.level = subject_.reference();
-    for (const double at : reversal_times(context_.scene.run))
-        run.turns.push_back(folded_time(context_.scene.run, at));
-    for (const RunEvent& event : context_.scene.run.events)
-        if (const std::string word = series_event_word(event); !word.empty())
-            run.events.emplace_back(folded_time(context_.scene.run, event.at), word);
+    run.turns = reversal_times(context_.scene.run);
+    const auto add = [&](double at, const std::string& word) {
+        if (!word.empty()) run.events.emplace_back(at, word);
+    };
+    const std::vector<RunEvent>& events = context_.scene.run.events;
+    for (const RunEvent& event : events) add(event.at, series_event_word(event));
+    for (const MirroredEvent& mirrored : mirrored_events(context_.scene.run)) {
+        const RunEvent& event = events[mirrored.event];
+        const auto opposite = mirrored.is_undone ? opposite_of(event) : event;
+        add(mirrored.at, opposite                           ? series_event_word(*opposite)
+                         : series_event_word(event).empty() ? ""
+                                                            : "undone");
+    }
 }
 
 void SeriesPanel::archive(Archive& archive) {
@@ -141,9 +147,16 @@ plot::Axis SeriesPanel::axis_up() const {
     return {.high = round_up_for_axis(most)};
 }
 
+// The clock of a film runs back after a reversal; this axis does not.
+std::string SeriesPanel::time_name() const {
+    const bool turns =
+        std::ranges::any_of(record_.runs, [](const SeriesRun& run) { return !run.turns.empty(); });
+    return turns ? "elapsed time" : "time";
+}
+
 void SeriesPanel::make_axes() {
     whole_ = {};
-    whole_.x = {.title = "time", .low = INFINITY, .high = -INFINITY};
+    whole_.x = {.title = time_name(), .low = INFINITY, .high = -INFINITY};
     for (const SeriesRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, *std::ranges::min_element(run.time));
         whole_.x.high = std::max(whole_.x.high, *std::ranges::max_element(run.time));
@@ -158,7 +171,7 @@ void SeriesPanel::make_plot() {
     const std::string column = column_name(subject_.quantity, subject_.unit);
     whole_.titles = subject_.titles;
     if (compares && subject_.compared_title) whole_.titles = {*subject_.compared_title};
-    whole_.columns = {time_column(), "reversals (count)", column};
+    whole_.columns = {column_name(time_name(), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
     if (const std::vector<std::string> words = notes(); !words.empty())
@@ -203,8 +216,7 @@ std::vector<std::string> SeriesPanel::notes() const {
 void SeriesPanel::add_run(std::size_t k) {
     const SeriesRun& run = record_.runs[k];
     const bool compares = record_.compares();
-    const plot::Column time = plot::column(time_column(), run.time);
-    const auto piece = std::make_shared<const std::vector<int>>(run.reversals);
+    const plot::Column time = plot::column(whole_.columns[0], run.time);
     for (std::size_t i = 0; i < run.lines.size(); ++i) {
         const SeriesSubject::Line& subject = subject_.lines.at(compares ? record_.compared : i);
         plot::Line line;
@@ -213,10 +225,7 @@ void SeriesPanel::add_run(std::size_t k) {
         if (compares) line.run = k;
         line.depth = static_cast<int>(compares ? k : i);
         line.x = time;
-        line.y = plot::column(whole_.columns[2], run.lines[i]);
-        line.piece = piece;
-        line.piece_column = whole_.columns[1];
-        line.turns_back = line.joins_pieces = true;
+        line.y = plot::column(whole_.columns[1], run.lines[i]);
         line.stroke = compares
                           ? plot::stroke_of_run(k)
                           : plot::Stroke{.role = subject.role,
@@ -227,8 +236,7 @@ void SeriesPanel::add_run(std::size_t k) {
             plot::Band band;
             band.x = line.x;
             band.y = line.y;
-            band.error = plot::column(whole_.columns[3], run.errors[i]);
-            band.piece = piece;
+            band.error = plot::column(whole_.columns[2], run.errors[i]);
             band.role = subject.role;
             band.depth = band_depth;
             line.more = {band.error};
@@ -246,7 +254,7 @@ void SeriesPanel::add_levels() {
         level.of = of.name;
         level.still = true;
         level.x_column = whole_.columns[0];
-        level.column = whole_.columns[2];
+        level.column = whole_.columns[1];
         level.value = of.value;
         return level;
     };
@@ -273,7 +281,7 @@ void SeriesPanel::add_levels() {
     }
 }
 
-// A thin line where the time axis turns back.
+// A thin line where the velocities are reversed.
 void SeriesPanel::add_turns() {
     for (const double at : record_.common_turns()) {
         plot::Marker marker;

@@ -1,5 +1,5 @@
-// Numbers against time: lines that grow while their axis is the whole film's, with the reversals
-// and the way back. Which numbers is given by the panel's own file.
+// Numbers against elapsed time: lines that grow while their axis is the whole film's, with marks
+// at reversals and at other events. Which numbers is given by the panel's own file.
 #pragma once
 
 #include <functional>
@@ -55,6 +55,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
 
   private:
     bool rests_at_zero() const;
+    std::string time_name() const;
     plot::Axis axis_up() const;
     void make_plot();
     bool has_numbers() const;

@@ -19,19 +19,16 @@ struct ReferenceLevel {
 
 /// The numbers of one run.
 struct SeriesRun {
-    std::vector<double> time;                      ///< of each frame, folded at reversals
-    std::vector<int> reversals;                    ///< so far
+    std::vector<double> time;                      ///< of each frame, elapsed
     std::vector<std::vector<double>> lines;        ///< line x frame; NaN: none
     std::vector<std::vector<double>> errors = {};  ///< standard errors of means over runs, or none
     std::optional<ReferenceLevel> level = {};
-    std::vector<double> turns = {};  ///< times of reversals, folded
+    std::vector<double> turns = {};  ///< times of reversals
     std::vector<std::pair<double, std::string>> events =
-        {};                 ///< what happens to surfaces, and heat: folded times and a word each
+        {};                 ///< what happens to surfaces, and heat: times and a word each
     std::string name = {};  ///< beside others
 
-    void archive(Archive& archive) {
-        archive(time, reversals, lines, errors, level, turns, events, name);
-    }
+    void archive(Archive& archive) { archive(time, lines, errors, level, turns, events, name); }
 };
 
 struct SeriesRecord {

@@ -7,7 +7,7 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
-#include "physics/theory/mechanics.h"
+#include "physics/mechanics.h"
 
 namespace carom {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "panels/echo/echo_record.h"
 #include "panels/registry.h"
+#include "physics/mechanics.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
 #include "util/text.h"
@@ -252,8 +253,10 @@ MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
 
 void MonitorsPanel::survey(const FrameInput& input) {
     if (echo_) echo_->survey(input);
-    for (const auto& [number, value] : {std::pair{Monitor::mean_speed, input.speed.mean()},
-                                        std::pair{Monitor::mean_energy, input.energy.mean()}}) {
+    for (const auto& [number, value] :
+         {std::pair{Monitor::mean_speed, input.speed.mean()},
+          std::pair{Monitor::mean_energy,
+                    mean_over_finite_masses(context_.particles, input.energy)}}) {
         double &largest = largest_.at(index_of(number)), &smallest = smallest_.at(index_of(number));
         largest = std::max(largest, value);
         smallest = std::min(smallest, value);
@@ -273,7 +276,7 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) 
     state->numbers = {folded_time(context_.scene.run, input.tick.time),
                       static_cast<double>(counts.particle),
                       mean_speed,
-                      input.energy.mean(),
+                      mean_over_finite_masses(context_.particles, input.energy),
                       100.0 * shares[0],
                       100.0 * shares[1],
                       100.0 * shares[2],

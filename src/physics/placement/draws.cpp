@@ -11,6 +11,7 @@
 #include <optional>
 #include <string_view>
 
+#include "physics/mechanics.h"
 #include "physics/placement/problem.h"
 #include "util/random.h"
 
@@ -146,6 +147,24 @@ Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
     return velocities;
 }
 
+// Scales the velocities of a species, which have no drift, to its temperature.
+void scale_to_temperature(const Gas& gas, std::size_t species, const Particles& particles,
+                          Sample& start) {
+    const auto* temperature = std::get_if<Temperature>(&gas.species[species].velocity);
+    if (temperature == nullptr || !temperature->is_exact || temperature->value == 0.0) return;
+    std::vector<Eigen::Index> members;
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        if (particles.species[i] == static_cast<int>(species)) members.push_back(i);
+    const double sampled = thermal_motion(gas.box, particles, start, members).temperature();
+    if (!(sampled > 0.0))
+        throw PlacementError({.kind = Problem::Kind::no_temperature,
+                              .species = species,
+                              .value = temperature->value},
+                             gas);
+    for (const Eigen::Index i : members)
+        start.velocity.row(i) *= std::sqrt(temperature->value / sampled);
+}
+
 constexpr std::int64_t most_particles = 50'000'000;
 
 // The species that has more particles than a gas may have, together with those before it.
@@ -235,6 +254,12 @@ std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& prob
         }
         first += its_count;
     }
+    if (!problems.empty()) return {std::move(particles), std::move(start)};
+    for (std::size_t s = 0; s < gas.species.size(); ++s) try {
+            scale_to_temperature(gas, s, particles, start);
+        } catch (const PlacementError& error) {
+            problems.push_back(error.problem());
+        }
     return {std::move(particles), std::move(start)};
 }
 

@@ -197,6 +197,11 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
         case Kind::no_mass:
             return {"a point, of radius 0, has no mass from a density",
                     "give a radius, or a mass instead"};
+        case Kind::no_temperature:
+            return {fmt::format("no velocities can be scaled to a temperature of exactly {:.6g}",
+                                p.value),
+                    "particles of infinite mass, and a single one in a periodic box, have no "
+                    "temperature"};
         case Kind::too_large:
             return too_large(p, gas);
         case Kind::too_dense:

@@ -20,6 +20,7 @@ struct Problem {
         too_many,           ///< `count` particles up to this species, more than `bound`
         not_positive,       ///< the distribution of its `quantity` gives `value`
         no_mass,            ///< a point whose mass would follow from a density
+        no_temperature,     ///< nothing moves that could be brought to temperature `value`
         too_large,          ///< radius `value`, for the box
         too_dense,          ///< all particles cover the part `value` of the box
         region_outside,     ///< the species' region reaches outside the box

@@ -14,6 +14,22 @@ void invert(EventOnWay& its) { its.is_undone = !its.is_undone; }
 
 }  // namespace
 
+std::optional<RunEvent> opposite_of(const RunEvent& event) {
+    RunEvent opposite = event;
+    if (auto* set = std::get_if<SetOpen>(&opposite.action))
+        set->is_open = !set->is_open;
+    else if (const auto* hold = std::get_if<HoldPiston>(&event.action))
+        opposite.action = ReleasePiston{hold->surface};
+    else if (const auto* release = std::get_if<ReleasePiston>(&event.action))
+        opposite.action = HoldPiston{release->surface};
+    else if (auto* heat = std::get_if<Heat>(&opposite.action);
+             heat != nullptr && std::holds_alternative<double>(heat->amount))
+        heat->amount = -std::get<double>(heat->amount);
+    else
+        return {};
+    return opposite;
+}
+
 std::vector<MirroredEvent> mirrored_events(const Run& run) {
     MirroredSchedule<double, EventOnWay> schedule;
     std::vector<MirroredEvent> mirrored;

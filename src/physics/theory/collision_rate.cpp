@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "physics/mechanics.h"
 #include "physics/placement/members.h"
-#include "physics/theory/mechanics.h"
 
 namespace carom {
 namespace {

@@ -22,10 +22,12 @@ std::optional<double> bits_lost_per_collision(const Box& box, const Particles& p
 
 std::optional<std::string> why_no_growth_law(const Gas& gas) {
     if (gas.box.dimension == 1)
-        return "no growth law is known for beads on a wire, where errors grow far more slowly";
+        return "no estimate of the growth of errors is known for beads on a wire, where they grow "
+               "far more slowly";
     const auto drawn = try_draw_gas(gas);
     if (!drawn || bits_lost_per_collision(gas.box, drawn->first)) return std::nullopt;
-    return "no growth law is known for this gas, only for disks of one radius and one finite mass";
+    return "no estimate of the growth of errors is known for this gas, only for disks of one "
+           "radius and one finite mass";
 }
 
 }  // namespace carom

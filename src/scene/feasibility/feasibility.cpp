@@ -48,6 +48,8 @@ const Node& node_of(const Problem& problem, const Gas& gas,
             return at_key(draft, problem.quantity);
         case Kind::no_mass:
             return at_key(draft, "density");
+        case Kind::no_temperature:
+            return at_key(draft, "temperature");
         case Kind::too_large:
             return at_key(draft, "radius");
         case Kind::region_outside:

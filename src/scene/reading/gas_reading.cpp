@@ -97,6 +97,21 @@ Notation<PositionDraft> position_notation(int dimension) {
                                    as<PositionDraft>(as<Places>(points(dimension)))));
 }
 
+Notation<Temperature> temperature_notation() {
+    struct Exact {
+        double value = 0.0;
+    };
+    const KeyTable<Exact> table{
+        .name = "`temperature`",
+        .keys = {bind_key("exact", &Exact::value, number(not_negative),
+                          "The temperature of the particles at the start, to the last digit.")
+                     .required()}};
+    return either(as<Temperature>(number(not_negative)),
+                  mapped(mapping(table, "{exact: T}"), [](const Exact& its) {
+                      return Temperature{its.value, true};
+                  }));
+}
+
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1;
     const auto mass = either(as<MassRule>(quantity(positive)),
@@ -121,8 +136,10 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                              wire ? "to the left or to the right" : "in a random direction")),
         bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
                  "One velocity for all, or a list of one for each particle."),
-        bind_key("temperature", &Species::velocity, as<Temperature>(number(not_negative)),
-                 "Maxwell-Boltzmann velocities at this temperature.")
+        bind_key("temperature", &Species::velocity, temperature_notation(),
+                 "Velocities sampled from the Maxwell-Boltzmann distribution at this temperature. "
+                 "The sample's own temperature differs from it by chance; with {exact: T} the "
+                 "velocities are scaled so that it is T.")
             .default_text("at rest"),
         bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
                  "Where the particles start: anywhere, evenly spaced, in a part of the box, or in "

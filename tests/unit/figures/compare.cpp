@@ -164,12 +164,13 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
         if (first != 0.0) CHECK(number((*step)[6]) < first - 15.0);
         first = number((*step)[6]);
     }
-    CHECK(figure.sides[0].account.starts_with("a radius astray after "));
+    CHECK(figure.sides[0].account.starts_with("one radius off after "));
     CHECK(figure.sides[2].account.find("\u207B") != std::string::npos);  // a small power of ten
-    CHECK(figure.sides[2].account.find(" from the way out after ") != std::string::npos);
+    CHECK(figure.sides[2].account.find("a return error of ") != std::string::npos);
     const FigureWords words = words_of(together, figure);
     CHECK(words.caption.find("53 bits (260 disks, ") != std::string::npos);
-    CHECK(words.caption.find("The growth law: distances double ") != std::string::npos);
+    CHECK(words.caption.find("Upper estimate of the growth: small distances double ") !=
+          std::string::npos);
     for (const auto& format : {pixels, std::optional(VectorFormat::svg)})
         CHECK(draw_figure(together, figure, format, {"t", "d"}).file().size() > 1000);
 }

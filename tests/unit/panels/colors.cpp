@@ -301,6 +301,69 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     CHECK(has_samples);
 }
 
+TEST_CASE("a direction has its own colour, and what rests has none of them") {
+    const Scene scene = scene_of("{count: 1}", "panels: [], color_by: direction");
+    const Particles particles{Eigen::ArrayXd::Constant(1, 0.5), Eigen::ArrayXd::Ones(1),
+                              Eigen::ArrayXi::Zero(1)};
+    const std::optional<EquilibriumGas> none;
+    GasColors colors({scene, particles, 1, none});
+    colors.fix_scale();
+    const auto seen = [&](double x, double y) {
+        const auto shade = colors.shade(0, {std::hypot(x, y), {x, y}, 1.0});
+        return colors.of_shades(theme(ThemeKind::dark)).at(shade);
+    };
+    const std::array all{seen(1, 0), seen(0, 1), seen(-1, 0), seen(0, -1), seen(0, 0)};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            CHECK(distance(visions[0], all[i], all[k]) >= least_distance);
+    for (const Vision& vision : visions)
+        CHECK(distance(vision, all[0], all[2]) >= 2.0 * least_distance);
+    CHECK(same(seen(3, 3), seen(0.1, 0.1)));
+    CHECK(distance(visions[0], seen(1, 1e-9), seen(1, -1e-9)) < 1.0);  // the circle is closed
+}
+
+TEST_CASE("a colour that a species has in its scene is that of its disks, whatever others tell") {
+    for (const std::string by :
+         {"speed", "energy", "mass", "direction", "speed-class", "species"}) {
+        CAPTURE(by);
+        const Scene scene = scene_of("{name: a, count: 3}, {name: b, count: 1, color: red}",
+                                     "panels: [], color_by: " + by);
+        const Particles particles{Eigen::ArrayXd::Constant(4, 0.5), Eigen::ArrayXd::Ones(4),
+                                  Eigen::ArrayXi{{0, 0, 0, 1}}};
+        const std::optional<EquilibriumGas> none;
+        GasColors colors({scene, particles, 1, none});
+        colors.fix_scale();
+        const auto seen = [&](Eigen::Index i, double speed) {
+            return colors.of_shades(theme(ThemeKind::dark))
+                .at(colors.shade(i, {speed, {speed, 0.0}, 1.0}));
+        };
+        const Color red = *parse_color(*scene.looks[1].color);
+        for (const double speed : {0.0, 1.0, 7.0}) {
+            CHECK(same(seen(3, speed), red));
+            CHECK_FALSE(same(seen(0, speed), red));
+        }
+    }
+}
+
+// Yellow is not fast in the box and a species beside it.
+TEST_CASE("where colours of the gas are a scale, kinds in panels have none of them") {
+    for (const std::string palette : {"viridis", "cividis", "plasma", "inferno", "magma"})
+        for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+            CAPTURE(palette);
+            CAPTURE(static_cast<int>(kind));
+            const Scene scene =
+                scene_of("{name: a, count: 3}, {name: b, count: 1}", "palette: " + palette);
+            const ColorMap map = color_map_on(palette, theme(kind));
+            for (std::size_t k = 0; k < 2; ++k)
+                for (int i = 0; i <= 100; ++i)
+                    CHECK(distance(visions[0], kind_in(scene, k, theme(kind)), map.at(i / 100.0)) >=
+                          least_distance);
+        }
+    const Scene by_species = scene_of("{count: 3}", "color_by: species");
+    CHECK(same(kind_in(by_species, 0, theme(ThemeKind::dark)),
+               kind_color(0, theme(ThemeKind::dark))));
+}
+
 TEST_CASE("whether there are infinite masses is found once, not for every disk") {
     const Scene scene = scene_of("{name: a, count: 3}, {name: b, count: 1, mass: infinite}",
                                  "panels: [], color_by: mass");
@@ -312,6 +375,6 @@ TEST_CASE("whether there are infinite masses is found once, not for every disk")
     CHECK(colors.tells_infinite());
     colors.fix_scale();
     particles.inverse_mass[3] = 0.0;
-    CHECK(colors.shade(3, 0.0, 1.0) == 255);
-    CHECK(colors.shade(0, 0.0, 1.0) < 255);
+    CHECK(colors.shade(3, {0.0, {0.0, 0.0}, 1.0}) == 256);
+    CHECK(colors.shade(0, {0.0, {0.0, 0.0}, 1.0}) < 256);
 }

@@ -178,7 +178,7 @@ TEST_CASE(
     const test::Shot film(echo("precision: 128, events: [{at: 20, reverse: velocities}]",
                                "{kind: return-distance, against: collisions}"));
     const Table table = table_of(film);
-    const auto law = rows_of(table, "curve", "growth law");
+    const auto law = rows_of(table, "curve", "upper estimate");
     const auto largest = rows_of(table, "line", "largest");
     REQUIRE(law.size() > 20);
     REQUIRE(largest.size() > 30);
@@ -216,7 +216,7 @@ TEST_CASE("a nudge is where the distance and its law begin") {
                  "9, by: [1e-3, 0]}}]",
                  panel));
         const Table table = table_of(film);
-        const auto law = rows_of(table, "curve", "growth law");
+        const auto law = rows_of(table, "curve", "upper estimate");
         const auto largest = rows_of(table, "line", "largest");
         const auto mean = rows_of(table, "line", "root mean square");
         CHECK(number(largest[0][3]) == 0.0);
@@ -242,7 +242,7 @@ TEST_CASE("without a law for the gas there is no curve") {
                 "]\nrun: {until: 8, precision: 128, events: [{at: 4, reverse: velocities}]}\n"
                 "film: {seconds: 1, fps: 20, size: [640, 360], panels: [return-distance]}\n",
             "test", test::resources()));
-        return rows_of(table_of(film), "curve", "growth law").size();
+        return rows_of(table_of(film), "curve", "upper estimate").size();
     };
     CHECK(law("{size: [12, 12]}", "{count: 20, radius: 0.5, speed: 1}") > 5);
     CHECK(law("{size: [12, 12]}",
@@ -262,9 +262,8 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
         for (const DrawnLine& line : log.lines) all += line.markup + "\n";
         return all;
     };
-    CHECK(words("auto", 1280).find("Distance from the way out, in numbers of 64 bits\n") !=
-          std::string::npos);
-    CHECK(words("double", 1280).find(" 53 bits\n") != std::string::npos);
+    CHECK(words("auto", 1280).find("Return error (64-bit arithmetic)\n") != std::string::npos);
+    CHECK(words("double", 1280).find(" (53-bit arithmetic)\n") != std::string::npos);
 }
 
 TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
@@ -273,7 +272,7 @@ TEST_CASE("the words at the level of a radius keep clear of a line that ends nea
     const test::Shot film(scene);
     const TextLog log;
     FramePainter painter(*film.panels);
-    const auto words = std::ranges::find(log.lines, "a radius", &DrawnLine::markup);
+    const auto words = std::ranges::find(log.lines, "one radius", &DrawnLine::markup);
     REQUIRE(words != log.lines.end());
     const Rect ink = words->ink;  // the log goes on
     const auto pixels = [&](const FrameData& frame) {

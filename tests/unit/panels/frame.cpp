@@ -300,41 +300,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the way back is lighter than the way out, on every ground") {
-    for (const char* theme : {"light", "dark", "print"}) {
-        CAPTURE(theme);
-        const Shot film(test::scene_from(
-            "title: T\nbox: {size: [40, 30]}\n"
-            "gas: [{name: one, count: 12, speed: 1, color: \"#1f77b4\"}]\n"
-            "run: {until: 4, events: [{at: 2, reverse: velocities}]}\n"
-            "film: {seconds: 8, fps: 10, size: [1280, 720], panels: [energy-by-species], theme: " +
-            std::string(theme) + "}\n"));
-        FramePainter painter(*film.panels);
-        const Canvas& canvas = painter.paint(film.frames.back());
-        const auto back = pixels_of(canvas);
-        const auto pause = std::ranges::find_if(film.frames, [](const FrameData& frame) {
-            return frame.tick.phase == Phase::reversing;
-        });
-        const auto out = pixels_of(painter.paint(*pause));
-        // The mean energy stays as it is: the way back lies on the way out, along one row.
-        const LayoutSpec& layout = film.scene.film.layout;
-        const Rect panel = Grid(layout, {1280, 720}).place(layout.panels[0]);
-        int lighter = 0, darker = 0;
-        const auto x = static_cast<std::size_t>(panel.x + 0.6 * panel.width);
-        for (std::size_t y = static_cast<std::size_t>(panel.y); y < 700; ++y) {
-            const auto green = [&](const std::vector<std::uint32_t>& pixels) {
-                return int((pixels[y * 1280 + x] >> 8) & 0xFF);
-            };
-            const bool is_blue =
-                (out[y * 1280 + x] & 0xFF) > ((out[y * 1280 + x] >> 16) & 0xFF) + 60;
-            if (!is_blue) continue;
-            (green(back) > green(out) + 40 ? lighter : darker) += 1;
-        }
-        CHECK(lighter >= 1);
-        CHECK(lighter + darker <= 6);
-    }
-}
-
 TEST_CASE("a card covers the whole picture and gives way to the gas without a jump") {
     const std::string rest = "seconds: 30, fps: 10, size: [320, 180], panels: [speed-histogram]";
     const Shot film(scene_of(rest + ", title_card: true, end_card: The end"));

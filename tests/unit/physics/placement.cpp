@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numeric>
 #include <string>
 
+#include "physics/mechanics.h"
 #include "support/placement_error.h"
 #include "support/relative.h"
 
@@ -159,6 +161,55 @@ TEST_CASE("listed places are checked, across periodic borders too") {
     } catch (const PlacementError& error) {
         CHECK(error.species() == 1);
     }
+}
+
+// Sums of n squares are within n round-offs of what they are: at most 2000 here.
+TEST_CASE("an exact temperature is that of the drawn velocities, to the last digit") {
+    constexpr double round_off = 2.2e-16;
+    for (const Wall wall : {Wall::solid, Wall::periodic})
+        for (const bool two : {false, true}) {
+            CAPTURE(two);
+            std::vector<Species> species{
+                {.name = "a", .count = 7, .velocity = Temperature{8.0, true}}};
+            if (two)
+                species.push_back({.name = "b",
+                                   .count = 300,
+                                   .radius = 0.2,
+                                   .mass = Quantity{5.0},
+                                   .velocity = Temperature{8.0, true}});
+            Gas gas = gas_of(100.0, 100.0, species);
+            gas.box.walls = {wall, wall};
+            const auto [particles, start] = place(gas);
+            CHECK(thermal_motion(gas.box, particles, start).temperature() ==
+                  relative(8.0, 2000 * round_off));
+            std::vector<Eigen::Index> first(7);
+            std::iota(first.begin(), first.end(), 0);
+            CHECK(thermal_motion(gas.box, particles, start, first).temperature() ==
+                  relative(8.0, 2000 * round_off));
+            // Nothing but a common factor tells it from the sample.
+            gas.species[0].velocity = Temperature{8.0};
+            const Sample sampled = place(gas).second;
+            const Eigen::ArrayXXd ratio = start.velocity.topRows(7) / sampled.velocity.topRows(7);
+            CHECK(((ratio / ratio(0, 0) - 1.0).abs() < 4.0 * round_off).all());
+            CHECK(std::abs(ratio(0, 0) - 1.0) > 1e-3);
+        }
+}
+
+TEST_CASE("what does not move cannot be brought to a temperature exactly") {
+    Gas gas =
+        gas_of(9.0, 9.0,
+               {{.name = "a", .count = 2, .mass = Infinite{}, .velocity = Temperature{8.0, true}}});
+    const std::string why =
+        "no velocities can be scaled to a temperature of exactly 8; particles of infinite mass, "
+        "and "
+        "a single one in a periodic box, have no temperature";
+    CHECK(placement_error(gas) == why);
+    gas.species[0] = {.name = "a", .count = 1, .velocity = Temperature{8.0, true}};
+    CHECK(placement_error(gas).empty());
+    gas.box.walls = {Wall::periodic, Wall::periodic};
+    CHECK(placement_error(gas) == why);
+    gas.species[0].velocity = Temperature{0.0, true};
+    CHECK(placement_error(gas).empty());
 }
 
 TEST_CASE("masses and velocities follow their rules") {

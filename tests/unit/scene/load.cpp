@@ -125,7 +125,8 @@ TEST_CASE("the description made for a scene is a plain sentence, whatever the wa
     CHECK(described("periodic",
                     "[{name: a, count: 9, speed: 1}, {name: b, count: 1}, {name: c, count: 3, "
                     "temperature: 2}]") ==
-          "9 disks (a, at speed 1), 1 disk (b, at rest) and 3 disks (c, at temperature 2) start in "
+          "9 disks (a, at speed 1), 1 disk (b, at rest) and 3 disks (c, with velocities sampled at "
+          "temperature 2) start in "
           "a periodic box of 64 by 48 and collide elastically. What leaves on one side enters on "
           "the opposite side.");
     CHECK(described("solid", "[{count: 1, speed: 1}]") ==

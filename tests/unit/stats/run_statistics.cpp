@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "physics/exact_positions.h"
+#include "physics/mechanics.h"
 #include "physics/placement/overlap.h"
-#include "physics/theory/mechanics.h"
 #include "stats/pressure.h"
 #include "support/relative.h"
 #include "util/random.h"

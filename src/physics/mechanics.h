@@ -18,6 +18,10 @@ Eigen::ArrayXd masses(const Particles& particles);
 /// nor momentum is conserved.
 bool infinite_mass_moves(const Particles& particles, const Sample& sample);
 
+/// The mean of some energies, one for each particle, over the particles of finite mass: what cannot
+/// take part in an exchange of energy does not count. NaN if there are none.
+double mean_over_finite_masses(const Particles& particles, const Eigen::ArrayXd& energies);
+
 /// Total momentum, one component for each dimension; infinite with an infinite mass that moves.
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample);
 

@@ -1,4 +1,4 @@
-#include "physics/theory/mechanics.h"
+#include "physics/mechanics.h"
 
 #include <fmt/format.h>
 
@@ -59,6 +59,11 @@ Eigen::ArrayXd masses(const Particles& particles) {
 
 bool infinite_mass_moves(const Particles& particles, const Sample& sample) {
     return ((sample.velocity != 0.0).rowwise().any() && particles.inverse_mass == 0.0).any();
+}
+
+double mean_over_finite_masses(const Particles& particles, const Eigen::ArrayXd& energies) {
+    const auto finite = particles.inverse_mass > 0.0;
+    return finite.select(energies, 0.0).sum() / static_cast<double>(finite.count());
 }
 
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample) {

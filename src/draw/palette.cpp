@@ -198,8 +198,7 @@ ColorMap direction_map(const Theme& theme) {
     return ColorMap({in_print[0], in_print[2], in_print[1], in_print[3], in_print[0]});
 }
 
-std::vector<Color> kind_colors_beside(const ColorMap& map, const Theme& theme) {
-    constexpr int samples = 64;
+std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme) {
     constexpr double least_contrast_with_words = 1.6;
     std::vector<std::pair<double, Color>> kinds;
     for (std::size_t k = 0; k < on_dark.size(); ++k) {
@@ -208,9 +207,8 @@ std::vector<Color> kind_colors_beside(const ColorMap& map, const Theme& theme) {
         for (const Color other : {theme.highlight, theme.accent, theme.page})
             least = std::min(least, difference(color, other));
         if (contrast(color, theme.ink) < least_contrast_with_words) least = 0.0;
-        for (int i = 0; i <= samples; ++i)
-            least = std::min(least, difference(color, map.at(double(i) / samples)));
-        const double stands_out = contrast(color, theme.page) / least_contrast_of_marks;
+        for (const Color other : others) least = std::min(least, difference(color, other));
+        const double stands_out = contrast(color, theme.page) / least_contrast_of_words;
         kinds.emplace_back(least * std::min(1.0, stands_out), color);
     }
     std::ranges::stable_sort(kinds, std::greater(), &std::pair<double, Color>::first);

@@ -21,6 +21,7 @@ class ColorMap {
   public:
     explicit ColorMap(std::vector<Color> samples) : samples_(std::move(samples)) {}
     Color at(double share) const;
+    std::span<const Color> samples() const { return samples_; }
 
   private:
     std::vector<Color> samples_;
@@ -52,8 +53,8 @@ ColorMap grey_map();
 /// after eight. The last ones on light grounds, and pale greys, need an edge (see edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
 
-/// The same colours, the one first that is furthest from all colours of a map, from words and from
-/// curves of theory: for kinds in a picture where the map means something else.
-std::vector<Color> kind_colors_beside(const ColorMap& map, const Theme& theme);
+/// The same colours, the one first that is furthest from all of others, from words and from curves
+/// of theory: for kinds in a picture where the others mean something else.
+std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme);
 
 }  // namespace carom

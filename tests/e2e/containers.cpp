@@ -205,7 +205,7 @@ TEST_CASE("a WebM is VP9 of the promised length and words, and its frames are th
         CHECK(stream["nb_read_frames"] == "180");
         CHECK(std::stod(found["format"]["duration"].get<std::string>()) == doctest::Approx(6.0));
         const nlohmann::json& tags = found["format"]["tags"];
-        CHECK(tags["title"] == "One hot particle among cold ones");
+        CHECK(tags["title"] == "One fast particle among slow ones");
         CHECK(tags["COMMENT"].get<std::string>().find("count: 200") != std::string::npos);
 
         const std::string shown = decoded(film);

@@ -97,8 +97,8 @@ Vector half_extent(const std::array<Pose, 3>& all, const Cause& cause, double ti
     return half;
 }
 
-std::array<Rect, 3> places(const Rect& area, double unit) {
-    const bool high = area.height > 1.6 * area.width;
+// One above another, or side by side.
+std::array<Rect, 3> places(const Rect& area, double unit, bool high) {
     const double gap = unit;
     std::array<Rect, 3> rects;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -123,13 +123,20 @@ CollisionStages collision_stages(const PairCollision& pair, const Particles& par
     const double sigma = cause.radius[0] + cause.radius[1];
     const double time = longest_arrow * sigma / fastest;
     const Vector half = half_extent(all, cause, time);
-    const std::array<Rect, 3> rects = places(area, unit);
     const double margin = 0.15 * unit;
-    const double high = rects[0].height - (words_above + words_below) * unit;
-    double scale = (0.5 * rects[0].width - margin) / half[0];
-    if (dimension == 2) scale = std::min(scale, (0.5 * high - margin) / half[1]);
-    scale =
-        std::min(scale, std::max(unit, 0.3 * high) / std::max(cause.radius[0], cause.radius[1]));
+    const auto height_for_disks = [&](const Rect& rect) {
+        return rect.height - (words_above + words_below) * unit;
+    };
+    const auto scale_in = [&](const std::array<Rect, 3>& rects) {
+        const double high = height_for_disks(rects[0]);
+        double most = (0.5 * rects[0].width - margin) / half[0];
+        if (dimension == 2) most = std::min(most, (0.5 * high - margin) / half[1]);
+        return std::min(most,
+                        std::max(unit, 0.3 * high) / std::max(cause.radius[0], cause.radius[1]));
+    };
+    const auto beside = places(area, unit, false), above = places(area, unit, true);
+    const std::array<Rect, 3> rects = scale_in(above) > scale_in(beside) ? above : beside;
+    const double high = height_for_disks(rects[0]), scale = scale_in(rects);
 
     CollisionStages stages;
     stages.radius = {scale * cause.radius[0], scale * cause.radius[1]};
@@ -238,12 +245,11 @@ ArrowStyle SingleCollisionPanel::change_style(const DrawContext& dc) const {
                 second = color_of(context_, met_, 1, dc.theme);
     constexpr double least_difference = 0.12;
     if (to_pixel(accent) != to_pixel(dc.theme.ink)) {
+        const std::array both{first, second};
         const bool is_apart =
             std::min(difference(accent, first), difference(accent, second)) > least_difference;
         return style(
-            dc, is_apart ? accent
-                         : edge_of(kind_colors_beside(ColorMap({first, second}), dc.theme).front(),
-                                   dc.theme));
+            dc, is_apart ? accent : edge_of(kind_colors_beside(both, dc.theme).front(), dc.theme));
     }
     ArrowStyle open = style(dc, dc.theme.page);
     open.edge = std::max(1.0, 0.1 * dc.unit);

@@ -68,7 +68,7 @@ Color kind_in(const Scene& scene, std::size_t index, const Theme& theme) {
     static std::map<Key, std::vector<Color>> sets;
     const std::scoped_lock lock(mutex);
     std::vector<Color>& set = sets[{scale_name(scene), theme.kind}];
-    if (set.empty()) set = kind_colors_beside(scale_colors(scene, theme), theme);
+    if (set.empty()) set = kind_colors_beside(scale_colors(scene, theme).samples(), theme);
     return set[index % set.size()];
 }
 

@@ -68,7 +68,8 @@ struct LinePanel::Drawing {
 
     // Small beads stay visible, chosen ones above all.
     double shown_radius(Eigen::Index i) const {
-        return std::max((stands_out(context, i) ? 0.4 : 0.15) * u, map.radius(i) * v.scale);
+        const bool is_dot = stands_out(context, i) || map.radius(i) == 0.0;
+        return std::max((is_dot ? 0.4 : 0.15) * u, map.radius(i) * v.scale);
     }
     double half_height(Eigen::Index i) const {
         return is_rod(i) ? rod_half_height * u : shown_radius(i);

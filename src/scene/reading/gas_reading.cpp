@@ -162,9 +162,10 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
                  "How long a trail the particles leave, in seconds of film.")
             .default_text("by the film")};
     if (dimension == 1)
-        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(positive),
+        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(not_negative),
                                 "The radius with which the beads are drawn, moved apart so that "
-                                "they seem to touch when they collide.")
+                                "they seem to touch when they collide. 0: points are drawn as dots "
+                                "where they are, and their world lines cross.")
                            .default_text("the radius, or 0.4 of the mean spacing for points"));
     return keys;
 }

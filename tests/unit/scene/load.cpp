@@ -44,14 +44,14 @@ const std::string small_layout =
 
 TEST_CASE("the first scene of the book") {
     const Scene scene = load_scene(root / "scenes/one-hot-particle.yaml", test::resources());
-    CHECK(scene.title == "One hot particle among cold ones");
+    CHECK(scene.title == "One fast particle among slow ones");
     CHECK(scene.seed == 77);
     CHECK(scene.gas.seed == 77);
     CHECK((scene.gas.box.size == Eigen::Array2d(64, 48)).all());
     CHECK(!scene.gas.box.is_periodic(0));
     REQUIRE(scene.gas.species.size() == 2);
     const Species& cold = scene.gas.species[0];
-    CHECK(cold.name == "cold");
+    CHECK(cold.name == "the 200 others");
     CHECK(cold.count == 200);
     CHECK(std::get<double>(cold.radius) == 0.7);
     CHECK(std::get<double>(std::get<Quantity>(cold.mass)) == 1.0);
@@ -73,7 +73,7 @@ TEST_CASE("the first scene of the book") {
     CHECK(scene.film.layout.gas.width > 0.0);
     CHECK(scene.film.layout.monitors.has_value());
     CHECK(scene.species_spans.at(1).span.column == 5);
-    CHECK(scene.species_spans.at(1).source_line.find("hot") != std::string::npos);
+    CHECK(scene.species_spans.at(1).source_line.find("the fast disk") != std::string::npos);
     CHECK(scene.source.text.starts_with("# yaml-language-server"));
     CHECK(scene.looks.size() == 2);
 }

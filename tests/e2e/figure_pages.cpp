@@ -47,8 +47,15 @@ TEST_CASE("pages show the figures, in words that are escaped") {
 TEST_CASE("films stand beside their figures, and are rendered once") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);
-    const std::vector<std::string> command{
-        "scene.yaml", "--page", "html", "--films", "--quiet", "--set", "film.size=[320, 180]"};
+    const std::vector<std::string> command{"scene.yaml",
+                                           "--page",
+                                           "html",
+                                           "--films",
+                                           "--quiet",
+                                           "--set",
+                                           "film.size=[320, 180]",
+                                           "--set",
+                                           "run.events=[{at: 0, caption: They fly}]"};
     REQUIRE(figures(folder, command).exit_code == 0);
     const fs::path out = folder.path() / "out/scene";
     const auto made = fs::last_write_time(out / "scene.mp4");
@@ -59,6 +66,15 @@ TEST_CASE("films stand beside their figures, and are rendered once") {
         CHECK(has(seen_in_browser(out / "scene.html", folder.path() / "profile"), "|3"));
     CHECK(figures(folder, command).exit_code == 0);
     CHECK(fs::last_write_time(out / "scene.mp4") == made);
+    // A film without captions offers none.
+    CHECK(has(contents(out / "scene.html"), "kind=\"captions\""));
+    std::vector<std::string> silent(command.begin(), command.end() - 2);
+    silent.insert(silent.end(), {"-o", "silent"});
+    REQUIRE(figures(folder, silent).exit_code == 0);
+    const std::string page = contents(folder.path() / "silent/scene.html");
+    CHECK(has(page, "kind=\"descriptions\""));
+    CHECK_FALSE(has(page, "kind=\"captions\""));
+    CHECK_FALSE(fs::exists(folder.path() / "silent/scene.captions.vtt"));
     // A page does not show the film of another scene.
     CHECK(figures(folder, {"scene.yaml", "--page", "html", "--seed", "5"}).exit_code == 0);
     CHECK_FALSE(has(contents(out / "scene.html"), "<video"));

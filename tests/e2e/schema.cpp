@@ -187,7 +187,7 @@ const std::vector<Case> cases{
     {plane(""), true},
     {wire(""), true},
     {plane(", position: lattice, mass: infinite, color: teal"), true},
-    {plane(", position: lattice, mass: infinite, color: beige"), false},
+    {plane(", position: lattice, mass: infinite, color: biege"), false},
     {plane(", radius: {uniform: [0.1, 1e0]}, velocity: [1, -2]"), true},
     {plane(", radius: {uniform: [0.1, 1], normal: [1, 0.1]}"), false},
     {plane(", radius: {}"), false},

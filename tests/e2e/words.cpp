@@ -44,6 +44,30 @@ TEST_CASE("a film's words stand beside it, as players read them") {
     CHECK(contents(folder.path() / "film.transcript.txt").starts_with("Two beads\n"));
 }
 
+TEST_CASE("a film without captions has no file of captions, and does not keep an earlier one") {
+    const TemporaryFolder folder;
+    std::string silent = scene;
+    const std::size_t caption = silent.find("caption:");
+    REQUIRE(caption != std::string::npos);
+    silent.replace(silent.rfind('{', caption),
+                   silent.find('}', caption) + 1 - silent.rfind('{', caption),
+                   "{at: 1, mark: here}");
+    folder.write("scene.yaml", silent);
+    const auto render = [&] {
+        const Outcome outcome =
+            run({program, "render", "scene.yaml", "--words", "-o", "film.mp4", "--quiet"},
+                folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+    };
+    render();
+    CHECK_FALSE(fs::exists(folder.path() / "film.captions.vtt"));
+    CHECK(fs::exists(folder.path() / "film.descriptions.vtt"));
+    folder.write("film.captions.vtt", "WEBVTT\n\n00:00.000 --> 00:01.000\nold\n");
+    render();
+    CHECK(contents(folder.path() / "film.captions.vtt") == "WEBVTT\n");
+}
+
 TEST_CASE("words go beside a folder of frames, and nowhere without being asked") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", scene);

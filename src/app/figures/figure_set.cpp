@@ -77,7 +77,8 @@ RunsCallbacks shown_runs(const Scene& scene, Progress& progress) {
 std::map<std::string, std::string> film_files(const SetPart& part) {
     std::map<std::string, std::string> files{{"film", part.stem + ".mp4"},
                                              {"poster", part.stem + ".poster.png"}};
-    for (const auto& [what, ending] : text_endings) files[what] = part.stem + ending;
+    for (const auto& [what, ending] : text_endings)
+        if (what != "captions" || has_captions(part.scene)) files[what] = part.stem + ending;
     return files;
 }
 

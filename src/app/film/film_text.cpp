@@ -280,8 +280,12 @@ FilmText FilmTextMaker::text() const {
         else
             chapters.push_back({start, next, heading(moments_[i], scene_)});
     }
-    return {webvtt(captions), webvtt(chapters), webvtt(descriptions),
+    return {captions.empty() ? "" : webvtt(captions), webvtt(chapters), webvtt(descriptions),
             transcript_of(scene_, moments_, span_)};
+}
+
+bool has_captions(const Scene& scene) {
+    return !caption_schedule(scene).empty() || !scene.film.end_card.empty();
 }
 
 void write_text(const FilmText& film, const std::filesystem::path& path) {
@@ -293,8 +297,13 @@ void write_text(const FilmText& film, const std::filesystem::path& path) {
     for (const auto& [what, text] : {std::pair{"captions", &film.captions},
                                      {"chapters", &film.chapters},
                                      {"descriptions", &film.descriptions},
-                                     {"transcript", &film.transcript}})
-        write_file(stem.string() + text_endings.at(what), *text);
+                                     {"transcript", &film.transcript}}) {
+        const std::string file = stem.string() + text_endings.at(what);
+        if (!text->empty())
+            write_file(file, *text);
+        else if (std::filesystem::exists(file))  // of an earlier film
+            write_file(file, webvtt({}));
+    }
 }
 
 }  // namespace carom

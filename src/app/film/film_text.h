@@ -28,7 +28,7 @@ std::string webvtt(const std::vector<Cue>& cues);
 
 /// Whole files. Times count from the first frame of the span.
 struct FilmText {
-    std::string captions;      ///< what stands under the gas
+    std::string captions;      ///< what stands under the gas; empty if nothing does
     std::string chapters;      ///< from event to event, or quarters of a film that has none
     std::string descriptions;  ///< what is seen, and how the numbers stand when a chapter begins
     std::string transcript;    ///< all of these as plain text
@@ -85,9 +85,13 @@ inline const std::map<std::string, std::string> text_endings = {
     {"descriptions", ".descriptions.vtt"},
     {"transcript", ".transcript.txt"}};
 
+/// Whether the film of a scene has captions.
+bool has_captions(const Scene& scene);
+
 /// Writes them beside the film at `path`, as film.captions.vtt, film.chapters.vtt,
 /// film.descriptions.vtt and film.transcript.txt (beside a folder of frames, with its name), each
-/// whole or not at all. Throws SystemError.
+/// whole or not at all. A film without captions has no file of them, but an earlier one is emptied.
+/// Throws SystemError.
 void write_text(const FilmText& text, const std::filesystem::path& path);
 
 }  // namespace carom

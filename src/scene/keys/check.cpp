@@ -135,8 +135,8 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
     const bool numbers = form_of(forms, Shape::number) || form_of(forms, Shape::integer);
     if (numbers) return number_hint(node);
     if (form_of(forms, Shape::flag)) return flag_hint(node);
-    if (const Form* colors = form_of(forms, Shape::color))
-        return fmt::format("names: {}", fmt::join(colors->words, ", "));
+    if (form_of(forms, Shape::color) != nullptr)
+        return "names are those of CSS: red, darkblue, orange, teal and others";
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     const Form* list = form_of(forms, Shape::list);
     return list != nullptr && forms.size() > 1 ? "or give " + phrase(*list) : "";

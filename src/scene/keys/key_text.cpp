@@ -46,8 +46,9 @@ std::string example(const Form& form) {
         case Shape::text:
             return "words";
         case Shape::word:
-        case Shape::color:
             return form.words.front();
+        case Shape::color:
+            return "teal";
         case Shape::list:
             return example_list(form);
         case Shape::mapping:

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <utility>
 
+#include "scene/keys/css_colors.h"
 #include "util/text.h"
 
 namespace carom {
@@ -22,27 +23,6 @@ std::string range_phrase(std::string_view what, const Range& range) {
     return fmt::format("a {} from {} to {}", what, number_text(range.low),
                        number_text(range.most.value));
 }
-
-using NamedColor = std::pair<std::string_view, std::string_view>;
-
-constexpr std::array<NamedColor, 18> named_colors{{{"black", "#000000"},
-                                                   {"silver", "#c0c0c0"},
-                                                   {"gray", "#808080"},
-                                                   {"grey", "#808080"},
-                                                   {"white", "#ffffff"},
-                                                   {"maroon", "#800000"},
-                                                   {"red", "#ff0000"},
-                                                   {"purple", "#800080"},
-                                                   {"fuchsia", "#ff00ff"},
-                                                   {"green", "#008000"},
-                                                   {"lime", "#00ff00"},
-                                                   {"olive", "#808000"},
-                                                   {"yellow", "#ffff00"},
-                                                   {"navy", "#000080"},
-                                                   {"blue", "#0000ff"},
-                                                   {"teal", "#008080"},
-                                                   {"aqua", "#00ffff"},
-                                                   {"orange", "#ffa500"}}};
 
 bool is_hex(char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
@@ -100,13 +80,13 @@ std::string phrase(const Form& form) {
 
 std::vector<std::string> color_names() {
     std::vector<std::string> names;
-    for (const auto& [name, hex] : named_colors) names.emplace_back(name);
+    for (const auto& [name, hex] : css_colors) names.emplace_back(name);
     return names;
 }
 
 std::string color_hex(std::string_view name) {
-    for (const auto& [word, hex] : named_colors)
-        if (word == name) return std::string{hex};
+    for (const auto& [word, hex] : css_colors)
+        if (word == name) return fmt::format("#{:06x}", hex);
     const bool hex =
         name.size() == 7 && name[0] == '#' && std::all_of(name.begin() + 1, name.end(), is_hex);
     return hex ? std::string{name} : std::string{};

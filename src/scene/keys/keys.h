@@ -91,7 +91,7 @@ std::vector<const Section*> sections_in(const std::vector<Form>& forms);
 /// How a message calls a form: "a positive number", "`light`, `dark` or `print`".
 std::string phrase(const Form& form);
 
-/// The colour names of CSS 2.1 that color_hex() knows.
+/// The colour names of CSS that color_hex() knows.
 std::vector<std::string> color_names();
 
 /// The colour of a name as #rrggbb; `name` itself if it is #rrggbb; empty otherwise.

@@ -39,17 +39,21 @@ Binding<FigureSpec> size_key() {
         mapped(pair_of(side, "[width, height]"), [](const Eigen::Array2d& sides) {
             return FigureSize{.width = sides[0], .height = sides[1]};
         });
+    const auto by_width =
+        mapped(number(side), [](double width) { return FigureSize{.width = width}; });
     const auto fill = [](FigureSpec& figure, const FigureSize& size) {
         figure.width = size.width;
         figure.height = size.height;
         figure.slide = size.slide;
     };
     return bind_with<FigureSpec>(
-               "size", fill, either(named, in_centimetres),
-               fmt::format("The size of a text column ({} cm wide), a page ({} cm) or a slide "
-                           "({:.1f} cm by {:.1f} cm, with large type), or width and height in "
-                           "centimetres.",
-                           column_width, page_width, slide_width, slide_height))
+               "size", fill, either(named, either(by_width, in_centimetres)),
+               fmt::format(
+                   "The size of a text column ({} cm wide), a page ({} cm) or a slide "
+                   "({:.1f} cm by {:.1f} cm, with large type), or a width, or width and height, in "
+                   "centimetres. Without a height it follows from the width: a box has its "
+                   "own shape, with nothing above and below.",
+                   column_width, page_width, slide_width, slide_height))
         .default_value("column");
 }
 

@@ -52,6 +52,23 @@ TEST_CASE("a figure has the width of a column, a page or a slide, and type to ma
     CHECK(smallest_type(scene.figures[2]) >= 24.0);
 }
 
+TEST_CASE("a figure with a width alone is as high as its content") {
+    const Scene scene =
+        scene_of("  - {name: a, kind: gas, size: 8}\n  - {name: b, kind: gas, size: [8, 6]}\n");
+    const FigureRun run = run_of(scene);
+    const PixelSize own = drawn(run, 0).size();
+    CHECK(std::abs(own.width / 300.0 * 2.54 - 8.0) < 0.005);
+    CHECK(drawn(run, 1).size().height == std::lround(6.0 / 2.54 * 300));
+    // The picture of a box of half the height is half as high; margins stay.
+    Scene wide = scene;
+    wide.gas.box.size = {80, 30};
+    const PixelSize lower = drawn(run_of(wide), 0).size();
+    CHECK(lower.width == own.width);
+    const double margins = 2.0 * lower.height - own.height;
+    CHECK(margins > 0.0);
+    CHECK(margins < 0.2 * own.height);
+}
+
 TEST_CASE("no figure of a text is higher than its page") {
     Scene scene = scene_of("  - {name: a, kind: gas, size: page}\n");
     scene.gas.box.size = {40, 400};

@@ -125,7 +125,11 @@ TEST_CASE("colours by name are those of CSS") {
     CHECK(color_hex("#12aBcd") == "#12aBcd");
     CHECK(color_hex("#12aBc") == "");
     CHECK(color_hex("#12aBcg") == "");
-    CHECK(color_hex("beige") == "");
+    CHECK(color_hex("biege") == "");
+    CHECK(color_hex("darkblue") == "#00008b");  // CSS Color Module Level 4, 6.1
+    CHECK(color_hex("rebeccapurple") == "#663399");
+    CHECK(color_hex("gray") == "#808080");  // not the lighter one of X11
+    CHECK(color_names().size() == 148);
 }
 
 namespace {

@@ -55,6 +55,8 @@ TEST_CASE("films stand beside their figures, and are rendered once") {
                                            "--set",
                                            "film.size=[320, 180]",
                                            "--set",
+                                           "film.seconds=3",
+                                           "--set",
                                            "run.events=[{at: 0, caption: They fly}]"};
     REQUIRE(figures(folder, command).exit_code == 0);
     const fs::path out = folder.path() / "out/scene";

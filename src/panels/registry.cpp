@@ -92,27 +92,75 @@ std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec&) {
     return make_gas_panel(context);
 }
 
+std::int64_t count_of(const Gas& gas) {
+    std::int64_t count = 0;
+    for (const Species& species : gas.species) count += species.count;
+    return count;
+}
+
+bool acts_on_gas(const Gas& gas, const Run& run) {
+    return !gas.box.surfaces.are_plain() ||
+           std::ranges::any_of(run.events, [](const RunEvent& event) {
+               return std::holds_alternative<Heat>(event.action);
+           });
+}
+
+// Whether collisions spread the speeds: equal beads on a line only exchange them, and so does a
+// pair.
+bool speeds_spread(const Gas& gas, const Run& run) {
+    const auto* first = std::get_if<Quantity>(&gas.species.front().mass);
+    const double* one = first == nullptr ? nullptr : std::get_if<double>(first);
+    const bool all_equal =
+        one != nullptr && std::ranges::all_of(gas.species, [&](const Species& its) {
+            const auto* mass = std::get_if<Quantity>(&its.mass);
+            const double* value = mass == nullptr ? nullptr : std::get_if<double>(mass);
+            return value != nullptr && *value == *one;
+        });
+    if (acts_on_gas(gas, run)) return true;
+    return count_of(gas) > 2 && !(gas.box.dimension == 1 && all_equal);
+}
+
+bool has_several_species(const Gas& gas, const Run&) { return gas.species.size() > 1; }
+
+bool returns(const Gas&, const Run& run) {
+    return std::ranges::any_of(run.events, [](const RunEvent& event) {
+        return std::holds_alternative<ReverseVelocities>(event.action);
+    });
+}
+
+bool is_line(const Gas& gas, const Run&) { return gas.box.dimension == 1; }
+
 std::vector<PanelKind> all_kinds() {
     using enum Ability;
     return {
         {.name = "speed-histogram",
          .make = make_speed_histogram,
-         .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison}},
+         .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
+         .suits = speeds_spread},
         {.name = "energy-histogram",
          .make = make_energy_histogram,
-         .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison}},
+         .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
+         .suits = speeds_spread},
         {.name = "velocity-histogram",
          .make = make_velocity_histogram,
-         .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison}},
+         .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
+         .suits = speeds_spread},
         {.name = "position-histogram",
          .make = make_position_histogram,
          .abilities = {bars, of, over, component, means, comparison}},
-        {.name = "energy-by-species", .make = make_energy_by_species, .abilities = {means}},
+        {.name = "energy-by-species",
+         .make = make_energy_by_species,
+         .abilities = {means},
+         .suits = has_several_species},
         {.name = "speed-classes",
          .make = make_speed_classes,
          .abilities = {means},
-         .keys = reference_key()},
-        {.name = "temperature", .make = make_temperature, .abilities = {of, means, comparison}},
+         .keys = reference_key(),
+         .suits = speeds_spread},
+        {.name = "temperature",
+         .make = make_temperature,
+         .abilities = {of, means, comparison},
+         .suits = acts_on_gas},
         {.name = "entropy", .make = make_entropy, .abilities = {means, comparison}},
         {.name = "pressure", .make = make_pressure, .abilities = {over, means, comparison}},
         {.name = "mean-squared-displacement",
@@ -124,8 +172,9 @@ std::vector<PanelKind> all_kinds() {
          .make = make_return_distance,
          .abilities = {theory, comparison},
          .keys = against_key(),
-         .rule = check_return_distance},
-        {.name = "phase", .make = make_phase, .abilities = {of, component}},
+         .rule = check_return_distance,
+         .suits = returns},
+        {.name = "phase", .make = make_phase, .abilities = {of, component}, .suits = is_line},
         {.name = "positions", .make = make_positions, .abilities = {of, two, component}},
         {.name = "monitors", .make = make_monitors, .keys = numbers_key()},
         {.name = "single-collision", .make = make_single_collision, .abilities = {of, pair}},

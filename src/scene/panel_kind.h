@@ -51,6 +51,10 @@ struct PanelKind {
     /// panel's mapping, or its name alone.
     std::function<void(PanelSpec&, const Node&, Reading&)> rule = {};
 
+    /// Whether it has something to show of a gas and its run: a film that names no panels has those
+    /// of its template's list that do. None: always.
+    std::function<bool(const Gas&, const Run&)> suits = {};
+
     /// Of a kind for figures only: what to do in films instead; empty: it is for both.
     std::string in_films_instead = {};
 

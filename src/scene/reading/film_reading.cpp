@@ -282,6 +282,23 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
                     seconds));
 }
 
+// Of a film that names no panels: from the template's list, as many as have a place, those that
+// have something to show of this gas. The first of the list where there are none.
+void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Reading& reading) {
+    Node* panels = find(film, "panels");
+    if (panels == nullptr || !panels->valid || !panels->is_list() ||
+        panels->source->origin != Origin::template_file)
+        return;
+    const auto suits = [&](const Node& panel) {
+        const Node* name = panel.is_mapping() ? given(panel, "kind") : &panel;
+        const PanelKind* kind = name != nullptr ? kind_of(kinds, name->text) : nullptr;
+        return kind == nullptr || !kind->suits || kind->suits(reading.gas, reading.run);
+    };
+    std::vector<Node>& list = panels->items;
+    if (reading.errors.empty() && std::ranges::any_of(list, suits)) std::erase_if(list, std::not_fn(suits));
+    list.resize(std::min(list.size(), places));
+}
+
 }  // namespace
 
 KeyTable<FilmDraft> film_table(PanelKinds kinds) {
@@ -307,8 +324,10 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     const Node* layout_node = given(nodes.template_file, "layout");
     const auto layout = layout_node != nullptr ? layout_notation().read(*layout_node, reading)
                                                : std::optional<LayoutSpec>();
+    Node node = nodes.film;
+    if (layout) choose_panels(node, layout->panels.size(), kinds, reading);
     FilmDraft film;
-    film_table(kinds).read(nodes.film, film, reading);
+    film_table(kinds).read(node, film, reading);
     film.template_name = template_name;
     film.layout = layout.value_or(LayoutSpec{});
     const Run& run = reading.run;
@@ -316,11 +335,11 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     film.slow = values_of(spans);
     film.seconds = film.given_seconds.value_or(seconds_at_pace(film.slow, run.until, film.pace) +
                                                card_seconds(film));
-    if (film.seconds > 0.0 && check_frames(film, nodes.film, nodes.root, reading.errors)) {
+    if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {
         check_legs(film, run, nodes.root, reading.errors);
         if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }
-    if (layout) check_slots(nodes.film, film, templates, reading.errors);
+    if (layout) check_slots(node, film, templates, reading.errors);
     return film;
 }
 

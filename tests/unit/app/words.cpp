@@ -61,7 +61,7 @@ TEST_CASE("a film without events has its words by quarters, with the numbers of 
         contains(words.descriptions,
                  "A row of beads. One is fast. Ten beads in a row. In the picture, the colour of "
                  "a particle tells its speed. Beside the particles: speed histogram, energy "
-                 "histogram and energy by species. Time 0 of 8.50, 0 collisions between particles "
+                 "histogram and phase. Time 0 of 8.50, 0 collisions between particles "
                  "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
                  "slow, 0 % medium and 10 % fast.\n"));
     // After 8.5 the speed has gone through eight collisions to one of the others.

@@ -9,6 +9,7 @@
 
 #include "support/files.h"
 #include "support/resources.h"
+#include "support/scene_text.h"
 #include "support/test_root.h"
 
 using namespace carom;
@@ -415,4 +416,32 @@ TEST_CASE("rings, labels and monitors are read") {
     CHECK(scene.film.labels == Labels::index);
     CHECK(scene.film.monitors == std::vector{Monitor::all_collisions, Monitor::time});
     CHECK(scene.film.panels[0].numbers == std::vector{Monitor::fast});
+}
+
+// Of a scene that names no panels, with the template lecture: speeds, energies, energies by
+// species.
+TEST_CASE("a film shows panels that have something to show of its gas") {
+    const auto kinds = [](const std::string& rest) {
+        std::vector<std::string> all;
+        for (const PanelSpec& panel :
+             carom::test::scene_from("title: T\n" + rest + "film: {seconds: 9}\n").film.panels)
+            all.push_back(panel.kind);
+        return all;
+    };
+    using Kinds = std::vector<std::string>;
+    const std::string box = "box: {size: [40, 30]}\n", wire = "box: {length: 40}\n",
+                      run = "run: {until: 9}\n",
+                      back = "run: {until: 9, events: [{at: 4, reverse: velocities}]}\n";
+    CHECK(kinds(box + "gas: [{name: a, count: 9}, {name: b, count: 9}]\n" + run) ==
+          Kinds{"speed-histogram", "energy-histogram", "energy-by-species"});
+    // A mean energy of one species is constant.
+    CHECK(kinds(box + "gas: [{count: 9}]\n" + run) ==
+          Kinds{"speed-histogram", "energy-histogram", "velocity-histogram"});
+    CHECK(kinds(box + "gas: [{count: 9}]\n" + back).at(2) == "return-distance");
+    CHECK(kinds("box: {size: [40, 30], walls: {left: {temperature: 2}}}\ngas: [{count: 9}]\n" + run)
+              .at(2) == "temperature");
+    // Equal beads only exchange their velocities.
+    CHECK(kinds(wire + "gas: [{count: 9, speed: 1}]\n" + run) == Kinds{"phase"});
+    CHECK(kinds(wire + "gas: [{count: 9, mass: [1, 2, 3, 4, 5, 6, 7, 8, 9]}]\n" + run).at(0) ==
+          "speed-histogram");
 }

@@ -295,7 +295,8 @@ void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Readi
         return kind == nullptr || !kind->suits || kind->suits(reading.gas, reading.run);
     };
     std::vector<Node>& list = panels->items;
-    if (reading.errors.empty() && std::ranges::any_of(list, suits)) std::erase_if(list, std::not_fn(suits));
+    if (reading.errors.empty() && std::ranges::any_of(list, suits))
+        std::erase_if(list, std::not_fn(suits));
     list.resize(std::min(list.size(), places));
 }
 

@@ -57,13 +57,12 @@ TEST_CASE("a film without events has its words by quarters, with the numbers of 
     CHECK(words.captions.empty());
     CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:05.000\nThe start\n"));
     CHECK(contains(words.chapters, "\n00:00:15.000 --> 00:00:20.000\nTime "));
-    CHECK(
-        contains(words.descriptions,
-                 "A row of beads. One is fast. Ten beads in a row. In the picture, the colour of "
-                 "a particle tells its speed. Beside the particles: speed histogram, energy "
-                 "histogram and phase. Time 0 of 8.50, 0 collisions between particles "
-                 "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
-                 "slow, 0 % medium and 10 % fast.\n"));
+    CHECK(contains(words.descriptions,
+                   "A row of beads. One is fast. Ten beads in a row. In the picture, the colour of "
+                   "a particle tells its speed. Beside the particles: energy by species and phase. "
+                   "Time 0 of 8.50, 0 collisions between particles "
+                   "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
+                   "slow, 0 % medium and 10 % fast.\n"));
     // After 8.5 the speed has gone through eight collisions to one of the others.
     CHECK(
         contains(words.descriptions,

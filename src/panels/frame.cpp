@@ -4,6 +4,7 @@
 #include <string>
 
 #include "panels/echo/echo_record.h"
+#include "panels/fade.h"
 #include "panels/layout.h"
 #include "panels/precision.h"
 #include "panels/registry.h"
@@ -22,6 +23,12 @@ std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Part
         return !words_of_surface_event(event, scene.gas).empty();
     });
     return changes ? std::nullopt : equilibrium(scene.gas.box, particles, start);
+}
+
+std::optional<Showing> showing_of(const Scene& scene, std::size_t panel) {
+    const TimeSpan& span = scene.film.panels[panel].show;
+    if (span.from <= 0.0 && !span.until) return std::nullopt;
+    return showing(timeline(scene), scene.film, span);
 }
 
 }  // namespace
@@ -47,7 +54,7 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
     const std::vector<Slot> slots =
         with_heights(shared_slots(layout.panels, panels.size()), enough);
     for (std::size_t i = 0; i < panels.size(); ++i)
-        panels_.push_back({slots[i], std::move(panels[i])});
+        panels_.push_back({slots[i], std::move(panels[i]), showing_of(scene, i)});
 }
 
 PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
@@ -58,6 +65,11 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
     constexpr bool in_film = false;
     const PanelContext context{scene, particles_, frames, equilibrium_, in_film};
     for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
+}
+
+double PanelSet::Placed::opacity(const Film& film, const Tick& tick) const {
+    constexpr double fade_seconds = 0.5;
+    return showing ? carom::opacity(*showing, film, tick.frame, fade_seconds) : 1.0;
 }
 
 bool PanelSet::wants_collisions() const {
@@ -129,20 +141,44 @@ FramePainter::FramePainter(const PanelSet& panels)
       unit_(grid_.unit()),
       captions_(caption_schedule(scene_)),
       ground_(blank(scene_.film)),
-      canvas_(blank(scene_.film)) {
-    draw_ground(ground_);
-}
+      canvas_(blank(scene_.film)) {}
 
 Canvas FramePainter::blank(const Film& film) {
     return Canvas({film.size.width, film.size.height},
                   film.transparent ? Backdrop::transparent : Backdrop::black);
 }
 
-void FramePainter::draw_ground(Canvas& canvas) {
+// Of each panel.
+std::vector<double> FramePainter::opacities(const Tick& tick, bool still) const {
+    std::vector<double> all;
+    for (const PanelSet::Placed& placed : panels_.panels()) {
+        const double one = placed.opacity(scene_.film, tick);
+        all.push_back(still && one > 0.0 ? 1.0 : one);
+    }
+    return all;
+}
+
+// Those that come or go are not in it.
+void FramePainter::prepare_ground(const std::vector<double>& opacities) {
+    std::vector<bool> whole;
+    for (const double one : opacities) whole.push_back(one == 1.0);
+    if (whole == grounded_) return;
+    const bool is_first = grounded_.empty();
+    grounded_ = whole;
+    if (!is_first) {
+        ground_ = blank(scene_.film);
+        canvas_ = blank(scene_.film);
+    }
+    draw_ground(ground_, opacities);
+}
+
+void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacities) {
     if (!scene_.film.transparent) canvas.fill_all(theme_.page);
     draw_title(canvas);
-    for (const PanelSet::Placed& placed : panels_.panels())
-        placed.panel->draw_ground(canvas, context_at(placed.slot));
+    for (std::size_t i = 0; i < opacities.size(); ++i) {
+        const PanelSet::Placed& placed = panels_.panels()[i];
+        if (opacities[i] == 1.0) placed.panel->draw_ground(canvas, context_at(placed.slot));
+    }
     const DrawContext key = context_at(scene_.film.layout.color_bar);
     const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
     const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
@@ -214,20 +250,39 @@ void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std:
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
+    const std::vector<double> seen = opacities(frame.tick, false);
+    prepare_ground(seen);
     canvas_.restore(ground_);
-    draw_changing(canvas_, frame, false);
+    draw_changing(canvas_, frame, seen, false);
     return canvas_;
 }
 
 void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
-    draw_ground(canvas);
-    draw_changing(canvas, frame, true);
+    const std::vector<double> seen = opacities(frame.tick, true);
+    draw_ground(canvas, seen);
+    draw_changing(canvas, frame, seen, true);
 }
 
-void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame, bool still) {
+// All of a panel, as it comes or goes: on pixels only, since stills show it whole.
+void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
+                               const PanelState& state, double opacity) {
+    const DrawContext dc = context_at(placed.slot);
+    const double around = 2.0 * unit_;
+    Fade fade(canvas, {dc.area.x - around, dc.area.y - around, dc.area.width + 2.0 * around,
+                       dc.area.height + 2.0 * around});
+    placed.panel->draw_ground(canvas, dc);
+    placed.panel->draw(canvas, dc, state);
+    fade.leave(opacity);
+}
+
+void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
+                                 const std::vector<double>& opacities, bool still) {
     for (std::size_t i = 0; i < frame.states.size(); ++i) {
         const PanelSet::Placed& placed = panels_.panels()[i];
-        placed.panel->draw(canvas, context_at(placed.slot), *frame.states[i]);
+        if (opacities[i] == 1.0)
+            placed.panel->draw(canvas, context_at(placed.slot), *frame.states[i]);
+        else if (opacities[i] > 0.0)
+            draw_fading(canvas, placed, *frame.states[i], opacities[i]);
     }
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
@@ -305,16 +360,16 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
 void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) const {
     const LayoutSpec& layout = scene_.film.layout;
     for (const CaptionSpan& caption : captions_) {
-        double opacity = caption_opacity(caption, scene_.film, tick.frame);
-        if (opacity <= 0.0 || caption.words.empty()) continue;
-        if (still) opacity = 1.0;
+        double alpha = opacity(caption, scene_.film, tick.frame, caption_fade_seconds);
+        if (alpha <= 0.0 || caption.words.empty()) continue;
+        if (still) alpha = 1.0;
         const Rect line = grid_.place(*layout.caption);
         const Rect place = grid_.place(layout.gas);
         const Rect box = panels_.gas().frame_in(place, unit_);
         const std::string words = escape_markup(caption.words);
         TextStyle style{.size = 1.5 * unit_,
                         .weight = 500,
-                        .color = with_alpha(theme_.ink, opacity),
+                        .color = with_alpha(theme_.ink, alpha),
                         .tabular = false};
         const double share = line.width / measure_text(words, style).width;
         style.size = std::max(unit_, std::min(1.0, share) * style.size);

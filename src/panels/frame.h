@@ -9,6 +9,7 @@
 #include "panels/panel.h"
 #include "panels/recording.h"
 #include "scene/time/captions.h"
+#include "scene/time/showing.h"
 
 namespace carom {
 
@@ -60,6 +61,9 @@ class PanelSet {
     struct Placed {
         Slot slot;
         std::unique_ptr<Panel> panel;
+        std::optional<Showing> showing = {};  ///< none: throughout
+        /// How much of it is seen in a frame, from 0 to 1.
+        double opacity(const Film& film, const Tick& tick) const;
     };
     const std::vector<Placed>& panels() const { return panels_; }  ///< a film's gas is the first
     const Panel& gas() const { return *panels_.front().panel; }
@@ -91,17 +95,22 @@ class FramePainter {
     const Canvas& paint(const FrameData& frame);
 
     /// Draws the same picture on another canvas of the film's size, as a still: a caption that
-    /// comes or goes is whole.
+    /// or a panel that comes or goes is whole.
     void paint_on(Canvas& canvas, const FrameData& frame);
 
   private:
     DrawContext context_at(const Slot& slot);
+    std::vector<double> opacities(const Tick& tick, bool still) const;
+    void prepare_ground(const std::vector<double>& opacities);
+    void draw_fading(Canvas& canvas, const PanelSet::Placed& placed, const PanelState& state,
+                     double opacity);
     TextStyle title_style(double width) const;
-    void draw_ground(Canvas& canvas);
+    void draw_ground(Canvas& canvas, const std::vector<double>& opacities);
     void draw_title(Canvas& canvas) const;
     void draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most_lines,
                        double line) const;
-    void draw_changing(Canvas& canvas, const FrameData& frame, bool still);
+    void draw_changing(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
+                       bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
     double card_alpha(const Tick& tick) const;
@@ -115,7 +124,8 @@ class FramePainter {
     double unit_;
     DiskPainter disks_;
     std::vector<CaptionSpan> captions_;
-    Canvas ground_;  ///< what is the same in every frame
+    std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`
+    Canvas ground_;               ///< what is the same in every frame with these panels
     Canvas canvas_;
 };
 

@@ -162,8 +162,9 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
 
 void complete_film(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
                    Reading& reading) {
-    draft.film = read_film({tree.film, tree.template_file, tree.root}, tree.template_name,
-                           resources.panels, resources.templates, reading);
+    draft.film =
+        read_film({tree.film, tree.template_file, tree.root}, tree.template_name, resources.panels,
+                  resources.templates, draft.written_run.pauses, reading);
     if (reading.errors.empty())
         check_captions(draft, draft.written_run.captions, tree.root, reading.errors);
     if (!draft.captions.empty()) draft.film.layout = with_caption_line(draft.film.layout);

@@ -78,6 +78,18 @@ struct Caption {
     std::optional<double> seconds = {};  ///< of film, at most; none: until the next
 };
 
+/// The film stands still, and simulated time does not pass.
+struct Pause {
+    double at = 0.0;       ///< simulated time
+    double seconds = 0.0;  ///< of film
+};
+
+/// The simulated time in which something is shown.
+struct TimeSpan {
+    double from = 0.0;
+    std::optional<double> until = {};  ///< none: the end of the run
+};
+
 /// Particles that a panel shows as one: a species, one particle, or all where neither is given.
 struct Chosen {
     std::optional<std::size_t> species = {};
@@ -97,6 +109,18 @@ struct GivenPair {
     Eigen::Array2d inverse_mass;  ///< 0: infinite, one at most
     Eigen::Array2d velocity;      ///< before they meet; unequal
 };
+
+/// The whole box, or line.
+struct WholeBox {};
+
+/// A view of this width whose middle is a particle, or the centre of mass of several.
+struct Followed {
+    Chosen what;
+    double width = 0.0;  ///< length
+};
+
+/// What is seen of the box.
+using View = std::variant<WholeBox, Region, Followed>;
 
 /// A panel of a film with its options; those without a meaning for its kind are as here.
 struct PanelSpec {
@@ -123,6 +147,8 @@ struct PanelSpec {
     std::optional<GivenPair> given = {};  ///< collision maps: none: of the run
     bool walk = false;                    ///< collision maps: all collisions so far
     std::optional<bool> scaled = {};  ///< collision maps: by the roots of the masses; none: walks
+    TimeSpan show = {};               ///< of a film: when it is there
+    std::optional<View> view = {};    ///< the gas in a figure; none: as in the film
     Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
 };
 
@@ -136,6 +162,43 @@ struct Trails {
 struct SlowSpan {
     double from = 0.0, to = 0.0;
     double factor = 1.0;  ///< 0.1: ten times slower
+};
+
+/// Particles that stand out for a while: all others are dimmed.
+struct Spotlight {
+    TimeSpan time;
+    std::vector<Chosen> on;
+};
+
+/// A point of a panel's plot.
+struct PlotPoint {
+    std::size_t panel = 0;         ///< of Film::panels
+    double x = 0.0;                ///< on its horizontal axis
+    std::optional<double> y = {};  ///< none: the top of what is drawn there
+};
+
+/// Words that point to a particle, or to a place in a plot.
+struct Callout {
+    double at = 0.0;       ///< simulated time
+    double seconds = 4.0;  ///< of film
+    std::variant<std::int64_t, PlotPoint> on = std::int64_t{0};
+    std::string words;
+};
+
+/// The camera goes over to another view.
+struct CameraMove {
+    double at = 0.0;  ///< simulated time
+    View view;
+    double seconds = 1.5;  ///< of film, that it takes
+};
+
+/// A quantity in the cells of a grid over the box, as its mean over a time before the present.
+struct Field {
+    enum class Of { density, temperature, speed, flow, concentration } of = Of::density;
+    std::size_t species = 0;  ///< of a concentration
+    int cells = 32;           ///< along the longer side
+    double over = 1.0;        ///< simulated time
+    double opacity = 0.6;
 };
 
 struct Scene;
@@ -180,9 +243,14 @@ struct Film {
     double title_card = 0.0;  ///< seconds; 0: none
     std::string end_card;     ///< its words; empty: none
     Trails trails;
+    std::vector<Pause> pauses;      ///< in order of time; from the run's events
     std::vector<SlowSpan> slow;     ///< in order, apart, with room for the easing between them
     std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
+    std::vector<Spotlight> spotlights;
+    std::vector<Callout> callouts;
+    std::vector<CameraMove> camera;  ///< in order of time; none: the whole box throughout
+    std::optional<Field> field;
 };
 
 /// Where a scene came from.

@@ -31,6 +31,18 @@ int when_it_stopped(const std::vector<Tick>& ticks, int frame, int first) {
     return frame;
 }
 
+std::string name_of(const PanelSpec& panel) {
+    std::string name = panel.title.value_or(panel.kind);
+    if (!panel.title) std::ranges::replace(name, '-', ' ');
+    return name;
+}
+
+// Whether a moment is only one at which the picture changes, not the gas: no chapter begins.
+bool is_note(const Moment& moment) {
+    return !moment.notes.empty() && moment.events.empty() && moment.mark.empty() &&
+           moment.caption.empty() && moment.end_card.empty() && !moment.reversed;
+}
+
 // Where something happens, and quarters far from there. The first frame is always among them, and
 // that of the end.
 std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
@@ -62,6 +74,14 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     };
     for (const Mark& mark : scene.marks)
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
+    for (const PanelSpec& panel : scene.film.panels) {
+        if (panel.show.from > 0.0)
+            if (const auto frame = shown_from(panel.show.from))
+                at(*frame).notes.push_back(fmt::format("The panel “{}” appears", name_of(panel)));
+        if (panel.show.until)
+            if (const auto frame = shown_from(*panel.show.until))
+                at(*frame).notes.push_back(fmt::format("The panel “{}” goes", name_of(panel)));
+    }
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
     const auto add = [&](double time, const std::string& words) {
         if (time < begins) return;
@@ -70,6 +90,8 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     for (const RunEvent& event : scene.run.events)
         if (const auto* moved = std::get_if<Perturbation>(&event.action))
             add(event.at, words_of(*moved));
+    for (const Pause& pause : scene.film.pauses)
+        add(pause.at, fmt::format("The film stands still for {:.3g} seconds", pause.seconds));
     for (const Happening& one : happenings(scene.run, scene.gas)) add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
@@ -131,11 +153,7 @@ std::string coloring(const Scene& scene) {
 // What is beside the gas.
 std::string picture_text(const Scene& scene) {
     std::vector<std::string> panels;
-    for (const PanelSpec& panel : scene.film.panels) {
-        std::string name = panel.title.value_or(panel.kind);
-        if (!panel.title) std::ranges::replace(name, '-', ' ');
-        panels.push_back(name);
-    }
+    for (const PanelSpec& panel : scene.film.panels) panels.push_back(name_of(panel));
     std::string text = "In the picture, " + coloring(scene) + ".";
     if (!panels.empty()) text += " Beside the particles: " + listed(panels) + ".";
     const bool is_described = scene.description == describe(scene);
@@ -150,6 +168,7 @@ std::string happening(const Moment& moment) {
     if (moment.ends) text += "The film ends. ";
     if (moment.reversed) text += "All velocities are reversed. ";
     for (const std::string& event : moment.events) text += event + ". ";
+    for (const std::string& note : moment.notes) text += note + ". ";
     if (!moment.mark.empty())
         text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
                             moment.mark);
@@ -275,7 +294,7 @@ FilmText FilmTextMaker::text() const {
         const bool last = i + 1 == moments_.size();
         const double next = last ? end : seconds_at(moments_[i + 1].frame, scene_, span_);
         descriptions.push_back({start, next, description_of(moments_[i], scene_, span_)});
-        if (moments_[i].ends && !chapters.empty())
+        if ((moments_[i].ends || is_note(moments_[i])) && !chapters.empty())
             chapters.back().end = next;
         else
             chapters.push_back({start, next, heading(moments_[i], scene_)});

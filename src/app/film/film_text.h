@@ -47,6 +47,7 @@ struct Moment {
     bool ends = false;                     ///< the film
     bool is_title = false;                 ///< the title card
     std::vector<std::string> events = {};  ///< of just now, in words, but for reversals
+    std::vector<std::string> notes = {};   ///< what changes in the picture, not in the gas
     std::string mark = {};                 ///< the words of places that are marked just now
     std::string end_card = {};
     std::string caption = {};   ///< that comes up just now

@@ -84,49 +84,54 @@ Notation<Heat> heat_notation() {
 
 std::vector<Binding<EventDraft>> event_keys(int dimension) {
     const Notation<const Node*> surface = kept(text(1, most_name_letters));
-    return {bind_key("at", &EventDraft::at, number(not_negative),
-                     "When, in simulated time, before `until`.")
-                .required(),
-            bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
-                     "Reverses all velocities; a run with one reversal must last until the "
-                     "gas has returned, at twice its time."),
-            bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
-                     "Moves one particle by a small amount, which shows how sensitive the "
-                     "return after a reversal is."),
-            bind_key("open", &EventDraft::open, surface,
-                     "Opens this partition: nothing is there from now on."),
-            bind_key("close", &EventDraft::close, surface,
-                     "Puts an open partition back; no particle may be in its way."),
-            bind_key("move", &EventDraft::move, surface,
-                     "This side or partition moves at `velocity` from now on."),
-            bind_key("hold", &EventDraft::hold, surface, "This piston stops and stays."),
-            bind_key("release", &EventDraft::release, surface, "Frees a piston that is held."),
-            bind_key("wall", &EventDraft::wall, surface,
-                     "This side or partition acts otherwise from now on: with `temperature`, "
-                     "`mass` (and `force`) or `velocity`, or `solid`."),
-            bind_key("heat", &EventDraft::heat, heat_notation(),
-                     "Gives energy to particles, or takes it, by scaling their velocities "
-                     "about the mean."),
-            bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
-                     "Shows the places that the particles have at this time as outlines, with "
-                     "these words, until the next mark."),
-            bind_key("caption", &EventDraft::caption, text(0, most_caption_letters),
-                     "A line of text under the gas, shown until the next one; \"\" removes it."),
-            bind_key("for", &EventDraft::seconds, number({least_caption_seconds, most_seconds}),
-                     "How long the caption is shown at most, in seconds of film.")
-                .default_text("until the next caption"),
-            bind_key("mirror", &EventDraft::is_mirrored, flag(),
-                     "Whether it is undone after a reversal of the velocities, as long after "
-                     "it as it was before. Where it is not, the gas goes another way than it "
-                     "came."),
-            bind_key("solid", &EventDraft::solid, flag(),
-                     "Of a `wall` event: the wall only reflects from now on.")};
+    return {
+        bind_key("at", &EventDraft::at, number(not_negative),
+                 "When, in simulated time, before `until`.")
+            .required(),
+        bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
+                 "Reverses all velocities; a run with one reversal must last until the "
+                 "gas has returned, at twice its time."),
+        bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
+                 "Moves one particle by a small amount, which shows how sensitive the "
+                 "return after a reversal is."),
+        bind_key("open", &EventDraft::open, surface,
+                 "Opens this partition: nothing is there from now on."),
+        bind_key("close", &EventDraft::close, surface,
+                 "Puts an open partition back; no particle may be in its way."),
+        bind_key("move", &EventDraft::move, surface,
+                 "This side or partition moves at `velocity` from now on."),
+        bind_key("hold", &EventDraft::hold, surface, "This piston stops and stays."),
+        bind_key("release", &EventDraft::release, surface, "Frees a piston that is held."),
+        bind_key("wall", &EventDraft::wall, surface,
+                 "This side or partition acts otherwise from now on: with `temperature`, "
+                 "`mass` (and `force`) or `velocity`, or `solid`."),
+        bind_key("heat", &EventDraft::heat, heat_notation(),
+                 "Gives energy to particles, or takes it, by scaling their velocities "
+                 "about the mean."),
+        bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
+                 "Shows the places that the particles have at this time as outlines, with "
+                 "these words, until the next mark."),
+        bind_key("caption", &EventDraft::caption, text(0, most_caption_letters),
+                 "A line of text under the gas, shown until the next one; \"\" removes it."),
+        bind_key("pause", &EventDraft::pause, number({0.1, most_seconds}),
+                 "The film stands still for so many seconds, and simulated time with it: time "
+                 "to speak. Pauses are part of the film's `seconds`; with `pace` they are added "
+                 "to them. Together they take at most half of the film."),
+        bind_key("for", &EventDraft::seconds, number({least_caption_seconds, most_seconds}),
+                 "How long the caption is shown at most, in seconds of film.")
+            .default_text("until the next caption"),
+        bind_key("mirror", &EventDraft::is_mirrored, flag(),
+                 "Whether it is undone after a reversal of the velocities, as long after "
+                 "it as it was before. Where it is not, the gas goes another way than it "
+                 "came."),
+        bind_key("solid", &EventDraft::solid, flag(),
+                 "Of a `wall` event: the wall only reflects from now on.")};
 }
 
 KeyTable<EventDraft> event_table(int dimension) {
     std::vector<Choice> choices = acting_choices();
     choices.insert(choices.begin(), {{"reverse", "nudge", "open", "close", "move", "hold",
-                                      "release", "wall", "heat", "mark", "caption"},
+                                      "release", "wall", "heat", "mark", "caption", "pause"},
                                      true});
     for (const char* key : {"temperature", "mass", "velocity"}) choices.push_back({{"solid", key}});
     return {.name = "an item of `events`",
@@ -218,6 +223,7 @@ void add_event(const EventDraft& event, const Node& node, RunDraft& run, Errors&
         if (const auto behaviour = change_of(event, node, errors))
             add(ChangeSurface{no_surface, *behaviour}, event.wall);
     if (event.mark) run.marks.push_back({event.at, *event.mark});
+    if (event.pause) run.pauses.push_back({{event.at, *event.pause}, given(node, "pause")});
     if (event.caption)
         run.captions.push_back({{event.at, *event.caption, event.seconds}, given(node, "caption")});
 }

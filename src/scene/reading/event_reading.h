@@ -23,7 +23,7 @@ struct EventDraft : ActingDraft {
     std::optional<Heat> heat;
     bool is_mirrored = true;
     std::optional<std::string> mark, caption;
-    std::optional<double> seconds;
+    std::optional<double> seconds, pause;
 };
 
 Notation<EventDraft> event_notation(int dimension);

@@ -263,6 +263,21 @@ bool check_frames(const Film& film, const Node& node, const Node& root, Errors& 
     return false;
 }
 
+// A film that the command line makes shorter shows what it can.
+void check_pauses(const Film& film, const std::vector<Placed<Pause>>& pauses, const Node& node,
+                  Errors& errors) {
+    const Node* length = given(node, "seconds");
+    const double asked = pause_seconds(film), most = most_pause_seconds(film);
+    if (asked <= most || (length != nullptr && length->source->origin == Origin::command_line))
+        return;
+    errors.add(*pauses.back().node,
+               fmt::format("pauses of {:.3g} seconds in all, in a film of {:.3g} seconds{}", asked,
+                           film.seconds, card_seconds(film) > 0.0 ? " with its cards" : ""),
+               fmt::format("pauses take at most half of a film: make it longer (`film.seconds`), "
+                           "or the pauses {:.3g} seconds or less in all",
+                           most));
+}
+
 // Each part of the run between reversals needs a frame for its end.
 void check_legs(const Film& film, const Run& run, const Node& root, Errors& errors) {
     const int legs = branch_count(run);
@@ -272,7 +287,9 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
     if (legs <= steps || events == nullptr) return;
     const int enough = (4 * (legs + 1) + 2) / 3;  // pauses leave at least 3/4 of the frames, less 1
     const double with_cards = card_seconds(film) > 0.0 ? 1.5 : 1.0;
-    const double seconds = std::ceil(10.0 * with_cards * enough / film.fps) / 10.0;
+    const double gas =
+        std::max(enough / double(film.fps) + pause_seconds(film), 2.0 * pause_seconds(film));
+    const double seconds = std::ceil(10.0 * with_cards * gas) / 10.0;
     errors.add(
         *events,
         fmt::format("{} {} the run into {} parts, but a film of {} can show only {}",
@@ -321,7 +338,8 @@ KeyTable<FilmDraft> template_table(PanelKinds kinds) {
 }
 
 Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,
-               const std::filesystem::path& templates, Reading& reading) {
+               const std::filesystem::path& templates, const std::vector<Placed<Pause>>& pauses,
+               Reading& reading) {
     const Node* layout_node = given(nodes.template_file, "layout");
     const auto layout = layout_node != nullptr ? layout_notation().read(*layout_node, reading)
                                                : std::optional<LayoutSpec>();
@@ -334,9 +352,11 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     const Run& run = reading.run;
     const Spans spans = spans_of(film.spans, reading);
     film.slow = values_of(spans);
+    film.pauses = values_of(pauses);
     film.seconds = film.given_seconds.value_or(seconds_at_pace(film.slow, run.until, film.pace) +
-                                               card_seconds(film));
+                                               card_seconds(film) + pause_seconds(film));
     if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {
+        check_pauses(film, pauses, node, reading.errors);
         check_legs(film, run, nodes.root, reading.errors);
         if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }

@@ -33,11 +33,12 @@ struct FilmNodes {
     const Node& root;  ///< the scene
 };
 
-/// The film of a scene, of which the gas and the run are known. Its run gives the length where the
-/// film does not. A scene's panels may be more than the places of a template that the command line
-/// asks for: the first are shown. Where they are too many, the message names those of `templates`
-/// that have places for them.
+/// The film of a scene, of which the gas and the run are known, with the pauses that the run asks
+/// for. Its run gives the length where the film does not. A scene's panels may be more than the
+/// places of a template that the command line asks for: the first are shown. Where they are too
+/// many, the message names those of `templates` that have places for them.
 Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,
-               const std::filesystem::path& templates, Reading& reading);
+               const std::filesystem::path& templates, const std::vector<Placed<Pause>>& pauses,
+               Reading& reading);
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include "physics/theory/equilibrium.h"
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
+#include "scene/reading/overlay_reading.h"
 #include "scene/time/timeline.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
@@ -273,9 +274,14 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
                                              "mean over a time before the present.")
                                         .default_text("now; since the start for the pressure")
                                         .only_with(kinds_that_can(kinds, Ability::over));
+    const Binding<PanelSpec> show =
+        bind_key("show", &PanelSpec::show, show_notation(),
+                 "When the panel is there; it comes and goes within half a second, and its place "
+                 "stays free without it.")
+            .default_text("throughout the film");
     const KeyTable<PanelSpec> table{
         .name = "a panel",
-        .keys = panel_keys(kinds, kind_key(names), {over}),
+        .keys = panel_keys(kinds, kind_key(names), {over, show}),
         .rule = [kinds](PanelSpec& panel, const Node& node, Reading& reading) {
             complete_panel(panel, node, kinds, reading);
         }};

@@ -8,7 +8,6 @@
 namespace carom {
 namespace {
 
-constexpr double fade_seconds = 0.2;
 constexpr double line_height = 2.6;  // grid units, where the template does not say
 
 double bottom(const Slot& slot) { return slot.y + slot.height; }
@@ -70,36 +69,14 @@ std::vector<CaptionSpan> caption_schedule(const Scene& scene) {
     const std::vector<Tick> ticks = timeline(scene);
     const double fps = scene.film.fps;
     std::vector<CaptionSpan> spans;
-    for (const Caption& caption : scene.captions) {
-        const auto begin = std::ranges::find_if(ticks, [&](const Tick& tick) {
-            return tick.time >= caption.at && tick.phase != Phase::title_card;
-        });
-        const int first = static_cast<int>(begin - ticks.begin());
-        if (!spans.empty()) spans.back().last = std::min(spans.back().last, first - 1);
-        int last = static_cast<int>(ticks.size()) - 1 - card_frames(scene.film).end;
-        if (caption.seconds)
-            last =
-                std::min(last, first - 1 + static_cast<int>(std::lround(*caption.seconds * fps)));
-        spans.push_back({caption.words, first, last, 0.0, 0.0});
-    }
-    for (CaptionSpan& span : spans) {
-        span.start = span.first / fps;
-        span.end = (span.last + 1) / fps;
+    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+        const Caption& caption = scene.captions[i];
+        TimeSpan time{caption.at, {}};
+        if (i + 1 < scene.captions.size()) time.until = scene.captions[i + 1].at;
+        const Showing shown = showing(ticks, scene.film, time, caption.seconds);
+        spans.push_back({shown, caption.words, shown.first / fps, (shown.last + 1) / fps});
     }
     return spans;
-}
-
-double caption_opacity(const CaptionSpan& span, const Film& film, int frame) {
-    if (frame < span.first || frame > span.last) return 0.0;
-    const auto fade = [&](int frames) {
-        return std::min(1.0, (frames + 0.5) / film.fps / fade_seconds);
-    };
-    const CardFrames cards = card_frames(film);
-    const bool at_start = span.first == cards.title;
-    const bool at_end = span.last + 1 == frame_count(film) - cards.end;
-    const double coming = at_start ? 1.0 : fade(frame - span.first);
-    const double going = at_end ? 1.0 : fade(span.last - frame);
-    return std::min(coming, going);
 }
 
 }  // namespace carom

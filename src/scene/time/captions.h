@@ -6,17 +6,16 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/time/showing.h"
 
 namespace carom {
 
 /// Below, a caption cannot be read.
 constexpr double least_caption_seconds = 2.5;
 
-/// A caption on the screen: in every frame from `first` to `last`.
-struct CaptionSpan {
-    std::string words;   ///< not empty
-    int first = 0;       ///< frame
-    int last = 0;        ///< frame, included
+/// A caption on the screen.
+struct CaptionSpan : Showing {
+    std::string words;   ///< may be empty
     double start = 0.0;  ///< seconds of film
     double end = 0.0;    ///< seconds of film
 };
@@ -26,9 +25,8 @@ struct CaptionSpan {
 /// captions that no frame is left for (`last` < `first`), are among them.
 std::vector<CaptionSpan> caption_schedule(const Scene& scene);
 
-/// How much of a caption is seen in a frame, from 0 to 1: it comes and goes within 0.2 s, but
-/// stands whole in the first frame of the gas and in the last one.
-double caption_opacity(const CaptionSpan& span, const Film& film, int frame);
+/// How long a caption takes to come and to go.
+constexpr double caption_fade_seconds = 0.2;
 
 /// The layout with room for the line of captions.
 LayoutSpec with_caption_line(LayoutSpec layout);

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace carom {
 namespace {
 
-struct Pauses {
+struct Holds {
     int opening, reversal, closing;
 };
 
@@ -18,17 +19,33 @@ std::vector<double> reversals_on_the_way(const Run& run) {
     return times;
 }
 
-Pauses pauses(int frames, int fps, int reversals) {
+Holds holds(int frames, int fps, int reversals) {
     const double wanted = (1.5 + 2.0 + reversals) * fps;
     const double scale = std::min(1.0, frames / 4.0 / wanted);
     const auto count = [&](double seconds) { return static_cast<int>(seconds * fps * scale); };
     return {count(1.5), count(1.0), count(2.0)};
 }
 
-// Those that show the gas.
-int gas_frames(const Film& film) {
+int frames_without_cards(const Film& film) {
     const CardFrames cards = card_frames(film);
     return frame_count(film) - cards.title - cards.end;
+}
+
+// Of each pause that the scene asks for.
+std::vector<int> pause_frames(const Film& film) {
+    const double wanted = pause_seconds(film), most = most_pause_seconds(film);
+    const double scale = wanted > most ? most / wanted : 1.0;
+    std::vector<int> frames;
+    for (const Pause& pause : film.pauses)
+        frames.push_back(static_cast<int>(scale < 1.0 ? pause.seconds * film.fps * scale
+                                                      : std::round(pause.seconds * film.fps)));
+    return frames;
+}
+
+// Those that show the gas in the run's own time.
+int gas_frames(const Film& film) {
+    const std::vector<int> pauses = pause_frames(film);
+    return frames_without_cards(film) - std::accumulate(pauses.begin(), pauses.end(), 0);
 }
 
 // The film between two reversals: equal steps from its start; its end is always a frame. A whole
@@ -86,6 +103,15 @@ class Reel {
     void hold(int frames, double time, Phase phase, int reversals) {
         for (int i = 0; i < frames; ++i) add(time, phase, (i + 1.0) / frames, reversals);
     }
+    // The words for it come and go within a fifth of a second.
+    void pause(int frames, double time, int reversals) {
+        constexpr double fade_seconds = 0.2;
+        for (int i = 0; i < frames; ++i) {
+            add(time, Phase::pausing, (i + 1.0) / frames, reversals);
+            const double nearest_end = std::min(i, frames - 1 - i) + 0.5;
+            ticks_.back().slow = {0.0, std::min(1.0, nearest_end / (fade_seconds * fps_))};
+        }
+    }
     void pause_at_reversal(int frames, double time, int before) {
         for (int i = 0; i < frames; ++i)
             add(time, Phase::reversing, (i + 1.0) / frames, 2 * i < frames ? before : before + 1);
@@ -100,7 +126,32 @@ class Reel {
     std::vector<Tick> ticks_;
 };
 
+// The pauses of a scene as its film goes on.
+class Pauses {
+  public:
+    explicit Pauses(const Film& film) : pauses_(film.pauses), frames_(pause_frames(film)) {}
+
+    /// Those before `time` that are still to come.
+    void add_before(double time, int reversals, Reel& reel) {
+        for (; next_ < pauses_.size() && pauses_[next_].at < time; ++next_)
+            reel.pause(frames_[next_], pauses_[next_].at, reversals);
+    }
+
+  private:
+    const std::vector<Pause>& pauses_;
+    std::vector<int> frames_;
+    std::size_t next_ = 0;
+};
+
 }  // namespace
+
+double pause_seconds(const Film& film) {
+    double seconds = 0.0;
+    for (const Pause& pause : film.pauses) seconds += pause.seconds;
+    return seconds;
+}
+
+double most_pause_seconds(const Film& film) { return 0.5 * frames_without_cards(film) / film.fps; }
 
 int frame_count(const Film& film) {
     return std::max(1, static_cast<int>(std::lround(film.seconds * film.fps)));
@@ -125,8 +176,8 @@ int branch_count(const Run& run) { return static_cast<int>(reversals_on_the_way(
 int moving_steps(const Film& film, const Run& run) {
     const int frames = gas_frames(film);
     const int reversals = branch_count(run) - 1;
-    const Pauses pause = pauses(frames, film.fps, reversals);
-    return frames - 1 - pause.opening - pause.closing - pause.reversal * reversals;
+    const Holds hold = holds(frames, film.fps, reversals);
+    return frames - 1 - hold.opening - hold.closing - hold.reversal * reversals;
 }
 
 std::vector<Tick> timeline(const Scene& scene) {
@@ -134,8 +185,7 @@ std::vector<Tick> timeline(const Scene& scene) {
     if (frames == 1) return {Tick{}};
     const CardFrames cards = card_frames(scene.film);
     std::vector<double> ends = reversals_on_the_way(scene.run);
-    const Pauses pause =
-        pauses(gas_frames(scene.film), scene.film.fps, branch_count(scene.run) - 1);
+    const Holds hold = holds(gas_frames(scene.film), scene.film.fps, branch_count(scene.run) - 1);
     ends.push_back(scene.run.until);
     const int most = moving_steps(scene.film, scene.run);
     assert(static_cast<int>(ends.size()) <= most);
@@ -145,19 +195,22 @@ std::vector<Tick> timeline(const Scene& scene) {
     for (const double end : ends) stretched_ends.push_back(pace.stretched(end));
     const double step = common_step(stretched_ends, most);
 
+    Pauses pauses(scene.film);
     Reel reel(pace, scene.film.fps);
     reel.hold(cards.title, 0.0, Phase::title_card, 0);
-    reel.hold(pause.opening, 0.0, Phase::opening, 0);
+    reel.hold(hold.opening, 0.0, Phase::opening, 0);
     reel.add(0.0, Phase::moving, 0.0, 0);
     double start = 0.0;
     for (std::size_t leg = 0; leg < ends.size(); ++leg) {
         const double length = stretched_ends[leg] - start;
         const int steps = static_cast<int>(steps_of_leg(length, step));
         const int reversals = static_cast<int>(leg);
-        for (int i = 1; i < steps; ++i)
-            reel.add(pace.time(start + i * (length / steps)), Phase::moving, 0.0, reversals);
-        reel.add(ends[leg], Phase::moving, 0.0, reversals);
-        if (leg + 1 < ends.size()) reel.pause_at_reversal(pause.reversal, ends[leg], reversals);
+        for (int i = 1; i <= steps; ++i) {
+            const double time = i < steps ? pace.time(start + i * (length / steps)) : ends[leg];
+            pauses.add_before(time, reversals, reel);
+            reel.add(time, Phase::moving, 0.0, reversals);
+        }
+        if (leg + 1 < ends.size()) reel.pause_at_reversal(hold.reversal, ends[leg], reversals);
         start = stretched_ends[leg];
     }
     assert(reel.size() <= frames - cards.end);

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-enum class Phase { title_card, opening, moving, reversing, closing, end_card };
+enum class Phase { title_card, opening, moving, reversing, pausing, closing, end_card };
 
 /// One frame of a film.
 struct Tick {
@@ -18,8 +18,8 @@ struct Tick {
     double time = 0.0;  ///< simulated
     Phase phase = Phase::moving;
     double progress =
-        0.0;  ///< through the phase, from 0 to 1; of the reversal pause the share that has passed
-    Slowness slow = {};  ///< of the motion
+        0.0;             ///< through the phase, from 0 to 1; of a pause the share that has passed
+    Slowness slow = {};  ///< of the motion; in a pause of factor 0
     int reversals = 0;   ///< reversals up to this frame; one that is just announced counts from the
                          ///< middle of its pause
     double seconds = 0.0;  ///< of film, since the gas is shown; 0 in a title card
@@ -28,8 +28,9 @@ struct Tick {
 /// All frames of the film of `scene`, round(seconds * fps) of them, times never falling; the first
 /// is at 0, the last at `until` (a single frame is at 0), and every reversal's time has one.
 /// Opening 1.5 s, closing 2 s, 1 s for each reversal; together at most a quarter of the film,
-/// scaled down in short ones. Slow motion takes more frames of the rest. Needs branch_count <=
-/// moving_steps, as every loaded scene has it.
+/// scaled down in short ones. The scene's own pauses show exactly their time, after a reversal at
+/// it. Slow motion takes more frames of the rest. Needs branch_count <= moving_steps, as every
+/// loaded scene has it.
 std::vector<Tick> timeline(const Scene& scene);
 
 /// Where `time` lies on an axis that turns back at every reversal: elapsed time until the first
@@ -50,6 +51,11 @@ CardFrames card_frames(const Film& film);
 /// Seconds of both cards that a film asks for.
 double card_seconds(const Film& film);
 
+/// Seconds of all pauses that the scene asks for, and the most that they take of the film: half of
+/// it without its cards. Where they are more, all are shorter in the same proportion.
+double pause_seconds(const Film& film);
+double most_pause_seconds(const Film& film);
+
 /// The number of frames of a scene's film, cards included.
 int frame_count(const Film& film);
 
@@ -57,7 +63,7 @@ int frame_count(const Film& film);
 int branch_count(const Run& run);
 
 /// The steps from frame to frame in which the gas may move: the film without its cards and pauses.
-/// At least 3/4 of the frames that are no cards, less one.
+/// At least 3/4 of the frames that are no cards and no pauses of the scene, less one.
 int moving_steps(const Film& film, const Run& run);
 
 /// First frames of the film's segments, and the number of frames as the last entry. A function of

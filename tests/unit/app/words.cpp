@@ -131,3 +131,24 @@ TEST_CASE("cards and marks are told too") {
                    "3.0"));
     CHECK(contains(words.transcript, "\n0:26  The last words: “Who has the speed now!”.\n"));
 }
+
+TEST_CASE("a pause is a cue for who speaks") {
+    const Scene scene =
+        row_of_beads("run: {until: 8.5, events: [{at: 4, pause: 3}]}\nfilm: {pace: 1, fps: 10}\n");
+    CHECK(scene.film.seconds == doctest::Approx(11.5));
+    const FilmText words = words_of(scene);
+    CHECK(contains(words.chapters, "The film stands still for 3 seconds"));
+    CHECK(contains(words.transcript, "The film stands still for 3 seconds. "));
+}
+
+TEST_CASE("a panel that comes in is told, and begins no chapter") {
+    const Scene scene = row_of_beads(
+        "run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, panels: [{kind: temperature, show: "
+        "{from: 3, until: 6}}]}\n");
+    const FilmText words = words_of(scene);
+    CHECK(contains(words.transcript, "The panel “temperature” appears. Time 3"));
+    CHECK(contains(words.transcript, "The panel “temperature” goes. Time 6"));
+    CHECK(contains(words.descriptions, "The panel “temperature” appears."));
+    CHECK(!contains(words.chapters, "panel"));
+    CHECK(!contains(words.chapters, "Time 3"));
+}

@@ -76,20 +76,20 @@ TEST_CASE("at a reversal a caption comes when the gas stops") {
 TEST_CASE("captions come and go within 0.2 s, but stand whole at both ends of the film") {
     const Scene scene = film("{at: 0, caption: one}, {at: 6, caption: two}");
     const std::vector<CaptionSpan> spans = caption_schedule(scene);
-    CHECK(caption_opacity(spans[0], scene.film, 0) == 1.0);
-    CHECK(caption_opacity(spans[1], scene.film, 599) == 1.0);
+    CHECK(opacity(spans[0], scene.film, 0, caption_fade_seconds) == 1.0);
+    CHECK(opacity(spans[1], scene.film, 599, caption_fade_seconds) == 1.0);
     const int change = spans[1].first;
-    CHECK(caption_opacity(spans[0], scene.film, change) == 0.0);
-    CHECK(caption_opacity(spans[1], scene.film, change - 1) == 0.0);
+    CHECK(opacity(spans[0], scene.film, change, caption_fade_seconds) == 0.0);
+    CHECK(opacity(spans[1], scene.film, change - 1, caption_fade_seconds) == 0.0);
     double last = 0.0;
     for (int i = 0; i < 6; ++i) {  // 0.2 s
-        const double coming = caption_opacity(spans[1], scene.film, change + i);
+        const double coming = opacity(spans[1], scene.film, change + i, caption_fade_seconds);
         CHECK(coming > last);
         CHECK(coming < 1.0);
-        CHECK(caption_opacity(spans[0], scene.film, change - 1 - i) == coming);
+        CHECK(opacity(spans[0], scene.film, change - 1 - i, caption_fade_seconds) == coming);
         last = coming;
     }
-    CHECK(caption_opacity(spans[1], scene.film, change + 6) == 1.0);
+    CHECK(opacity(spans[1], scene.film, change + 6, caption_fade_seconds) == 1.0);
 }
 
 TEST_CASE("a caption that is cut below 2.5 s is refused, one that just fits is not") {

@@ -80,6 +80,6 @@ TEST_CASE("with cards the way back still mirrors the way out, and captions begin
     CHECK(span.last == 779);
     CHECK(span.start == doctest::Approx(3.0));
     CHECK(span.end == doctest::Approx(26.0));
-    CHECK(caption_opacity(span, scene.film, 90) == 1.0);
-    CHECK(caption_opacity(span, scene.film, 779) == 1.0);
+    CHECK(opacity(span, scene.film, 90, caption_fade_seconds) == 1.0);
+    CHECK(opacity(span, scene.film, 779, caption_fade_seconds) == 1.0);
 }

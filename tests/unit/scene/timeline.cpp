@@ -168,3 +168,43 @@ TEST_CASE("segments cover the film, are balanced, and depend on the scene alone"
     const std::vector<int> large = segment_starts(900, 100000);
     CHECK(large[1] <= 30);
 }
+
+TEST_CASE("a pause stands for exactly its seconds at exactly its time, and moves nothing else") {
+    Scene scene = film(12.0, 30.0, 30, {6.0});
+    Scene longer = scene;
+    longer.film.pauses = {{0.0, 1.0}, {4.321, 3.0}, {6.0, 2.0}};
+    longer.film.seconds += 6.0;
+    const std::vector<Tick> ticks = timeline(longer);
+    REQUIRE(ticks.size() == 1080);
+    std::vector<double> moving;
+    int before = 0, at_turn = 0;
+    for (const Tick& tick : ticks) {
+        if (tick.phase != Phase::pausing) {
+            moving.push_back(tick.time);
+            continue;
+        }
+        CHECK(tick.slow.factor == 0.0);
+        before += tick.time == 4.321;
+        at_turn += tick.time == 6.0 && tick.reversals == 1;
+    }
+    CHECK(before == 90);
+    CHECK(at_turn == 60);
+    CHECK(std::is_sorted(ticks.begin(), ticks.end(),
+                         [](const Tick& a, const Tick& b) { return a.time < b.time; }));
+    std::vector<double> without;
+    for (const Tick& tick : timeline(scene)) without.push_back(tick.time);
+    CHECK(moving == without);
+}
+
+TEST_CASE("pauses take at most half of a film, all in the same proportion") {
+    Scene scene = film(12.0, 10.0, 30);
+    scene.film.pauses = {{2.0, 4.0}, {3.0, 8.0}};
+    CHECK(most_pause_seconds(scene.film) == 5.0);
+    int first = 0, second = 0;
+    for (const Tick& tick : timeline(scene)) {
+        first += tick.phase == Phase::pausing && tick.time == 2.0;
+        second += tick.phase == Phase::pausing && tick.time == 3.0;
+    }
+    CHECK(first == 50);
+    CHECK(second == 100);
+}

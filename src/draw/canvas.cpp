@@ -251,10 +251,9 @@ void Canvas::fill_circle(Point center, double radius, Color color) {
 }
 
 void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
-    cairo_save(handle());
     clip_to(clip);
     for (const Circle& circle : circles) fill_circle(circle.center, circle.radius, circle.color);
-    cairo_restore(handle());
+    release_clip();
 }
 
 void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
@@ -294,12 +293,13 @@ void Canvas::fill_polygon(std::span<const Point> points, Color color) {
 }
 
 void Canvas::clip_to(Rect rect) {
+    cairo_save(handle());
     cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
     cairo_clip(handle());
     check(cairo_status(handle()), "draw");
 }
 
-void Canvas::release_clip() { cairo_reset_clip(handle()); }
+void Canvas::release_clip() { cairo_restore(handle()); }
 
 void Canvas::restore(const Canvas& ground) {
     const PixelView from = ground.pixels();

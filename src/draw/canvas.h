@@ -79,7 +79,7 @@ class Canvas {
                      std::span<const double> dashes = {});  ///< line, gap, ...; none: solid, with
                                                             ///< round joins and caps
     void fill_polygon(std::span<const Point> points, Color color);
-    void clip_to(Rect rect);  ///< until release_clip(); does not nest
+    void clip_to(Rect rect);  ///< until its release_clip(); the inner of two cuts what is left
     void release_clip();
 
     /// Makes this raster the same as `ground`, of the same size: copies what has been drawn on

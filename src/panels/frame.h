@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "panels/layout.h"
@@ -111,6 +112,7 @@ class FramePainter {
                        double line) const;
     void draw_changing(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
                        bool still);
+    void draw_callouts(Canvas& canvas, const FrameData& frame, bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
     double card_alpha(const Tick& tick) const;
@@ -124,6 +126,7 @@ class FramePainter {
     double unit_;
     DiskPainter disks_;
     std::vector<CaptionSpan> captions_;
+    std::vector<std::pair<const Callout*, Showing>> callouts_;  ///< to points of plots
     std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`
     Canvas ground_;               ///< what is the same in every frame with these panels
     Canvas canvas_;

@@ -113,6 +113,13 @@ class Panel {
         return area;
     }
 
+    /// Where on the canvas a point of its plot is in a state: what a callout points to. None where
+    /// it has no axes, or the point lies beyond them.
+    virtual std::optional<Point> place_of(const DrawContext&, const PanelState&,
+                                          const PlotPoint&) const {
+        return {};
+    }
+
     /// Draws what its colours and arrows mean into an area beside it; `own` is the panel's.
     virtual void draw_key(Canvas&, const DrawContext&, const DrawContext& own) const { (void)own; }
 };

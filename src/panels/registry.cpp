@@ -9,6 +9,7 @@
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
 #include "physics/theory/error_growth.h"
+#include "scene/reading/overlay_reading.h"
 #include "scene/reading/panel_reading.h"
 
 namespace carom {
@@ -76,6 +77,12 @@ std::vector<Binding<PanelSpec>> numbers_key() {
             .default_text("all but all-collisions and return-distance")};
 }
 
+std::vector<Binding<PanelSpec>> view_key() {
+    return {bind_key("view", &PanelSpec::view, view_notation(),
+                     "What the figure shows of the box: `box`, all of it, or a part.")
+                .default_text("as the film's camera shows it at that time")};
+}
+
 std::vector<Binding<PanelSpec>> words_key() {
     return {bind_key("words", &PanelSpec::words, lines(1, most_words_letters),
                      "The text of the panel; an empty line separates paragraphs.")
@@ -88,8 +95,8 @@ void check_words(PanelSpec&, const Node& node, Reading& reading) {
                            "for instance {kind: text, words: \"Watch the red disk.\"}");
 }
 
-std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec&) {
-    return make_gas_panel(context);
+std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec& spec) {
+    return make_gas_panel(context, spec.view);
 }
 
 std::int64_t count_of(const Gas& gas) {
@@ -176,18 +183,26 @@ std::vector<PanelKind> all_kinds() {
          .suits = returns},
         {.name = "phase", .make = make_phase, .abilities = {of, component}, .suits = is_line},
         {.name = "positions", .make = make_positions, .abilities = {of, two, component}},
-        {.name = "monitors", .make = make_monitors, .keys = numbers_key()},
-        {.name = "single-collision", .make = make_single_collision, .abilities = {of, pair}},
+        {.name = "monitors", .make = make_monitors, .keys = numbers_key(), .has_plot = false},
+        {.name = "single-collision",
+         .make = make_single_collision,
+         .abilities = {of, pair},
+         .has_plot = false},
         {.name = "contact-time", .make = make_contact_time, .abilities = {of, pair}},
         {.name = "collision-map",
          .make = make_collision_map,
          .abilities = {of, pair},
          .keys = collision_map_keys(),
          .rule = check_collision_map},
-        {.name = "text", .make = make_text, .keys = words_key(), .rule = check_words},
+        {.name = "text",
+         .make = make_text,
+         .keys = words_key(),
+         .rule = check_words,
+         .has_plot = false},
         {.name = "gas",
          .make = make_gas,
          .abilities = {strip},
+         .keys = view_key(),
          .in_films_instead = "the box is in every film; the template says where",
          .palettes = palette_names()},
     };
@@ -200,9 +215,10 @@ PanelKinds panel_kinds() {
     return kinds;
 }
 
-std::unique_ptr<Panel> make_gas_panel(const PanelContext& context) {
-    if (context.scene.gas.box.dimension == 1) return std::make_unique<LinePanel>(context);
-    return std::make_unique<GasPanel>(context);
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
+                                      const std::optional<View>& view) {
+    if (context.scene.gas.box.dimension == 1) return std::make_unique<LinePanel>(context, view);
+    return std::make_unique<GasPanel>(context, view);
 }
 
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec) {

@@ -20,8 +20,10 @@ std::span<const PanelKind> panel_kinds();
 /// validated.
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec);
 
-/// The box of a plane, or the wire.
-std::unique_ptr<Panel> make_gas_panel(const PanelContext& context);
+/// The box of a plane, or the wire; with a view that holds throughout, or what the film's camera
+/// shows.
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
+                                      const std::optional<View>& view = {});
 
 /// What makes a panel of one kind.
 using PanelMaker = std::unique_ptr<Panel>(const PanelContext& context, const PanelSpec& spec);

@@ -55,6 +55,9 @@ struct PanelKind {
     /// of its template's list that do. None: always.
     std::function<bool(const Gas&, const Run&)> suits = {};
 
+    /// Whether it has axes that a callout can point to.
+    bool has_plot = true;
+
     /// Of a kind for figures only: what to do in films instead; empty: it is for both.
     std::string in_films_instead = {};
 

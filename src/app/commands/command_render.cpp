@@ -5,9 +5,11 @@
 #include <cctype>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/command.h"
 #include "app/film/film_path.h"
+#include "app/film/join.h"
 #include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/output.h"
@@ -28,6 +30,7 @@ struct RenderArguments : SceneOptions {
     std::vector<std::string> scenes;
     FilmDestination destination;
     FilmOptions film;  ///< without the path
+    bool join = false;
 };
 
 Quality quality_of(const std::string& name) {
@@ -37,6 +40,7 @@ Quality quality_of(const std::string& name) {
 
 std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
     std::vector<fs::path> outputs;
+    if (arguments.join) return {film_path(arguments.destination, arguments.scenes.front())};
     for (const std::string& scene : arguments.scenes) {
         const fs::path path = film_path(arguments.destination, scene);
         if (std::ranges::find(outputs, path) != outputs.end())
@@ -103,10 +107,32 @@ std::string timings(const RenderReport& report) {
 // All scenes before any work: a mistake in the last one must not cost the hours of the first.
 std::vector<Scene> load_all(const RenderArguments& arguments) {
     const SceneResources resources = scene_resources();
-    const Overrides overrides = overrides_of(arguments);
+    Overrides overrides = overrides_of(arguments);
+    bool is_first = true;
     return all_made(arguments.scenes, [&](const std::string& name) {
-        return load_scene(name, resources, overrides);
+        Scene scene = load_scene(name, resources, overrides);
+        if (arguments.join && std::exchange(is_first, false)) {
+            const Film& film = scene.film;
+            overrides.push_back(
+                fmt::format("film.size=[{}, {}]", film.size.width, film.size.height));
+            overrides.push_back(fmt::format("film.fps={}", film.fps));
+        }
+        return scene;
     });
+}
+
+// What cannot be one film.
+void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& scenes) {
+    if (arguments.film.from || arguments.film.to)
+        throw UsageError("--join: --from and --to apply to one scene; leave them out");
+    if (scenes.size() < 2) throw UsageError("--join makes one film of several scenes; give two");
+    for (const Scene& scene : scenes)
+        if (scene.film.transparent)
+            throw UsageError("--join: scenes fade into their ground, and the ground is none");
+    if (format_of_film(film_path(arguments.destination, arguments.scenes.front())).previews > 0)
+        throw UsageError(
+            "--join: a GIF has its colours from one scene; write a .mp4, a .webm or a folder of "
+            "frames");
 }
 
 // What pages and mail take without trouble is soon passed by a format that holds every change of
@@ -135,46 +161,53 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
     fmt::print("{}", text);
 }
 
-RenderReport render_to_stream(const Scene& scene, FilmOptions options, Progress& progress) {
+RenderReport render_to_stream(const std::vector<Scene>& scenes, FilmOptions options,
+                              Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
     options.output = folder.path() / options.output;
-    const RenderReport report = render(scene, options, progress);
+    const RenderReport report = scenes.size() > 1 ? render_joined(scenes, options, progress)
+                                                  : render(scenes.front(), options, progress);
     stream.copy(options.output);
     return report;
 }
 
-void render_scene(const RenderArguments& arguments, const std::string& name, const Scene& scene,
-                  const fs::path& output) {
+// Of one scene, or of several joined.
+void render_film(const RenderArguments& arguments, const std::string& name,
+                 const std::vector<Scene>& scenes, const fs::path& output) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
     options.output = output;
     options.threads = threads_of(arguments);
     const RenderReport report = Output::is_standard_output(arguments.destination.output)
-                                    ? render_to_stream(scene, options, progress)
-                                    : render(scene, options, progress);
-    print_report(arguments, scene, report);
+                                    ? render_to_stream(scenes, options, progress)
+                                : scenes.size() > 1 ? render_joined(scenes, options, progress)
+                                                    : render(scenes.front(), options, progress);
+    print_report(arguments, scenes.front(), report);
     if (!arguments.quiet) say(warning(format_of_film(output), report));
 }
 
 void render_scenes(RenderArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
-    arguments.destination.several = arguments.scenes.size() > 1;
+    arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs = outputs_of(arguments);
     if (arguments.film.text && Output::is_standard_output(arguments.destination.output))
         throw UsageError(
             "--words: these files go beside the film, which has no file here; name one with -o");
     const std::vector<Scene> scenes = load_all(arguments);
+    if (arguments.join) refuse_join(arguments, scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         require_letters(scenes[i]);
         refuse_span(arguments.film, scenes[i]);
-        refuse_format(format_of_film(outputs[i]), scenes[i]);
+        refuse_format(format_of_film(outputs[arguments.join ? 0 : i]), scenes[i]);
     }
+    if (arguments.join)
+        return render_film(arguments, arguments.scenes.front(), scenes, outputs.front());
     std::size_t rendered = 0;
     try {
         for (; rendered < scenes.size(); ++rendered)
-            render_scene(arguments, arguments.scenes[rendered], scenes[rendered],
-                         outputs[rendered]);
+            render_film(arguments, arguments.scenes[rendered], {scenes[rendered]},
+                        outputs[rendered]);
     } catch (const Interrupted&) {
         if (rendered == 0) throw;
         throw Interrupted(fmt::format("{} of {} films {} written", rendered, scenes.size(),
@@ -201,7 +234,8 @@ Command render_command() {
                   {"--to", "simulated time at which the film ends", &its.film.to},
                   {"--words",
                    "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
-                   &its.film.text}},
+                   &its.film.text},
+                  {"--join", "one film of all scenes, each fading into the next", &its.join}},
                  scene_options(its),
                  picture_options(its),
                  {shortcut(its, "--fps", "film.fps", "frames per second"),

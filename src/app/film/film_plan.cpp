@@ -110,7 +110,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
 
     PanelSet panels(plan.scene, plan.particles, plan.start);
     std::optional<FilmTextMaker> text;
-    if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles);
+    if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at);
     progress.begin("simulating", static_cast<double>(ticks.size()));
     plan.run =
         panels.record(std::move(start), std::move(ticks),

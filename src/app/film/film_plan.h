@@ -25,7 +25,8 @@ struct FilmOptions {
     std::filesystem::path output = {};  ///< as format_of_film() reads it
     Quality quality = Quality::standard;
     int threads = 1;
-    bool text = false;  ///< its FilmText, in files beside it
+    bool text = false;                     ///< its FilmText, in files beside it
+    std::optional<double> joined_at = {};  ///< seconds of the film that it is a part of
     std::optional<double> from = {},
                           to = {};  ///< as frames_between() reads them; none: the whole film
 };

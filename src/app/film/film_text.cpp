@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/film/film_notes.h"
 #include "app/progress.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
@@ -29,12 +30,6 @@ int when_it_stopped(const std::vector<Tick>& ticks, int frame, int first) {
     const auto time = [&](int i) { return ticks[static_cast<std::size_t>(i)].time; };
     while (frame > first && time(frame - 1) == time(frame)) --frame;
     return frame;
-}
-
-std::string name_of(const PanelSpec& panel) {
-    std::string name = panel.title.value_or(panel.kind);
-    if (!panel.title) std::ranges::replace(name, '-', ' ');
-    return name;
 }
 
 // Whether a moment is only one at which the picture changes, not the gas: no chapter begins.
@@ -74,14 +69,8 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     };
     for (const Mark& mark : scene.marks)
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
-    for (const PanelSpec& panel : scene.film.panels) {
-        if (panel.show.from > 0.0)
-            if (const auto frame = shown_from(panel.show.from))
-                at(*frame).notes.push_back(fmt::format("The panel “{}” appears", name_of(panel)));
-        if (panel.show.until)
-            if (const auto frame = shown_from(*panel.show.until))
-                at(*frame).notes.push_back(fmt::format("The panel “{}” goes", name_of(panel)));
-    }
+    for (const FilmNote& note : film_notes(scene))
+        if (const auto frame = shown_from(note.at)) at(*frame).notes.push_back(note.words);
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
     const auto add = [&](double time, const std::string& words) {
         if (time < begins) return;
@@ -201,14 +190,14 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
 }
 
 std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments,
-                          const FrameSpan& span) {
+                          const FrameSpan& span, double before) {
     std::string text = scene.title + "\n";
     if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
     text += fmt::format("\nA silent film of {}.\n\n{}\n{}\n",
                         clock_text(static_cast<double>(span.frames()) / scene.film.fps),
                         sentence(scene.description), picture_text(scene));
     for (const Moment& moment : moments) {
-        text += fmt::format("\n{}  ", clock_text(seconds_at(moment.frame, scene, span)));
+        text += fmt::format("\n{}  ", clock_text(before + seconds_at(moment.frame, scene, span)));
         text += happening(moment);
         if (!moment.caption.empty()) text += fmt::format("“{}” ", moment.caption);
         if (moment.end_card.empty()) text += numbers_of(moment, scene);
@@ -257,8 +246,13 @@ std::string webvtt(const std::vector<Cue>& cues) {
 }
 
 FilmTextMaker::FilmTextMaker(const Scene& scene, const FrameSpan& span,
-                             const std::vector<Tick>& ticks, const Particles& particles)
-    : scene_(scene), span_(span), particles_(particles), moments_(moments_of(scene, span, ticks)) {}
+                             const std::vector<Tick>& ticks, const Particles& particles,
+                             std::optional<double> joined_at)
+    : scene_(scene),
+      span_(span),
+      particles_(particles),
+      joined_at_(joined_at),
+      moments_(moments_of(scene, span, ticks)) {}
 
 void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
     if (next_ == moments_.size() || moments_[next_].frame != tick.frame) return;
@@ -299,8 +293,15 @@ FilmText FilmTextMaker::text() const {
         else
             chapters.push_back({start, next, heading(moments_[i], scene_)});
     }
+    const double before = joined_at_.value_or(0.0);
+    if (joined_at_) chapters = {{0.0, end, scene_.title}};
+    for (std::vector<Cue>* cues : {&captions, &chapters, &descriptions})
+        for (Cue& cue : *cues) {
+            cue.start += before;
+            cue.end += before;
+        }
     return {captions.empty() ? "" : webvtt(captions), webvtt(chapters), webvtt(descriptions),
-            transcript_of(scene_, moments_, span_)};
+            transcript_of(scene_, moments_, span_, before)};
 }
 
 bool has_captions(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,9 +62,10 @@ struct Moment {
 /// Makes the text of a film while its run is simulated.
 class FilmTextMaker {
   public:
-    /// `span` is of `ticks`, the scene's timeline; all but these outlive it.
+    /// `span` is of `ticks`, the scene's timeline; all but these outlive it. A film that is a part
+    /// of another begins at `joined_at` seconds of that, and is one chapter there.
     FilmTextMaker(const Scene& scene, const FrameSpan& span, const std::vector<Tick>& ticks,
-                  const Particles& particles);
+                  const Particles& particles, std::optional<double> joined_at = {});
 
     /// Every frame of the timeline in order.
     void see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
@@ -75,6 +77,7 @@ class FilmTextMaker {
     const Scene& scene_;
     FrameSpan span_;
     const Particles& particles_;
+    std::optional<double> joined_at_;
     std::vector<Moment> moments_;  ///< in order
     std::size_t next_ = 0;         ///< to be seen
 };

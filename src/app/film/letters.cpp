@@ -17,6 +17,7 @@ std::string words_of(const Scene& scene) {
     for (const SpeciesLook& look : scene.looks) words += look.label;
     for (const PanelSpec& panel : scene.film.panels)
         words += panel.title.value_or("") + panel.words;
+    for (const Callout& callout : scene.film.callouts) words += callout.words;
     for (const FigureSpec& figure : scene.figures) {
         words += figure.panel.title.value_or("") + figure.panel.words;
         for (const ComparedRun& run : figure.compare) words += run.label;

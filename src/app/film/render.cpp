@@ -33,30 +33,41 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
                         Progress& progress, const Stopwatch& watch) {
     RenderReport report;
     report.path = options.output;
-    report.frames = plan.frames();
-    report.passes = plan.passes;
-    const std::unique_ptr<PanelSet> panels = plan.panels();
     if (!plan.colors.empty()) writer.use_colors(plan.colors);
-    progress.begin("rendering", static_cast<double>(plan.frames()));
-    SegmentWorkers workers(*panels, plan.segments, options.threads, writer, progress);
-    plan.run.play(static_cast<std::size_t>(plan.span.end),
-                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                      report.collisions = advanced.counts;
-                      FrameData frame = panels->frame_data(tick, sample, advanced);
-                      if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
-                  });
-    report.workers = workers.finish();
+    draw_frames(plan, options.threads, writer, progress, report);
     throw_if_interrupted();
     report.simulate_seconds = watch.cpu();
     writer.commit();
     if (options.text) write_text(plan.text, options.output);
-    progress.finish();
     report.bytes = writer.bytes();
     report.wall_seconds = watch.wall();
     return report;
 }
 
 }  // namespace
+
+void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress& progress,
+                 RenderReport& report) {
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    progress.begin("rendering", static_cast<double>(plan.frames()));
+    SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
+    CollisionCounts collisions;
+    plan.run.play(static_cast<std::size_t>(plan.span.end),
+                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                      collisions = advanced.counts;
+                      FrameData frame = panels->frame_data(tick, sample, advanced);
+                      if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
+                  });
+    const WorkerSeconds seconds = workers.finish();
+    progress.finish();
+    report.workers.draw += seconds.draw;
+    report.workers.encode += seconds.encode;
+    report.frames += plan.frames();
+    report.passes.insert(report.passes.end(), plan.passes.begin(), plan.passes.end());
+    report.collisions.particle += collisions.particle;
+    report.collisions.wall += collisions.wall;
+    report.collisions.ties += collisions.ties;
+}
 
 std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options) {
     const Scene& scene = plan.scene;

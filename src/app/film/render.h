@@ -37,6 +37,11 @@ RenderReport render(const Scene& scene, const FilmOptions& options, Progress& pr
 /// The same of what is prepared already, with what it was prepared for.
 RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& progress);
 
+/// Draws all frames of a plan for `writer`, which is not committed, and adds to the report what
+/// they took.
+void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress& progress,
+                 RenderReport& report);
+
 /// What writes the film of a plan, whose metadata hold all that makes it again. Throws SystemError.
 std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options);
 

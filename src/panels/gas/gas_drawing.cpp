@@ -1,12 +1,11 @@
 // The drawing of the gas: ghosts, trails, disks, their labels, rings and names, flashes and arrows.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <vector>
 
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
+#include "panels/gas/disk_names.h"
 #include "panels/gas/gas_panel.h"
 #include "util/text.h"
 
@@ -38,76 +37,6 @@ void add_disk(std::vector<Disk>& disks, Point at, float radius, std::uint32_t ed
 // What is left of a disk's radius inside a ring; disks too small for one are filled.
 double inside_ring(double radius, double line) { return radius > 2.0 * line ? radius - line : 0.0; }
 
-// Above the disk if there is room, else below, else upon it; inside the box.
-Point usual_foot(const Rect& box, const Rect& disk, double half, double u) {
-    const double center = disk.x + disk.width / 2;
-    Point foot{std::max(box.x + half, std::min(center, box.right() - half)), disk.y - 0.7 * u};
-    if (foot.y - 1.2 * u < box.y) foot.y = disk.bottom() + 1.7 * u;
-    if (foot.y + 0.4 * u > box.bottom())
-        foot.y = std::clamp(disk.y + disk.height / 2, box.y + 1.2 * u, box.bottom() - 0.4 * u);
-    return foot;
-}
-
-// How many of the disks lie under a name, but for its own.
-int disks_under(const std::vector<Disk>& disks, const Rect& name, const Rect& own) {
-    int under = 0;
-    for (const Disk& disk : disks) {
-        const double x = static_cast<double>(disk.x), y = static_cast<double>(disk.y);
-        if (std::hypot(x - own.x - own.width / 2, y - own.y - own.height / 2) < own.width / 2)
-            continue;
-        const double across = x - std::clamp(x, name.x, name.right());
-        const double up = y - std::clamp(y, name.y, name.bottom());
-        under += std::hypot(across, up) < static_cast<double>(disk.radius);
-    }
-    return under;
-}
-
-// In a picture that stands still a name may keep clear of the disks around it: of the places around
-// its own disk, from above on, the first that covers the fewest.
-Point free_foot(const Rect& box, const Rect& disk, double half, double u,
-                const std::vector<Disk>& disks) {
-    constexpr int directions = 24;
-    const double high = 1.4 * u, wide = 2.0 * half - 0.4 * u;
-    Point best = usual_foot(box, disk, half, u);
-    int least = std::numeric_limits<int>::max();
-    for (int k = 0; k < 2 * directions; ++k) {
-        const int step = k % directions;  // to the right and to the left in turn
-        const double turn = step % 2 == 0 ? 0.5 * step : -0.5 * (step + 1);
-        const double angle = 2.0 * std::numbers::pi * turn / directions;
-        const double x = std::sin(angle), y = -std::cos(angle);
-        const double gap = (k < directions ? 0.2 : 0.8) * u + disk.width / 2;
-        const double away = std::min((gap + 0.5 * wide) / std::max(1e-9, std::abs(x)),
-                                     (gap + 0.5 * high) / std::max(1e-9, std::abs(y)));
-        const Rect name{disk.x + disk.width / 2 + away * x - 0.5 * wide,
-                        disk.y + disk.height / 2 + away * y - 0.5 * high, wide, high};
-        if (name.x < box.x || name.y < box.y || name.right() > box.right() ||
-            name.bottom() > box.bottom())
-            continue;
-        const int under = disks_under(disks, name, disk);
-        if (under >= least) continue;
-        least = under;
-        best = {name.x + 0.5 * wide, name.y + 1.1 * u};
-    }
-    return best;
-}
-
-// With an edge of the ground, so that it can be read over disks and hides little of them. `disks`:
-// to keep clear of.
-void draw_name(Canvas& canvas, const DrawContext& dc, const Rect& box, const Rect& disk,
-               const std::string& markup, double alpha, const std::vector<Disk>* disks) {
-    const double u = dc.unit;
-    TextStyle style = title_style(dc);
-    style.align = Align::center;
-    style.color = with_alpha(dc.theme.ink, alpha);
-    style.max_width = box.width - 0.8 * u;
-    style.halo = 0.16 * u;
-    style.behind = with_alpha(dc.theme.ground, alpha);
-    const double half = measure_text(markup, style).width / 2 + 0.4 * u;
-    const Point foot =
-        disks == nullptr ? usual_foot(box, disk, half, u) : free_foot(box, disk, half, u, *disks);
-    draw_text(canvas, foot, markup, style);
-}
-
 }  // namespace
 
 // A frame being drawn.
@@ -119,8 +48,10 @@ struct GasPanel::Drawing {
     const Scene& scene = panel.context_.scene;
     const Box& box = scene.gas.box;
     const Eigen::ArrayXd& radius = panel.context_.particles.radius;
-    BoxMap map = panel.map_in(dc);
-    Rect frame = gas.surfaces.empty() ? map.frame : map.rect(panel.surfaces_.room(gas.surfaces));
+    BoxMap whole = panel.map_in(dc);
+    BoxMap map = gas.view ? panel.part_of(whole, *gas.view) : whole;
+    Rect frame =
+        gas.surfaces.empty() || gas.view ? map.frame : map.rect(panel.surfaces_.room(gas.surfaces));
     double scale = map.scale;
     std::vector<Color> colors = panel.colors_.of_shades(dc.theme);
 
@@ -137,6 +68,7 @@ struct GasPanel::Drawing {
     // box.
     template <class Draw>
     void for_each_image(Point place, double reach, const Draw& draw) const {
+        if (gas.view) return for_each_in_view(place, reach, draw);
         const double across = image_shift(box, 0, place.x, reach);
         const double up = image_shift(box, 1, place.y, reach);
         draw(pixel(place));
@@ -145,19 +77,44 @@ struct GasPanel::Drawing {
         if (across != 0.0 && up != 0.0) draw(pixel({place.x + across, place.y + up}));
     }
 
+    // The same in a part of the box, which may lie across a periodic side.
+    template <class Draw>
+    void for_each_in_view(Point place, double reach, const Draw& draw) const {
+        for_each_turn([&](Point shift) {
+            const Point at = pixel({place.x + shift.x, place.y + shift.y});
+            const double around = reach * scale + dc.unit;
+            if (at.x > frame.x - around && at.x < frame.right() + around &&
+                at.y > frame.y - around && at.y < frame.bottom() + around)
+                draw(at);
+        });
+    }
+
+    // With the shift of each image of the box that may be seen.
+    template <class Draw>
+    void for_each_turn(const Draw& draw) const {
+        const int across = gas.view && box.is_periodic(0), up = gas.view && box.is_periodic(1);
+        for (int i = -across; i <= across; ++i)
+            for (int k = -up; k <= up; ++k) draw(Point{i * box.size[0], k * box.size[1]});
+    }
+
     void draw() const;
+    void draw_box() const;
+    void draw_contents() const;
+    void draw_where_it_is() const;
+    void draw_callouts() const;
     void draw_ghosts() const;
     void draw_disks() const;
     void draw_infinite() const;
     void draw_arrows() const;
     void draw_labels() const;
-    void draw_trail(const Trail& trail, double seconds) const;
+    void draw_trail(std::size_t followed, Point shift) const;
     void draw_followed() const;
     void draw_flashes() const;
     void draw_remarks() const;
 };
 
 void GasPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    if (camera_.moves()) return;
     const BoxMap map = map_in(dc);
     if (!surfaces_.is_plain()) {
         if (surfaces_.is_still()) surfaces_.draw_room(canvas, dc, map, {});
@@ -174,14 +131,84 @@ void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& sta
     Drawing{*this, canvas, dc, static_cast<const State&>(state)}.draw();
 }
 
-void GasPanel::Drawing::draw() const {
+// Where the camera moves, all of the box changes.
+void GasPanel::Drawing::draw_box() const {
     const SurfaceView& surfaces = panel.surfaces_;
-    if (!surfaces.is_still()) surfaces.draw_room(canvas, dc, map, gas.surfaces);
+    if (!panel.camera_.moves()) {
+        if (!surfaces.is_still()) surfaces.draw_room(canvas, dc, map, gas.surfaces);
+        return;
+    }
+    const double line = 0.11 * dc.unit;
+    if (gas.view) canvas.fill(frame, dc.theme.page);
+    if (!surfaces.is_plain()) return surfaces.draw_room(canvas, dc, map, gas.surfaces);
+    Rect inside = map.rect({{0.0, 0.0}, box.size});
+    if (box.is_periodic(0)) inside.x = frame.x - line, inside.width = frame.width + 2.0 * line;
+    if (box.is_periodic(1)) inside.y = frame.y - line, inside.height = frame.height + 2.0 * line;
+    canvas.fill(inside, dc.theme.ground);
+    canvas.stroke_rect(
+        {inside.x - line / 2, inside.y - line / 2, inside.width + line, inside.height + line}, line,
+        dc.theme.wall);
+}
+
+void GasPanel::Drawing::draw() const {
+    if (gas.view) canvas.clip_to(frame);
+    draw_box();
+    draw_contents();
+    if (gas.view) {
+        canvas.release_clip();
+        draw_where_it_is();
+    }
+    draw_callouts();
+}
+
+// A thin line around what is seen, and where that is in the box.
+void GasPanel::Drawing::draw_where_it_is() const {
+    const double zoom = map.scale / whole.scale;
+    const double share = std::clamp(std::log(zoom) / std::log(1.3), 0.0, 1.0);
+    canvas.stroke_rect(frame, 0.07 * dc.unit, dc.theme.muted);
+    const Point corner = whole.pixel({map.low[0], map.low[1] + frame.height / map.scale});
+    const Rect part{(corner.x - frame.x) / frame.width, (corner.y - frame.y) / frame.height,
+                    1.0 / zoom, 1.0 / zoom};
+    draw_where(canvas, dc, frame, part, frame.height / frame.width, map.scale, share);
+}
+
+// The words stand still; where the camera moves they keep clear of where it shows the particle.
+void GasPanel::Drawing::draw_callouts() const {
+    std::vector<Rect> taken;
+    for (const Callouts::Present& one : gas.callouts) {
+        std::vector<Point> way;
+        double reach = 0.0;
+        for (const Callouts::Step& step : panel.callouts_.way(one)) {
+            const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
+            const BoxMap then = view ? panel.part_of(whole, *view) : whole;
+            way.push_back(then.pixel({step.x, step.y}));
+            reach = std::max(reach, radius[one.particle] * then.scale);
+        }
+        const CalloutPlate plate = callout_plate(dc, panel.callouts_.words(one),
+                                                 std::min(17.0 * dc.unit, 0.5 * frame.width));
+        taken.push_back(free_place(dc, whole.frame, plate, way, reach, taken));
+        const double shown = std::max(least_radius, radius[one.particle] * scale);
+        Point target = pixel(one.particle);  // or its image that the camera shows
+        for_each_image(place_of(gas.place, one.particle), 0.0, [&](Point at) {
+            const auto off = [&](Point to) {
+                return std::hypot(to.x - frame.x - frame.width / 2,
+                                  to.y - frame.y - frame.height / 2);
+            };
+            if (off(at) < off(target)) target = at;
+        });
+        canvas.clip_to(frame);
+        draw_callout(canvas, dc, taken.back(), plate, target, shown, one.share);
+        canvas.release_clip();
+    }
+}
+
+void GasPanel::Drawing::draw_contents() const {
+    const SurfaceView& surfaces = panel.surfaces_;
     canvas.clip_to(frame);
     draw_ghosts();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     for (std::size_t k = 0; k < gas.trails.size(); ++k)
-        draw_trail(gas.trails[k], panel.followed_[k].trail_seconds);
+        for_each_turn([&](Point shift) { draw_trail(k, shift); });
     draw_disks();
     if (scene.film.labels == Labels::none)
         draw_infinite();
@@ -220,11 +247,14 @@ void GasPanel::Drawing::draw_disks() const {
     std::vector<Disk> disks;
     disks.reserve(gas.shades.size() + panel.followed_.size());
     const std::uint32_t ground = rgb_of(dc.theme.ground);
+    const auto dimmed = [&](std::uint32_t color, Eigen::Index i) {
+        return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, dc.theme.ground));
+    };
     const double line = std::max(1.5, ring_line * dc.unit);
     const double rim = std::max(2.0, rim_line * dc.unit);
     const auto add = [&](Eigen::Index i) {
         const auto shown = static_cast<float>(std::max(least_radius, radius[i] * scale));
-        const std::uint32_t color = pixels[shade(i)], edge = edges[shade(i)];
+        const std::uint32_t color = dimmed(pixels[shade(i)], i), edge = dimmed(edges[shade(i)], i);
         const bool is_filled = panel.is_filled(i);
         double inside = 0.0;
         if (!is_filled || edge != color)
@@ -272,32 +302,44 @@ void GasPanel::Drawing::draw_remarks() const {
 
 void GasPanel::Drawing::draw_arrows() const {
     if (gas.velocity.size() == 0) return;
-    const ArrowField field{frame, scale, {box.is_periodic(0), box.is_periodic(1)}};
+    ArrowField field{frame, whole.scale, {box.is_periodic(0), box.is_periodic(1)}};
+    if (gas.view) field.joined = {false, false};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
         const Point velocity = place_of(gas.velocity, i);
-        panel.arrows_.draw(canvas, dc, field, pixel(i), radius[i] * scale,
-                           {velocity.x, -velocity.y}, dc.theme.ground);
+        const double light = gas.light.empty() ? 1.0 : double(gas.light[std::size_t(i)]);
+        const auto draw_one = [&](Point at) {
+            panel.arrows_.draw(canvas, dc, field, at, radius[i] * scale, {velocity.x, -velocity.y},
+                               dc.theme.ground, light);
+        };
+        if (gas.view)
+            for_each_in_view(place_of(gas.place, i), radius[i], draw_one);
+        else
+            draw_one(pixel(i));
     }
     canvas.release_clip();
 }
 
 void GasPanel::Drawing::draw_labels() const {
     for (Eigen::Index i = 0; i < radius.size(); ++i)
-        draw_words_on(canvas, dc, pixel(i), radius[i] * scale,
-                      words_on(panel.context_, i, scene.film.labels),
-                      panel.is_filled(i) ? colors[shade(i)] : dc.theme.ground);
+        draw_words_on(
+            canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, scene.film.labels),
+            panel.is_filled(i) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
 }
 
 // In pieces of one strength, whose round ends lie over one another: steps with square ends of their
 // own would show as ribs where they are short, and as notches where the path turns.
-void GasPanel::Drawing::draw_trail(const Trail& trail, double seconds) const {
+void GasPanel::Drawing::draw_trail(std::size_t followed, Point shift) const {
+    const Trail& trail = gas.trails[followed];
+    const auto [particle, seconds] = panel.followed_[followed];
+    const Color ink = gas.seen(dc.theme.ink, particle, dc.theme.ground);
+    const auto seen_at = [&](Point place) { return pixel({place.x + shift.x, place.y + shift.y}); };
     std::vector<Point> piece;
     double strength = 0.0;
     const auto draw_piece = [&] {
         if (piece.size() > 1)
             canvas.stroke_path(piece, (0.1 + 0.25 * strength) * dc.unit,
-                               mix(dc.theme.ground, dc.theme.ink, 0.75 * strength));
+                               mix(dc.theme.ground, ink, 0.75 * strength));
         piece.clear();
     };
     for (std::size_t i = 1; i < trail.places.size(); ++i) {
@@ -308,14 +350,14 @@ void GasPanel::Drawing::draw_trail(const Trail& trail, double seconds) const {
             std::round((1.0 - std::clamp(age, 0.0, 1.0)) * trail_shades) / trail_shades;
         if (now != strength) draw_piece();
         strength = now;
-        if (piece.empty()) piece.push_back(pixel(from));
+        if (piece.empty()) piece.push_back(seen_at(from));
         // A step goes through a periodic side rather than through more than half the box.
         const double across = box.size[0] * box.turns(0, from.x - to.x);
         const double up = box.size[1] * box.turns(1, from.y - to.y);
-        piece.push_back(pixel({to.x + across, to.y + up}));
+        piece.push_back(seen_at({to.x + across, to.y + up}));
         if (across == 0.0 && up == 0.0) continue;
         draw_piece();  // and on from the opposite side
-        piece = {pixel({from.x - across, from.y - up}), pixel(to)};
+        piece = {seen_at({from.x - across, from.y - up}), seen_at(to)};
     }
     draw_piece();
 }
@@ -326,6 +368,14 @@ void GasPanel::Drawing::draw_followed() const {
     for (Eigen::Index i = 0; i < count; ++i)
         add_disk(disks, pixel(i), static_cast<float>(std::max(least_radius, radius[i] * scale)), 0,
                  0.0, 0);
+    for (const Spotlights::Ring& ring : gas.rings) {
+        const double shown = std::max(least_radius, radius[ring.particle] * scale);
+        const double line = 0.14 * dc.unit;
+        for_each_image(place_of(gas.place, ring.particle), radius[ring.particle], [&](Point at) {
+            canvas.stroke_circle(at, shown + 0.5 * line, line,
+                                 with_alpha(dc.theme.ink, ring.share));
+        });
+    }
     for (const Followed& one : panel.followed_) {
         const Eigen::Index i = one.particle;
         const double shown = radius[i] * scale, line = 0.14 * dc.unit;

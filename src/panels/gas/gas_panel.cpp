@@ -24,7 +24,8 @@ Eigen::Array2d contact_of(const Collision& collision, const Particles& particles
 
 }  // namespace
 
-GasPanel::GasPanel(const PanelContext& context) : ParticlePanel(context), surfaces_(context) {
+GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
+    : ParticlePanel(context, view), surfaces_(context) {
     choose_particles();
     trails_.resize(followed_.size());
 }
@@ -33,6 +34,8 @@ void GasPanel::survey(const FrameInput& input) {
     colors_.survey(input);
     arrows_.survey(input);
     surfaces_.survey(input);
+    camera_.survey(input);
+    callouts_.survey(input, input.sample.position);
     flashes_.survey(input, [this](const Collision& collision) {
         const Eigen::Array2d at = contact_of(collision, context_.particles);
         const Box& box = context_.scene.gas.box;
@@ -45,11 +48,14 @@ void GasPanel::survey(const FrameInput& input) {
 void GasPanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
+    camera_.fix_way(surfaces_.extent());
     const double side = context_.scene.gas.box.size.minCoeff();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
 
-void GasPanel::archive(Archive& archive) { archive(colors_, arrows_, flashes_, surfaces_); }
+void GasPanel::archive(Archive& archive) {
+    archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_);
+}
 
 // Those that should have a trail, and a single particle among many, which is what the film is
 // about.
@@ -111,6 +117,15 @@ bool GasPanel::stands_alone() const {
 
 BoxMap GasPanel::map_in(const DrawContext& own) const {
     return surfaces_.map_in(own.area, own.unit, stands_alone());
+}
+
+// As large as the whole box in the picture.
+BoxMap GasPanel::part_of(const BoxMap& whole, const CameraView& view) const {
+    BoxMap part = whole;
+    part.scale = whole.frame.width / view.width;
+    part.low = {view.middle[0] - 0.5 * view.width,
+                view.middle[1] - 0.5 * whole.frame.height / part.scale};
+    return part;
 }
 
 Rect GasPanel::frame_in(const Rect& area, double unit) const {

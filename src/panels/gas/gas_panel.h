@@ -13,7 +13,7 @@ namespace carom {
 
 class GasPanel : public ParticlePanel {
   public:
-    explicit GasPanel(const PanelContext& context);
+    explicit GasPanel(const PanelContext& context, const std::optional<View>& view = {});
 
     void survey(const FrameInput& input) override;
     void fix_axes() override;
@@ -62,6 +62,7 @@ class GasPanel : public ParticlePanel {
     void extend_trails(const FrameInput& input);
     bool stands_alone() const;
     BoxMap map_in(const DrawContext& own) const;
+    BoxMap part_of(const BoxMap& whole, const CameraView& view) const;
     std::string label(Eigen::Index particle, const State& state) const;
 
     SurfaceView surfaces_;

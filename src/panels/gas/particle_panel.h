@@ -3,11 +3,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "panels/gas/callouts.h"
+#include "panels/gas/camera.h"
 #include "panels/gas/flashes.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/ghosts.h"
+#include "panels/gas/spotlights.h"
 #include "panels/gas/velocity_arrows.h"
 #include "panels/panel.h"
 
@@ -22,10 +26,21 @@ struct ParticleState : PanelState {
     std::shared_ptr<const Ghosts> ghosts;  ///< may be null
     double ghost_words = 0.0;
     std::vector<Flash> flashes;
+    std::vector<float> light;  ///< how much of its colour each particle keeps; empty: all
+    std::vector<Spotlights::Ring> rings;
+    std::vector<Callouts::Present> callouts;
+    std::optional<CameraView> view;  ///< none: the whole box
 
     std::size_t bytes() const override {
-        return static_cast<std::size_t>(place.size() + velocity.size()) * sizeof(float) +
+        return (static_cast<std::size_t>(place.size() + velocity.size()) + light.size()) *
+                   sizeof(float) +
                shades.size() * sizeof(std::uint16_t);
+    }
+
+    /// A colour as it is seen of a particle, over a ground.
+    Color seen(Color color, Eigen::Index particle, Color ground) const {
+        if (light.empty()) return color;
+        return mix(ground, color, static_cast<double>(light[static_cast<std::size_t>(particle)]));
     }
 };
 
@@ -35,12 +50,16 @@ class ParticlePanel : public Panel {
     void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
 
   protected:
-    explicit ParticlePanel(const PanelContext& context)
+    /// `view`: what is seen of the box, instead of what the film's camera shows.
+    explicit ParticlePanel(const PanelContext& context, const std::optional<View>& view = {})
         : context_(context),
           colors_(context),
           arrows_(context),
           ghosts_(context.scene),
-          flashes_(context) {}
+          flashes_(context),
+          spotlights_(context),
+          camera_(context, view),
+          callouts_(context) {}
 
     /// Pixels of a length.
     virtual double scale_in(const DrawContext& own) const = 0;
@@ -60,6 +79,15 @@ class ParticlePanel : public Panel {
     VelocityArrows arrows_;
     GhostKeeper ghosts_;
     Flashes flashes_;
+    Spotlights spotlights_;
+    Camera camera_;
+    Callouts callouts_;
 };
+
+/// What a view of a part of the box needs, over the picture: a small map of the whole box with the
+/// part in it (in shares of the whole, y down), and a bar of a round length. `shape`: the height of
+/// the box over its width; `scale`: pixels of a length; `share`: how much of it is seen.
+void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, const Rect& part,
+                double shape, double scale, double share);
 
 }  // namespace carom

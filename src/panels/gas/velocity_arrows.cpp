@@ -70,11 +70,13 @@ Rect VelocityArrows::bounds(const DrawContext& dc, const ArrowField& field) {
 }
 
 void VelocityArrows::draw(Canvas& canvas, const DrawContext& dc, const ArrowField& field,
-                          Point center, double radius, Point velocity, Color ground) const {
+                          Point center, double radius, Point velocity, Color ground,
+                          double light) const {
     const double ahead = reach_ * field.scale;
     const Point way{ahead * velocity.x, ahead * velocity.y};
     const double length = std::hypot(way.x, way.y);
-    const ArrowStyle drawn = style(dc, field.scale, ground);
+    ArrowStyle drawn = style(dc, field.scale, ground);
+    if (light < 1.0) drawn.color = mix(ground, drawn.color, light);
     if (!(length >= drawn.shaft)) return;
     const double start = context_.scene.film.labels == Labels::none ? 0.0 : radius / length;
     const Rect within = bounds(dc, field);

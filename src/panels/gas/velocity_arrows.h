@@ -33,9 +33,10 @@ class VelocityArrows {
     void archive(auto& archive) { archive(fast_, reach_); }
 
     /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or
-    /// at the rim where words stand on the disks. `ground` is the colour behind.
+    /// at the rim where words stand on the disks. `ground` is the colour behind; an arrow of less
+    /// `light` fades into it.
     void draw(Canvas& canvas, const DrawContext& dc, const ArrowField& field, Point center,
-              double radius, Point velocity, Color ground) const;
+              double radius, Point velocity, Color ground, double light = 1.0) const;
 
     /// What may hold arrows: the box, and where it has walls a little more.
     static Rect bounds(const DrawContext& dc, const ArrowField& field);

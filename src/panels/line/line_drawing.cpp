@@ -1,4 +1,6 @@
 // The drawing of a line: its beads, ghosts, arrows and words, and their world lines below.
+#include "panels/line/line_drawing.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,14 +9,12 @@
 
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
-#include "panels/line/line_panel.h"
 
 namespace carom {
 namespace {
 
 constexpr double rods_from = 2.0;   // units of radius: longer beads are drawn as rods
 constexpr double rods_fill = 0.15;  // of the line, from which beads of true length are rods
-constexpr double rod_half_height = 1.3;
 constexpr double ring_line = 0.13;
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
 constexpr double arrows_apart = 0.9;   // units, from those to the right to those to the left
@@ -35,72 +35,7 @@ void draw_rod(Canvas& canvas, const DrawContext& dc, Point center, double radius
 
 }  // namespace
 
-// Where things are, in pixels.
-struct LinePanel::View {
-    Rect plot;         // of the world lines
-    double line_y;     // the height of the line
-    double scale;      // pixels of a length
-    double low;        // the place at the left end
-    Scale time;        // time before now
-    bool rods;         // beads of true length are drawn as rods, else as disks
-    bool larger_rods;  // and those drawn larger than they are
-    double x(double place) const { return plot.x + (place - low) * scale; }
-};
-
-// A picture being drawn.
-struct LinePanel::Drawing {
-    const LinePanel& panel;
-    Canvas& canvas;
-    const DrawContext& dc;
-    const State& now;
-    View v = panel.view(dc);
-    double u = dc.unit;
-    const PanelContext& context = panel.context_;
-    const LineMap& map = *panel.map_;
-    bool is_ring = panel.is_ring();
-    std::vector<Color> colors = panel.colors_.of_shades(dc.theme);
-
-    Eigen::Index count() const { return context.particles.count(); }
-    double place(Eigen::Index i) const { return static_cast<double>(now.place(i, 0)); }
-    Color color_of(std::uint16_t shade) const { return colors[shade % colors.size()]; }
-    Color color(Eigen::Index i) const { return color_of(now.shades[static_cast<std::size_t>(i)]); }
-    bool is_rod(Eigen::Index i) const { return map.is_true(i) ? v.rods : v.larger_rods; }
-
-    // Small beads stay visible, chosen ones above all.
-    double shown_radius(Eigen::Index i) const {
-        const bool is_dot = stands_out(context, i) || map.radius(i) == 0.0;
-        return std::max((is_dot ? 0.4 : 0.15) * u, map.radius(i) * v.scale);
-    }
-    double half_height(Eigen::Index i) const {
-        return is_rod(i) ? rod_half_height * u : shown_radius(i);
-    }
-    double around_once(double x) const {  // of pixels from the left end
-        return is_ring ? x - v.plot.width * std::floor(x / v.plot.width) : x;
-    }
-
-    void draw_ground() const;
-    void draw_end(double side) const;
-    void draw_acting_ends() const;
-    void draw_captions() const;
-
-    void draw() const;
-    std::vector<Point> seen_at(double place, double radius) const;
-    template <class Draw>
-    void for_each_turn(double least, double most, const Draw& draw) const;
-    void draw_lines() const;
-    void draw_line(std::size_t line, std::optional<Color> one, double width) const;
-    void draw_band(std::size_t line) const;
-    void draw_reversals() const;
-    void draw_ghosts() const;
-    void draw_beads() const;
-    void draw_flashes() const;
-    void draw_arrows() const;
-    void draw_name(Eigen::Index particle, double place) const;
-    bool words_fit(Labels labels) const;
-    void draw_words() const;
-};
-
-LinePanel::View LinePanel::view(const DrawContext& dc) const {
+LinePanel::View LinePanel::whole_view(const DrawContext& dc) const {
     const double u = dc.unit;
     const double arrows = arrows_.shown() ? arrows_height * u : 0.0;
     View view{};
@@ -111,19 +46,33 @@ LinePanel::View LinePanel::view(const DrawContext& dc) const {
     view.low = -ends_.before();
     view.scale = view.plot.width / (map_->length() + ends_.before() + ends_.beyond());
     view.time = {0.0, memory_, view.plot.y, view.plot.bottom()};
-    double filled = 0.0, longest = 0.0, longest_larger = 0.0;
+    double filled = 0.0;
     for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
         const double radius = map_->radius(i);
-        double& most = map_->is_true(i) ? longest : longest_larger;
+        double& most = map_->is_true(i) ? view.longest : view.longest_larger;
         most = std::max(most, radius * view.scale);
         if (map_->is_true(i)) filled += 2.0 * radius;
     }
-    view.rods = longest > rods_from * u || filled > rods_fill * map_->length();
-    view.larger_rods = longest_larger > rods_from * u;
+    view.rods = view.longest > rods_from * u || filled > rods_fill * map_->length();
+    view.larger_rods = view.longest_larger > rods_from * u;
     return view;
 }
 
-double LinePanel::scale_in(const DrawContext& own) const { return view(own).scale; }
+// Of the line as it is drawn, the part that the camera shows: a length of the box is there as much
+// longer as all of it.
+LinePanel::View LinePanel::view(const DrawContext& dc, const State& state) const {
+    View view = whole_view(dc);
+    if (!state.view) return view;
+    const double length = context_.scene.gas.box.size[0], longer = map_->length() / length;
+    view.zoom = length / state.view->width;
+    view.scale *= view.zoom;
+    view.rods = view.rods || view.longest * view.zoom > rods_from * dc.unit;
+    view.larger_rods = view.longest_larger * view.zoom > rods_from * dc.unit;
+    view.low = state.view->middle[0] * longer - 0.5 * view.plot.width / view.scale;
+    return view;
+}
+
+double LinePanel::scale_in(const DrawContext& own) const { return whole_view(own).scale; }
 
 void LinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     const State none;
@@ -136,18 +85,22 @@ void LinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
 
 void LinePanel::Drawing::draw_ground() const {
     canvas.fill(v.plot, dc.theme.ground);
-    if (panel.ends_.is_plain())
-        for (const double side : {-1.0, 1.0}) draw_end(side);
-    else
+    if (panel.ends_.is_plain() && !panel.camera_.moves()) draw_ends();
+    if (!panel.ends_.is_plain())
         panel.ends_.draw_gravity(canvas, dc, {v.plot.x + v.plot.width / 2, dc.area.y + 0.9 * u});
     canvas.stroke_line({v.plot.x, v.line_y}, {v.plot.right(), v.line_y}, 0.12 * u, dc.theme.wall);
     draw_y_axis(canvas, v.plot, v.time, axis_style(dc));
     draw_captions();
 }
 
+void LinePanel::Drawing::draw_ends() const {
+    for (const double side : {-1.0, 1.0}) draw_end(side);
+}
+
 // A wall and its world line, or where a ring is cut open.
 void LinePanel::Drawing::draw_end(double side) const {
-    const double x = side < 0.0 ? v.plot.x : v.plot.right();
+    const double x = side < 0.0 ? v.x(0.0) : v.x(map.length());
+    if (x < v.plot.x - 1.0 || x > v.plot.right() + 1.0) return;
     const double top = v.line_y - 2.2 * u, bottom = v.line_y + 2.2 * u;
     const double thick = 0.5 * u, dash = is_ring ? 0.4 * u : 0.0;
     if (is_ring)
@@ -191,7 +144,10 @@ void LinePanel::Drawing::draw_captions() const {
 }
 
 void LinePanel::Drawing::draw() const {
+    if (panel.ends_.is_plain() && panel.camera_.moves()) draw_ends();
+    if (now.view) canvas.clip_to({v.plot.x, dc.area.y, v.plot.width, dc.area.height});
     draw_acting_ends();
+    if (now.view) canvas.release_clip();
     canvas.clip_to(v.plot);
     draw_lines();
     draw_reversals();
@@ -199,6 +155,7 @@ void LinePanel::Drawing::draw() const {
     canvas.clip_to({v.plot.x, dc.area.y, v.plot.width, v.plot.y - dc.area.y});
     draw_ghosts();
     draw_beads();
+    draw_rings();
     draw_flashes();
     canvas.release_clip();
     draw_remark(canvas, dc, {v.plot.right(), v.plot.bottom()}, v.plot.width,
@@ -208,13 +165,15 @@ void LinePanel::Drawing::draw() const {
     if (now.ghosts)
         draw_ghost_words(canvas, dc, {v.plot.x + 0.3 * u, dc.area.y + 0.9 * u},
                          v.plot.width - 0.6 * u, *now.ghosts, now.ghost_words);
+    if (now.view) draw_where_it_is();
+    draw_callouts();
 }
 
 // Where a bead is seen: on a ring more than once, where it reaches over the cut.
 std::vector<Point> LinePanel::Drawing::seen_at(double place, double radius) const {
     const double x = around_once((place - v.low) * v.scale);
     std::vector<Point> seen;
-    for (const double shift : {0.0, -v.plot.width, v.plot.width}) {
+    for (const double shift : {0.0, -period(), period()}) {
         const Point at{v.plot.x + x + shift, v.line_y};
         if (shift != 0.0 && !is_ring) continue;
         if (at.x + radius > v.plot.x && at.x - radius < v.plot.right()) seen.push_back(at);
@@ -225,23 +184,10 @@ std::vector<Point> LinePanel::Drawing::seen_at(double place, double radius) cons
 // Calls `draw` with each length by which turns round a ring bring a place between these into view.
 template <class Draw>
 void LinePanel::Drawing::for_each_turn(double least, double most, const Draw& draw) const {
-    const double first = is_ring ? std::floor(least / map.length()) : 0.0;
-    const double last = is_ring ? std::floor(most / map.length()) : 0.0;
+    const double end = v.low + v.plot.width / v.scale;
+    const double first = is_ring ? std::ceil((least - end) / map.length()) : 0.0;
+    const double last = is_ring ? std::floor((most - v.low) / map.length()) : 0.0;
     for (double turn = first; turn <= last; turn += 1.0) draw(turn * map.length());
-}
-
-void LinePanel::Drawing::draw_ghosts() const {
-    if (!now.ghosts) return;
-    const double line = ghost_line(dc), half = rod_half_height * u;
-    for (Eigen::Index i = 0; i < count(); ++i) {
-        const double radius = shown_radius(i);
-        for (const Point& at : seen_at(static_cast<double>(now.ghosts->place(i, 0)), radius))
-            if (is_rod(i))
-                canvas.stroke_rect({at.x - radius, at.y - half, 2.0 * radius, 2.0 * half}, line,
-                                   dc.theme.muted);
-            else
-                canvas.stroke_circle(at, radius, line, dc.theme.muted);
-    }
 }
 
 void LinePanel::Drawing::draw_lines() const {
@@ -268,7 +214,8 @@ void LinePanel::Drawing::draw_band(std::size_t line) const {
     if (radius < 0.2 * u) return;
     for (std::size_t k = 1; k < bends.size(); ++k) {
         const WorldLines::Bend &before = bends[k - 1], &bend = bends[k];
-        const Color tint = mix(dc.theme.ground, color_of(bend.shade), 0.3);
+        const Color tint = now.seen(mix(dc.theme.ground, color_of(bend.shade), 0.3),
+                                    panel.lines_->particle(line), dc.theme.ground);
         const auto [left, right] = std::minmax(before.place, bend.place);
         // Whole pixels: half-covered rows would show as seams.
         const double low = std::round(v.time(now.time - before.time));
@@ -285,7 +232,10 @@ void LinePanel::Drawing::draw_band(std::size_t line) const {
 // In one colour, or in those of the speeds.
 void LinePanel::Drawing::draw_line(std::size_t line, std::optional<Color> one, double width) const {
     const std::vector<WorldLines::Bend>& bends = now.lines[line];
-    const auto own = [&](std::uint16_t shade) { return edge_of(color_of(shade), dc.theme); };
+    const Eigen::Index bead = panel.lines_->particle(line);
+    const auto own = [&](std::uint16_t shade) {
+        return now.seen(edge_of(color_of(shade), dc.theme), bead, dc.theme.ground);
+    };
     const auto [least, most] = std::ranges::minmax(bends, {}, &WorldLines::Bend::place);
     for_each_turn(least.place, most.place, [&](double back) {
         std::vector<Point> path;
@@ -296,7 +246,8 @@ void LinePanel::Drawing::draw_line(std::size_t line, std::optional<Color> one, d
             }
             path.push_back({v.x(bends[k].place - back), v.time(now.time - bends[k].time)});
         }
-        canvas.stroke_path(path, width, one ? *one : own(bends.back().shade));
+        canvas.stroke_path(path, width,
+                           one ? now.seen(*one, bead, dc.theme.ground) : own(bends.back().shade));
     });
 }
 
@@ -351,14 +302,16 @@ void LinePanel::Drawing::draw_arrows() const {
     double half = 0.0;
     for (Eigen::Index i = 0; i < count(); ++i) half = std::max(half, half_height(i));
     const double y = v.line_y + half + arrows_below * u;
-    const ArrowField field{{v.plot.x, y - u, v.plot.width, 2.0 * u}, v.scale, {is_ring, false}};
+    const ArrowField field{
+        {v.plot.x, y - u, v.plot.width, 2.0 * u}, v.scale / v.zoom, {is_ring && !now.view, false}};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < count(); ++i) {
         const auto velocity = static_cast<double>(now.velocity(i, 0));
         const double row = (velocity > 0.0 ? -0.5 : 0.5) * arrows_apart * u;
+        const double light = now.light.empty() ? 1.0 : double(now.light[std::size_t(i)]);
         panel.arrows_.draw(canvas, dc, field,
                            {v.plot.x + around_once((place(i) - v.low) * v.scale), y + row}, 0.0,
-                           {velocity, 0.0}, dc.theme.page);
+                           {velocity, 0.0}, dc.theme.page, light);
     }
     canvas.release_clip();
 }
@@ -388,7 +341,9 @@ bool LinePanel::Drawing::words_fit(Labels labels) const {
 void LinePanel::Drawing::draw_words() const {
     const Labels labels = words_fit(panel.shown_labels()) ? panel.shown_labels() : Labels::none;
     for (Eigen::Index i = 0; i < count(); ++i) {
-        const double at = place(i) - map.length() * std::floor(place(i) / map.length());
+        const double turns = is_ring ? std::floor((place(i) - v.low) / map.length()) : 0.0;
+        const double at = place(i) - map.length() * turns;
+        if (now.view && (v.x(at) < v.plot.x || v.x(at) > v.plot.right())) continue;
         draw_words_on(canvas, dc, {v.x(at), v.line_y}, map.radius(i) * v.scale,
                       words_on(context, i, labels), panel.is_filled(i) ? color(i) : dc.theme.page);
         if (now.label_alpha > 0.0 && stands_out(context, i)) draw_name(i, at);

@@ -27,15 +27,16 @@ void LinePanel::survey(const FrameInput& input) {
     colors_.survey(input);
     arrows_.survey(input);
     ends_.survey(input);
-    survey_flashes(input);
+    camera_.survey(input);
+    survey_places(input);
     const CollisionCounts& counts = input.advanced.counts;
     bends_.push_back(
         {input.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
 }
 
-// Between the two beads, or the bead and the end, as they are drawn.
-void LinePanel::survey_flashes(const FrameInput& input) {
-    if (!flashes_.asked()) return;
+// Flashes are between the two beads, or the bead and the end, as they are drawn.
+void LinePanel::survey_places(const FrameInput& input) {
+    if (!flashes_.asked() && context_.scene.film.callouts.empty()) return;
     if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(input.sample, {});
     flashes_.survey(input, [this](const Collision& collision) {
         const Eigen::Index i = collision.first;
@@ -47,6 +48,7 @@ void LinePanel::survey_flashes(const FrameInput& input) {
         return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
     });
     surveyed_places_ = map_->places(input.sample, surveyed_places_);
+    callouts_.survey(input, surveyed_places_);
 }
 
 // The median over parts of the run, so that a short burst does not count.
@@ -67,6 +69,7 @@ double LinePanel::usual_rate() const {
 void LinePanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
+    camera_.fix_way({{0.0, 0.0}, context_.scene.gas.box.size});
     const double length = map_->length();
     const double spacing = length / static_cast<double>(context_.particles.count());
     arrows_.fix_scale(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
@@ -81,7 +84,7 @@ void LinePanel::fix_axes() {
 }
 
 void LinePanel::archive(Archive& archive) {
-    archive(colors_, arrows_, flashes_, map_, memory_, ends_);
+    archive(colors_, arrows_, flashes_, map_, memory_, ends_, camera_, callouts_);
     if (archive.is_reading()) lines_.emplace(context_, *map_, colors_, memory_);
 }
 

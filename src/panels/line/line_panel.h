@@ -14,7 +14,8 @@ namespace carom {
 
 class LinePanel : public ParticlePanel {
   public:
-    explicit LinePanel(const PanelContext& context) : ParticlePanel(context), ends_(context) {}
+    explicit LinePanel(const PanelContext& context, const std::optional<View>& view = {})
+        : ParticlePanel(context, view), ends_(context) {}
 
     void survey(const FrameInput& input) override;
     void fix_axes() override;
@@ -51,9 +52,10 @@ class LinePanel : public ParticlePanel {
         }
     };
 
-    View view(const DrawContext& dc) const;
+    View whole_view(const DrawContext& dc) const;
+    View view(const DrawContext& dc, const State& state) const;
     double scale_in(const DrawContext& own) const override;
-    void survey_flashes(const FrameInput& input);
+    void survey_places(const FrameInput& input);
     double usual_rate() const;  // bends of one world line in a unit of time
     bool is_ring() const { return context_.scene.gas.box.is_periodic(0); }
     Labels shown_labels() const;
@@ -62,8 +64,8 @@ class LinePanel : public ParticlePanel {
     std::optional<LineMap> map_;  // from the first frame on
     std::vector<Bends> bends_;    // at each frame of the first pass
     double memory_ = 1.0;
-    std::optional<WorldLines> lines_;  // after fix_axes()
-    Eigen::ArrayXd surveyed_places_, last_places_;
+    std::optional<WorldLines> lines_;               // after fix_axes()
+    Eigen::ArrayXd surveyed_places_, last_places_;  ///< in either pass, of the frame before
 };
 
 }  // namespace carom

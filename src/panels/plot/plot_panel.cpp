@@ -14,6 +14,11 @@ void PlotPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
     draw_plot(canvas, dc, plot(&state), plot::Part::changing);
 }
 
+std::optional<Point> PlotPanel::place_of(const DrawContext& dc, const PanelState& state,
+                                         const PlotPoint& point) const {
+    return plot::place_in(dc, plot(&state), point.x, point.y);
+}
+
 Table PlotPanel::table(const PanelState& state, const Theme&) const {
     return table_of(plot(&state));
 }

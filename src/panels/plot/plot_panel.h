@@ -26,6 +26,8 @@ class PlotPanel : public Panel {
     void draw_ground(Canvas& canvas, const DrawContext& dc) const final;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const final;
     Table table(const PanelState& state, const Theme& theme) const final;
+    std::optional<Point> place_of(const DrawContext& dc, const PanelState& state,
+                                  const PlotPoint& point) const final;
     std::string finding(const PanelState& state) const final { return plot(&state).finding; }
     std::string account(const PanelState& state) const final { return plot(&state).account; }
 

@@ -37,6 +37,9 @@ class SurfaceView {
     void survey(const FrameInput& input);
     void archive(auto& archive) { archive(extent_.low, extent_.high); }
 
+    /// The box, as large as it ever gets; after the first pass.
+    const Region& extent() const { return extent_; }
+
     /// Those of a frame that are drawn: of sides and partitions; none of a plain box.
     std::vector<SurfaceState> states(const FrameInput& input) const;
 

@@ -44,7 +44,7 @@ std::string example(const Form& form) {
         case Shape::flag:
             return "true";
         case Shape::text:
-            return "words";
+            return form.words.empty() ? "words" : form.words.front();
         case Shape::word:
             return form.words.front();
         case Shape::color:

@@ -36,7 +36,7 @@ struct Elsewhere {
 struct Form {
     Shape shape = Shape::text;
     Range range = {};                             ///< number, integer
-    std::vector<std::string> words = {};          ///< word
+    std::vector<std::string> words = {};          ///< word; text: one for an example
     std::vector<Elsewhere> elsewhere = {};        ///< word: others that are likely to be tried
     bool lines = false;                           ///< text: may it have line breaks
     std::vector<Form> items = {};                 ///< list: what each item may be

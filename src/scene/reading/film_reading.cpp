@@ -149,7 +149,12 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
 }
 
 std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
-    return joined<FilmDraft>(picture_keys(), gas_keys(kinds), frame_keys(kinds));
+    const std::vector callouts{
+        bind_key("callouts", &FilmDraft::written_callouts, callouts_notation(),
+                 "Words that point to a particle, or to a place in a plot, for a while.")
+            .default_text("none")};
+    return joined<FilmDraft>(picture_keys(), gas_keys(kinds), frame_keys(kinds), overlay_keys(),
+                             callouts);
 }
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};
@@ -353,6 +358,7 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     const Spans spans = spans_of(film.spans, reading);
     film.slow = values_of(spans);
     film.pauses = values_of(pauses);
+    film.callouts = resolve_callouts(film.written_callouts, film.panels, kinds, reading.errors);
     film.seconds = film.given_seconds.value_or(seconds_at_pace(film.slow, run.until, film.pace) +
                                                card_seconds(film) + pause_seconds(film));
     if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {

@@ -9,6 +9,7 @@
 
 #include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
+#include "scene/reading/overlay_reading.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -18,6 +19,7 @@ struct FilmDraft : Film {
     std::optional<double> given_seconds;
     double pace = 1.0;
     std::vector<Placed<SlowSpan>> spans;
+    std::vector<CalloutDraft> written_callouts;
     const Node* layout_node = nullptr;  ///< of a template
 };
 

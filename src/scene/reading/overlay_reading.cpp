@@ -6,6 +6,8 @@
 
 #include "scene/limits.h"
 #include "scene/reading/panel_reading.h"
+#include "scene/yaml/scalar.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -38,6 +40,144 @@ void check_span(const TimeSpan& span, const Node& node, const char* until, Readi
         check_begin(*from, "from", span.from, reading);
 }
 
+Notation<Spotlight> spotlight_notation() {
+    struct Draft : TimeSpan {
+        std::vector<Chosen> on;
+    };
+    const std::vector on{bind_key("on", &Draft::on, chosen_notation(),
+                                  "Which particles: a species, a particle by its number, or "
+                                  "several of these.")
+                             .required()};
+    const KeyTable<Draft> table{.name = "an item of `spotlight`",
+                                .keys = joined<Draft>(span_keys("to"), on),
+                                .rule = [](Draft& draft, const Node& node, Reading& reading) {
+                                    check_span(draft, node, "to", reading);
+                                }};
+    return mapped(complete_mapping(table, "{from: time, to: time, on: particles}"),
+                  [](const Draft& draft) {
+                      return Spotlight{draft, draft.on};
+                  });
+}
+
+// One particle: by its number, or the only one of a species.
+std::optional<std::int64_t> only_one(const Chosen& chosen, const Gas& gas) {
+    if (chosen.particle || !chosen.species) return chosen.particle;
+    if (gas.species[*chosen.species].count != 1) return std::nullopt;
+    std::int64_t first = 0;
+    for (std::size_t k = 0; k < *chosen.species; ++k) first += gas.species[k].count;
+    return first;
+}
+
+std::optional<CalloutDraft> callout_on_particle(const std::vector<Chosen>& chosen, const Node& node,
+                                                Reading& reading) {
+    if (chosen.empty()) return std::nullopt;  // reported
+    const auto particle = only_one(chosen.front(), reading.gas);
+    CalloutDraft draft;
+    draft.on_node = &node;
+    if (particle && chosen.size() == 1) {
+        draft.on = *particle;
+        return draft;
+    }
+    reading.errors.add(node, "a callout points to one particle",
+                       "give its number, or a species with `count: 1`");
+    return std::nullopt;
+}
+
+// What a callout points to, as a draft without its words.
+Notation<CalloutDraft> target_notation() {
+    struct Target {
+        const Node* panel = nullptr;
+        PlotPoint point;
+        double x = 0.0;
+        std::optional<double> y;
+    };
+    const KeyTable<Target> table{
+        .name = "`on`",
+        .keys = {bind_key("panel", &Target::panel, kept(text(1, most_title_letters)),
+                          "A panel of the film, by its kind or its title.")
+                     .required(),
+                 bind_key("x", &Target::x, number(any_number), "The place on its horizontal axis.")
+                     .required(),
+                 bind_key("y", &Target::y, number(any_number), "The place on its vertical axis.")
+                     .default_text("the top of the bar or line at `x`")}};
+    const auto of_plot = parsed(complete_mapping(table, "{panel: kind, x: value}"),
+                                [](const Target& target, const Node& node, Reading&) {
+                                    CalloutDraft draft;
+                                    draft.on = PlotPoint{0, target.x, target.y};
+                                    draft.panel = target.panel;
+                                    draft.on_node = &node;
+                                    return std::optional(draft);
+                                });
+    return either(parsed(chosen_notation(), callout_on_particle), of_plot);
+}
+
+/// An item of `camera`.
+struct CameraDraft {
+    double at = 0.0;
+    std::optional<View> view;
+    std::vector<Chosen> follow;
+    std::optional<double> width;
+    double seconds = CameraMove{}.seconds;
+};
+
+// The centre of mass of several has no meaning where they go round.
+void check_followed(const CameraDraft& draft, const Node& node, Reading& reading) {
+    const Node* follow = given(node, "follow");
+    if (follow == nullptr || draft.follow.empty()) return;
+    const Box& box = reading.gas.box;
+    if (draft.follow.size() > 1 ||
+        (!draft.follow.front().particle && !draft.follow.front().species))
+        reading.errors.add(*follow, "`follow` takes one particle or one species");
+    else if ((box.is_periodic(0) || (box.dimension == 2 && box.is_periodic(1))) &&
+             !only_one(draft.follow.front(), reading.gas))
+        reading.errors.add(*follow,
+                           "in a periodic box a species has no centre of mass to be followed",
+                           "give the number of one particle");
+}
+
+std::optional<CameraMove> camera_move(const CameraDraft& draft, const Node& node,
+                                      Reading& reading) {
+    check_begin(*given(node, "at"), "at", draft.at, reading);
+    check_followed(draft, node, reading);
+    const Node* follow = given(node, "follow");
+    if (follow != nullptr && !draft.width && find(node, "width") == nullptr)
+        reading.errors.add(*follow, "`follow` needs `width`: how much of the box is seen",
+                           "for instance half of its width");
+    if (const Node* width = given(node, "width"); width != nullptr && follow == nullptr)
+        reading.errors.add(*width, "`width` applies to `follow` only");
+    if (draft.view) return CameraMove{draft.at, *draft.view, draft.seconds};
+    if (draft.follow.empty() || !draft.width) return std::nullopt;
+    return CameraMove{draft.at, Followed{draft.follow.front(), *draft.width}, draft.seconds};
+}
+
+Notation<std::vector<CameraMove>> camera_notation() {
+    const KeyTable<CameraDraft> table{
+        .name = "an item of `camera`",
+        .keys = {bind_key("at", &CameraDraft::at, number(not_negative),
+                          "The simulated time at which the move begins.")
+                     .required(),
+                 bind_key("view", &CameraDraft::view, view_notation(),
+                          "What is seen after it: `box`, all of it, or a part."),
+                 bind_key("follow", &CameraDraft::follow, chosen_notation(),
+                          "What stays in the middle instead: a particle, or a species' centre of "
+                          "mass."),
+                 bind_key("width", &CameraDraft::width, number(positive),
+                          "With `follow`: the width of what is seen, a length."),
+                 bind_key("over", &CameraDraft::seconds, number({0.8, most_seconds}),
+                          "How long the move takes, in seconds of film.")},
+        .choices = {{{"view", "follow"}, true}}};
+    const auto moves =
+        list_of(parsed(complete_mapping(table,
+                                        "{at: time, view: what} or {at: time, follow: "
+                                        "particle, width: length}"),
+                       camera_move),
+                0, most_slow_spans, "a list of {at, view} and {at, follow, width}");
+    return mapped(moves, [](std::vector<CameraMove> all) {
+        std::ranges::stable_sort(all, {}, &CameraMove::at);
+        return all;
+    });
+}
+
 }  // namespace
 
 Notation<TimeSpan> show_notation() {
@@ -48,6 +188,115 @@ Notation<TimeSpan> show_notation() {
                                               check_span(span, node, "until", reading);
                                           }},
                    "{from: time, until: time}");
+}
+
+Notation<View> view_notation() {
+    const auto part = [](const std::vector<double>& ends, const Node& node,
+                         Reading& reading) -> std::optional<View> {
+        const Box& box = reading.gas.box;
+        const auto axes = static_cast<std::size_t>(box.dimension);
+        const char* form =
+            axes == 1 ? "[x0, x1] with x0 < x1" : "[x0, y0, x1, y1] with x0 < x1 and y0 < y1";
+        if (ends.size() != 2 * axes) {
+            reading.errors.add(node, fmt::format("expected `box` or {} for `view`", form));
+            return std::nullopt;
+        }
+        Region region{{0.0, 0.0}, {0.0, 0.0}};
+        bool is_right = true, is_inside = true;
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            const auto k = static_cast<Eigen::Index>(axis);
+            region.low[k] = ends[axis];
+            region.high[k] = ends[axes + axis];
+            is_right = is_right && region.low[k] < region.high[k];
+            is_inside = is_inside && region.low[k] >= 0.0 && region.high[k] <= box.size[k];
+        }
+        if (is_right && (is_inside || !(box.size[0] > 0.0))) return region;
+        reading.errors.add(node,
+                           is_right ? "this view lies outside of the box"
+                                    : fmt::format("expected {} for `view`", form),
+                           is_right ? "the box begins at 0 and ends at its `size`" : "");
+        return std::nullopt;
+    };
+    const auto numbers = list_of(number(any_number), 2, {4}, "[x0, y0, x1, y1]");
+    return either(as<View>(mapped(one_of<bool>({{"box", true}}), [](bool) { return WholeBox{}; })),
+                  parsed(numbers, part));
+}
+
+Notation<std::vector<CalloutDraft>> callouts_notation() {
+    struct Written {
+        double at = 0.0, seconds = Callout{}.seconds;
+        std::optional<CalloutDraft> on;
+        std::string words;
+    };
+    const KeyTable<Written> table{
+        .name = "an item of `callouts`",
+        .keys = {bind_key("at", &Written::at, number(not_negative),
+                          "The simulated time at which it comes.")
+                     .required(),
+                 bind_key("for", &Written::seconds, number({1.0, most_seconds}),
+                          "How long it stays, in seconds of film."),
+                 bind_key("on", &Written::on, target_notation(),
+                          "What it points to: a particle by its number, the only one of a species, "
+                          "or a place in a panel's plot.")
+                     .required(),
+                 bind_key("text", &Written::words, text(1, most_caption_letters), "Its words.")
+                     .required()}};
+    const auto complete = [](const Written& written, const Node& node, Reading& reading) {
+        check_begin(*given(node, "at"), "at", written.at, reading);
+        std::optional<CalloutDraft> draft = written.on;
+        if (!draft) return draft;
+        draft->at = written.at;
+        draft->seconds = written.seconds;
+        draft->words = written.words;
+        return draft;
+    };
+    return list_of(
+        parsed(complete_mapping(table, "{at: time, on: particle, text: words}"), complete), 0,
+        most_slow_spans, "a list of {at, on, text}");
+}
+
+std::vector<Binding<Film>> overlay_keys() {
+    return {bind_key("spotlight", &Film::spotlights,
+                     list_of(spotlight_notation(), 0, most_slow_spans, "a list of {from, to, on}"),
+                     "Particles that stand out for a while: all others are dimmed.")
+                .default_text("none"),
+            bind_key("camera", &Film::camera, camera_notation(),
+                     "The camera goes over to a part of the box, to a particle that it follows, "
+                     "and back. A small map and a bar of a round length say where it is.")
+                .default_text("the whole box")};
+}
+
+std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
+                                      const std::vector<PanelSpec>& panels, PanelKinds kinds,
+                                      Errors& errors) {
+    std::vector<Callout> callouts;
+    for (const CalloutDraft& draft : drafts) {
+        Callout callout = draft;
+        if (draft.panel != nullptr) {
+            const std::string& name = draft.panel->text;
+            const auto found = std::ranges::find_if(panels, [&](const PanelSpec& panel) {
+                return panel.kind == name || panel.title == name;
+            });
+            std::vector<std::string> names;
+            for (const PanelSpec& panel : panels) names.push_back(panel.kind);
+            if (found == panels.end()) {
+                errors.add(
+                    *draft.panel, fmt::format("the film has no panel {}", in_quotes(name)),
+                    names.empty() ? "it has no panels" : "there are " + listed(names, "and", "`"));
+                continue;
+            }
+            if (const PanelKind* kind = kind_of(kinds, found->kind);
+                kind != nullptr && !kind->has_plot) {
+                errors.add(*draft.panel, fmt::format("a panel of kind `{}` has no axes to point to",
+                                                     found->kind));
+                continue;
+            }
+            std::get<PlotPoint>(callout.on).panel =
+                static_cast<std::size_t>(found - panels.begin());
+        }
+        callouts.push_back(std::move(callout));
+    }
+    return callouts;
 }
 
 }  // namespace carom

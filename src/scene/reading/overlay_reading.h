@@ -16,4 +16,22 @@ namespace carom {
 /// When a panel is there.
 Notation<TimeSpan> show_notation();
 
+/// What is seen of the box: all of it or a part.
+Notation<View> view_notation();
+
+/// A callout as it is written; the panel that it points to is found later.
+struct CalloutDraft : Callout {
+    const Node* panel = nullptr;  ///< the name of a panel
+    const Node* on_node = nullptr;
+};
+
+/// The keys of a film that lay something over the gas, but for callouts.
+std::vector<Binding<Film>> overlay_keys();
+Notation<std::vector<CalloutDraft>> callouts_notation();
+
+/// The callouts of a film whose panels are known; reports those that point to no plot.
+std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
+                                      const std::vector<PanelSpec>& panels, PanelKinds kinds,
+                                      Errors& errors);
+
 }  // namespace carom

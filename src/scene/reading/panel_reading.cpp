@@ -211,8 +211,9 @@ std::vector<std::string> kinds_that_can(PanelKinds kinds, Ability ability) {
 
 // A text, since a species may be called anything.
 Notation<std::vector<Chosen>> chosen_notation() {
-    const auto one = parsed(
-        text(1, most_name_letters).called("`all`, a species or the number of a particle"), chosen);
+    auto name = text(1, most_name_letters).called("`all`, a species or the number of a particle");
+    name.forms.front().words = {"0"};
+    const auto one = parsed(name, chosen);
     Notation<std::vector<Chosen>> all =
         one_or_list(one, most_chosen, "a list of species and particles");
     all.write = [](const std::vector<Chosen>& of) { return std::string(of.empty() ? "all" : ""); };

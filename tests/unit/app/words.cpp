@@ -152,3 +152,18 @@ TEST_CASE("a panel that comes in is told, and begins no chapter") {
     CHECK(!contains(words.chapters, "panel"));
     CHECK(!contains(words.chapters, "Time 3"));
 }
+
+TEST_CASE("what the film points out is told") {
+    const Scene scene = row_of_beads(
+        "run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, panels: [temperature], spotlight: [{from: "
+        "2, to: 4, on: fast}], callouts: [{at: 5, on: 0, text: it rests}, {at: 6, on: {panel: "
+        "temperature, x: 3}, text: constant}], camera: [{at: 2.5, view: [1, 4]}, {at: 7, view: "
+        "box}]}\n");
+    const std::string words = words_of(scene).transcript;
+    CHECK(contains(words, "All are dimmed but fast. "));
+    CHECK(contains(words, "All particles have their full colours again. "));
+    CHECK(contains(words, "Particle 0 is pointed out: “it rests”. "));
+    CHECK(contains(words, "“temperature” is pointed out: “constant”. "));
+    CHECK(contains(words, "The camera shows a part of the line, from 1 to 4. "));
+    CHECK(contains(words, "The camera shows the whole box. "));
+}

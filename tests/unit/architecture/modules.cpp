@@ -49,7 +49,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
      {{"plot", "surfaces", "gas", "line", "plots", "echo", "collision", "words", "panels"},
-      {"archived.h", "chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
+      {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
     {"app",
      {{"film", "figures", "report", "commands", "app"},
       {"command.h", "json.h", "output.h", "progress.h", "resources.h", "scratch_folder.h",

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "panels/callout.h"
 #include "panels/fade.h"
+#include "panels/gas/camera.h"
+#include "panels/gas/spotlights.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
@@ -22,6 +25,27 @@ Scene scene_of(const std::string& film,
     return test::scene_from("title: T\nbox: {size: [40, 30]}\ngas: [" + gas +
                             "]\nrun: {until: 4}\nfilm: {size: [480, 270], fps: 10, seconds: 8, " +
                             film + "}\n");
+}
+
+// The way of the camera over a film.
+std::vector<std::optional<CameraView>> way_of(const Scene& scene) {
+    const StartedScene started = start_scene(scene);
+    const Particles particles = started.simulation.particles();
+    const std::optional<EquilibriumGas> none;
+    const PanelContext context{scene, particles, frame_count(scene.film), none};
+    Camera camera(context);
+    Simulation run = started.simulation;
+    std::vector<std::optional<CameraView>> way;
+    const std::vector<Tick> ticks = timeline(scene);
+    for (const Tick& tick : ticks) {
+        const AdvanceResult advanced = run.advance_to(tick.time);
+        const Sample sample = run.sample();
+        const Eigen::ArrayXd speed = speeds(sample);
+        camera.survey({tick, sample, speed, speed, advanced});
+    }
+    camera.fix_way({{0.0, 0.0}, scene.gas.box.size});
+    for (std::size_t i = 0; i < ticks.size(); ++i) way.push_back(camera.next());
+    return way;
 }
 
 }  // namespace
@@ -58,4 +82,156 @@ TEST_CASE("what fades is mixed with what was there before") {
     const PixelView pixels = canvas.pixels();
     CHECK((pixels.data[3 * pixels.stride + 3] & 0xFF) == 191);
     CHECK((pixels.data[1 * pixels.stride + 1] & 0xFF) == 255);
+}
+
+TEST_CASE("a spotlight dims all others to 35 %, and two that follow one another leave no gap") {
+    const Scene scene =
+        scene_of("spotlight: [{from: 1, to: 2, on: [0, 3]}, {from: 2, to: 3, on: [0, 5]}]");
+    const Particles particles = start_scene(scene).simulation.particles();
+    const std::optional<EquilibriumGas> none;
+    const Spotlights lights({scene, particles, frame_count(scene.film), none});
+    for (const Tick& tick : timeline(scene)) {
+        const std::vector<float> light = lights.light(tick);
+        if (tick.time < 1.0 || tick.time >= 3.0) {
+            CHECK(light.empty());
+            continue;
+        }
+        REQUIRE(light.size() == 40);
+        CHECK(light[0] == 1.0F);
+        CHECK(std::ranges::min(light) >= 0.349F);
+        if (tick.time > 1.3 && tick.time < 1.7) {
+            CHECK(light[3] == 1.0F);
+            CHECK(light[5] == doctest::Approx(0.35));
+            CHECK(lights.rings(tick).size() == 2);
+        }
+    }
+    const Tick moment{.time = 1.5};
+    CHECK(Spotlights({scene, particles, 80, none, false}).light(moment)[7] ==
+          doctest::Approx(0.35));
+}
+
+TEST_CASE("the camera eases from view to view, and a particle that it follows is in the middle") {
+    const Scene scene = scene_of(
+        "camera: [{at: 1, view: [10, 10, 20, 17.5], over: 0.8}, {at: 2, follow: 0, width: 8}, {at: "
+        "3.4, view: "
+        "box, over: 0.8}]",
+        "{count: 40, radius: 0.5, speed: 3}");
+    const auto way = way_of(scene);
+    const std::vector<Tick> ticks = timeline(scene);
+    Simulation run = start_scene(scene).simulation;
+    double last = 40.0;
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        run.advance_to(ticks[i].time);
+        const double width = way[i] ? way[i]->width : 40.0;
+        CHECK(std::abs(std::log(width / last)) < 0.7);  // never a jump
+        last = width;
+        if (ticks[i].time < 1.0) CHECK(!way[i]);
+        if (ticks[i].phase == Phase::moving && ticks[i].time > 1.9 && ticks[i].time < 2.0) {
+            CHECK(way[i]->width == doctest::Approx(10.0));
+            CHECK(way[i]->middle[0] == doctest::Approx(15.0));
+            CHECK(way[i]->middle[1] == doctest::Approx(13.75));
+        }
+        if (ticks[i].time > 3.1 && ticks[i].time < 3.4) {
+            CHECK(way[i]->width == doctest::Approx(8.0));
+            CHECK(way[i]->middle[0] == run.sample().position(0, 0));
+            CHECK(way[i]->middle[1] == run.sample().position(0, 1));
+        }
+    }
+    CHECK(!way.back());
+}
+
+TEST_CASE("in a periodic box the camera follows a particle through the sides without a jump") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [40, 30], walls: periodic}\n"
+        "gas: [{radius: 0.5, position: [[30, 15]], velocity: [[10, 2]]}]\nrun: {until: 9}\n"
+        "film: {fps: 10, seconds: 12, camera: [{at: 0.5, follow: 0, width: 10}, {at: 5, view: "
+        "box}]}\n");
+    const auto way = way_of(scene);
+    const std::vector<Tick> ticks = timeline(scene);
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+        if (!way[i] || !way[i - 1]) continue;
+        const Eigen::Array2d moved = scene.gas.box.nearest(way[i]->middle - way[i - 1]->middle);
+        CHECK(moved.abs().maxCoeff() < 6.0);
+        CHECK(way[i]->middle[0] >= 0.0);
+        CHECK(way[i]->middle[0] < 40.0);
+    }
+    CHECK(!way.back());
+}
+
+TEST_CASE("between two views one point of the picture stands still") {
+    const CameraView a{{20.0, 15.0}, 40.0}, b{{10.0, 12.0}, 8.0};
+    // A point x is at share (x - middle) / width + 1/2: the same in both.
+    const double still = (10.0 * 40.0 - 20.0 * 8.0) / 32.0;
+    for (const double share : {0.1, 0.5, 0.9}) {
+        const CameraView view = between(a, b, share);
+        CHECK((still - view.middle[0]) / view.width ==
+              doctest::Approx((still - a.middle[0]) / a.width));
+    }
+    CHECK(between(a, b, 0.5).width == doctest::Approx(std::sqrt(320.0)));
+}
+
+TEST_CASE("a callout stands clear of its particle on all of its way, and inside of the picture") {
+    DiskPainter disks;
+    const DrawContext dc{{0, 0, 600, 400}, 20.0, theme(ThemeKind::dark), disks};
+    const CalloutPlate plate = callout_plate(dc, "this one was fast", 340.0);
+    std::vector<Point> way;
+    for (int i = 0; i < 60; ++i) way.push_back({60.0 + 5.0 * i, 200.0 + 100.0 * std::sin(0.2 * i)});
+    const Rect place = free_place(dc, dc.area, plate, way, 15.0, {});
+    for (const Point& at : way) {
+        const double x = at.x - std::clamp(at.x, place.x, place.right());
+        const double y = at.y - std::clamp(at.y, place.y, place.bottom());
+        CHECK(std::hypot(x, y) > 15.0);
+    }
+    CHECK(place.x >= 0.0);
+    CHECK(place.right() <= 600.0);
+    const std::vector<Rect> taken{place};
+    const Rect other = free_place(dc, dc.area, plate, way, 15.0, taken);
+    const bool apart = other.x >= place.right() || other.right() <= place.x ||
+                       other.y >= place.bottom() || other.bottom() <= place.y;
+    CHECK(apart);
+}
+
+TEST_CASE("a callout points to the top of its bar, as high as it is then") {
+    const Shot shot(
+        scene_of("panels: [speed-histogram], callouts: [{at: 1, on: {panel: "
+                 "speed-histogram, x: 1.01}, text: here}]"));
+    DiskPainter disks;
+    const DrawContext dc{{0, 0, 400, 300}, 12.0, theme(ThemeKind::dark), disks};
+    const Panel& panel = *shot.panels->panels()[2].panel;
+    const PanelState &first = *shot.frames.front().states[2], &last = *shot.frames.back().states[2];
+    const auto top = [&](const PanelState& state, double x) {
+        return panel.place_of(dc, state, {0, x, {}})->y;
+    };
+    const auto level = [&](double y) { return panel.place_of(dc, first, {0, 0.75, y})->y; };
+    int risen = 0;  // all begin at speed 1
+    for (double x = 0.05; x < 0.9; x += 0.05) {
+        CHECK(top(first, x) == doctest::Approx(level(0.0)));
+        risen += top(last, x) < top(first, x) - 1.0;
+    }
+    CHECK(risen > 3);
+    CHECK(level(2.0) < level(1.0));
+    CHECK(!panel.place_of(dc, first, {0, 1e6, {}}));
+    CHECK(!shot.panels->panels()[1].panel->place_of(dc, *shot.frames[0].states[1], {0, 1.0, {}}));
+}
+
+TEST_CASE("films with everything over the gas are drawn, in a plane and on a line, as stills too") {
+    const std::string over =
+        "spotlight: [{from: 0.5, on: 0}], callouts: [{at: 0.5, on: 1, text: this one, for: 9}], "
+        "camera: [{at: 1, follow: 1, width: 5}]";
+    const std::string line =
+        "title: T\nbox: {length: 20, walls: periodic}\ngas: [{count: 6, radius: 0.3, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {size: [480, 270], fps: 10, seconds: 8, " +
+        over + "}\n";
+    for (const Scene& scene : {scene_of(over), test::scene_from(line)}) {
+        const Shot shot(scene);
+        FramePainter painter(*shot.panels);
+        const FrameData& frame = shot.frames[50];
+        const auto pixels = pixels_of(painter.paint(frame));
+        CHECK(pixels != pixels_of(painter.paint(shot.frames[10])));
+        CHECK(pixels == pixels_of(painter.paint(frame)));
+        TextLog log;
+        Canvas page({480, 270}, VectorFormat::svg, {"T", ""});
+        painter.paint_on(page, frame);
+        CHECK(std::ranges::count(log.lines, "this one", &DrawnLine::markup) == 1);
+    }
 }

@@ -1,0 +1,145 @@
+#include "app/film/join.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/stopwatch.h"
+#include "scene/time/timeline.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double fade_seconds = 0.3;  // out of one film, and as long into the next
+
+// The frames of a segment, those at the ends of the part covered by its ground.
+class FadingSegment : public FilmSegment {
+  public:
+    FadingSegment(std::unique_ptr<FilmSegment> inner, const JoinedPart& part, int first)
+        : inner_(std::move(inner)), part_(part), next_(first) {}
+
+    void add(const Canvas& frame) override {
+        const double cover = cover_of(part_, next_);
+        const bool is_begin = 2 * next_++ < part_.frames;
+        if (cover <= 0.0) return inner_->add(frame);
+        Canvas covered = FramePainter::blank(part_.film);
+        covered.restore(frame);
+        covered.fill_all(with_alpha(is_begin ? part_.before : part_.ground, cover));
+        inner_->add(covered);
+    }
+    void finish() override { inner_->finish(); }
+    void join() override { inner_->join(); }
+
+  private:
+    std::unique_ptr<FilmSegment> inner_;
+    const JoinedPart& part_;
+    int next_;
+};
+
+class PartWriter : public FilmWriter {
+  public:
+    PartWriter(FilmWriter& whole, JoinedPart part) : whole_(whole), part_(std::move(part)) {}
+    std::unique_ptr<FilmSegment> segment(int first) override {
+        return std::make_unique<FadingSegment>(whole_.segment(part_.first + first), part_, first);
+    }
+    void commit() override {}
+    std::int64_t bytes() const override { return 0; }
+
+  private:
+    FilmWriter& whole_;
+    JoinedPart part_;
+};
+
+std::vector<JoinedPart> parts_of(const std::vector<Scene>& scenes) {
+    std::vector<JoinedPart> parts;
+    int first = 0;
+    for (const Scene& scene : scenes) {
+        const Film& film = scene.film;
+        const int frames = frame_count(film);
+        const int fading = static_cast<int>(std::lround(fade_seconds * film.fps));
+        parts.push_back({.first = first,
+                         .frames = frames,
+                         .fading = std::min(fading, frames / 2),
+                         .comes_in = !parts.empty(),
+                         .goes_out = parts.size() + 1 < scenes.size(),
+                         .before = parts.empty() ? page_color(film) : parts.back().ground,
+                         .ground = page_color(film),
+                         .film = film});
+        first += frames;
+    }
+    return parts;
+}
+
+// All but the first begin with a line that says what the file is.
+void append(std::string& all, const std::string& more) {
+    all += all.empty() ? more : more.substr(more.find('\n') + 1);
+}
+
+void append(FilmText& all, const FilmText& more) {
+    append(all.captions, more.captions);
+    append(all.chapters, more.chapters);
+    append(all.descriptions, more.descriptions);
+    all.transcript += (all.transcript.empty() ? "" : "\n\n") + more.transcript;
+}
+
+// Of a film that holds the parts up to the last, with what makes it again.
+std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
+                                          const FilmOptions& options, const JoinedPart& last) {
+    std::vector<std::string> titles;
+    FilmPlan all;
+    for (const Scene& scene : scenes) {
+        titles.push_back(scene.title);
+        all.scene.source.text += (titles.size() > 1 ? "---\n" : "") + scene.source.text;
+        all.scene.description += (titles.size() > 1 ? "\n" : "") + scene.description;
+    }
+    all.scene.title = listed(titles, "and");
+    all.scene.seed = scenes.front().seed;
+    all.scene.source.overrides = scenes.front().source.overrides;
+    all.scene.film = scenes.front().film;
+    all.span = {0, last.first + last.frames};
+    return film_writer(all, options);
+}
+
+}  // namespace
+
+double cover_of(const JoinedPart& part, int frame) {
+    const auto cover = [&](int from_end) {
+        return part.fading > 0 ? std::max(0.0, 1.0 - (from_end + 0.5) / part.fading) : 0.0;
+    };
+    return std::max(part.comes_in ? cover(frame) : 0.0,
+                    part.goes_out ? cover(part.frames - 1 - frame) : 0.0);
+}
+
+std::unique_ptr<FilmWriter> writer_of_part(FilmWriter& whole, const JoinedPart& part) {
+    return std::make_unique<PartWriter>(whole, part);
+}
+
+RenderReport render_joined(const std::vector<Scene>& scenes, const FilmOptions& options,
+                           Progress& progress) {
+    const Stopwatch watch;
+    const std::vector<JoinedPart> parts = parts_of(scenes);
+    std::unique_ptr<FilmWriter> writer;
+    RenderReport report;
+    FilmText text;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        FilmOptions own = options;
+        own.joined_at = static_cast<double>(parts[i].first) / scenes[i].film.fps;
+        const FilmPlan plan = prepare(scenes[i], own, progress);
+        if (!writer) writer = writer_of_all(scenes, options, parts.back());
+        const auto part = writer_of_part(*writer, parts[i]);
+        draw_frames(plan, options.threads, *part, progress, report);
+        append(text, plan.text);
+    }
+    throw_if_interrupted();
+    report.path = options.output;
+    report.simulate_seconds = watch.cpu();
+    writer->commit();
+    if (options.text) write_text(text, options.output);
+    report.bytes = writer->bytes();
+    report.wall_seconds = watch.wall();
+    return report;
+}
+
+}  // namespace carom

@@ -1,0 +1,35 @@
+// The films of several scenes as one: each fades into its ground and the next one comes out of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/film/render.h"
+#include "draw/color.h"
+
+namespace carom {
+
+/// One of the films in a joined one.
+struct JoinedPart {
+    int first = 0;         ///< its first frame in the whole
+    int frames = 0;        ///< of its own
+    int fading = 0;        ///< frames at either end that fade, where something is before or after
+    bool comes_in = true;  ///< out of `before`
+    bool goes_out = true;  ///< into `ground`
+    Color before = {}, ground = {};  ///< opaque
+    Film film = {};                  ///< for pictures of its size
+};
+
+/// How much of a part's frame, counted from 0, its ground covers, from 0 to 1.
+double cover_of(const JoinedPart& part, int frame);
+
+/// What writes a part into the whole, which it refers to. It is not committed.
+std::unique_ptr<FilmWriter> writer_of_part(FilmWriter& whole, const JoinedPart& part);
+
+/// Renders the films of several scenes, which have one size and rate, as one film, whole or not at
+/// all: its title is theirs, its chapters are their titles. Throws as render() does.
+RenderReport render_joined(const std::vector<Scene>& scenes, const FilmOptions& options,
+                           Progress& progress);
+
+}  // namespace carom

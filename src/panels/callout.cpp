@@ -1,0 +1,105 @@
+#include "panels/callout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+constexpr double across = 0.7, above = 0.5;  // around the words, units
+constexpr double line_height = 1.35;         // of the size of the words
+constexpr double clear = 1.6;                // units, from a target to its plate
+constexpr int columns = 9, rows = 9;         // of places that are tried
+constexpr std::size_t most_lines = 3;
+
+double distance(const Rect& rect, Point at) {
+    return std::hypot(at.x - std::clamp(at.x, rect.x, rect.right()),
+                      at.y - std::clamp(at.y, rect.y, rect.bottom()));
+}
+
+bool meet(const Rect& a, const Rect& b) {
+    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+TextStyle words_style(const DrawContext& dc) {
+    TextStyle style = title_style(dc);
+    style.tabular = false;
+    return style;
+}
+
+}  // namespace
+
+CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width) {
+    TextStyle style = words_style(dc);
+    style.max_width = std::max(6.0 * dc.unit, most_width - 2.0 * across * dc.unit);
+    CalloutPlate plate{wrapped(words, style, most_lines)};
+    for (const std::string& line : plate.lines)
+        plate.width = std::max(plate.width, measure_text(escape_markup(line), style).width);
+    plate.width += 2.0 * across * dc.unit;
+    plate.height =
+        2.0 * above * dc.unit + line_height * style.size * static_cast<double>(plate.lines.size());
+    return plate;
+}
+
+Rect free_place(const DrawContext& dc, const Rect& area, const CalloutPlate& plate,
+                std::span<const Point> way, double reach, std::span<const Rect> others) {
+    const double margin = 0.5 * dc.unit, apart = reach + clear * dc.unit;
+    const double wide = std::max(0.0, area.width - plate.width - 2.0 * margin);
+    const double high = std::max(0.0, area.height - plate.height - 2.0 * margin);
+    Rect best{area.x + margin, area.y + margin, plate.width, plate.height};
+    double least = std::numeric_limits<double>::infinity();
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const Rect place{area.x + margin + wide * column / (columns - 1),
+                             area.y + margin + high * row / (rows - 1), plate.width, plate.height};
+            double cost = 0.0, nearest = std::numeric_limits<double>::infinity();
+            for (const Point& at : way) {
+                const double off = distance(place, at);
+                cost += off / static_cast<double>(way.size());
+                nearest = std::min(nearest, off);
+            }
+            if (nearest < apart) cost += 100.0 * (apart - nearest) + area.width;
+            for (const Rect& other : others)
+                if (meet(place, other)) cost += 1000.0 * area.width;
+            if (cost >= least) continue;
+            least = cost;
+            best = place;
+        }
+    return best;
+}
+
+Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x) {
+    const double apart = clear * dc.unit;
+    const bool is_right = area.right() - x > x - area.x;
+    const double left = is_right ? x + apart : x - apart - plate.width;
+    const double most = std::max(area.x, area.right() - plate.width);
+    return {std::clamp(left, area.x, most),
+            area.y + std::max(0.0, 0.5 * (area.height - plate.height)), plate.width, plate.height};
+}
+
+void draw_callout(Canvas& canvas, const DrawContext& dc, const Rect& place,
+                  const CalloutPlate& plate, Point target, double reach, double alpha) {
+    const double u = dc.unit, line = 0.12 * u;
+    const Point from{std::clamp(target.x, place.x, place.right()),
+                     std::clamp(target.y, place.y, place.bottom())};
+    const double length = std::hypot(target.x - from.x, target.y - from.y);
+    const double gap = reach + 0.2 * u;
+    if (length > gap) {
+        const double share = (length - gap) / length;
+        const Point to{from.x + share * (target.x - from.x), from.y + share * (target.y - from.y)};
+        canvas.stroke_line(from, to, line + 0.24 * u, with_alpha(dc.theme.ground, 0.8 * alpha));
+        canvas.stroke_line(from, to, line, with_alpha(dc.theme.ink, alpha));
+    }
+    canvas.fill(place, with_alpha(dc.theme.ground, 0.94 * alpha));
+    canvas.stroke_rect(place, 0.6 * line, with_alpha(dc.theme.ink, alpha));
+    TextStyle style = words_style(dc);
+    style.color = with_alpha(dc.theme.ink, alpha);
+    Point at{place.x + across * u, place.y + above * u + style.size};
+    for (const std::string& words : plate.lines) {
+        draw_text(canvas, at, escape_markup(words), style);
+        at.y += line_height * style.size;
+    }
+}
+
+}  // namespace carom

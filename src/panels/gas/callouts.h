@@ -1,0 +1,53 @@
+// Callouts to particles: which there are at a moment, and the way of each particle meanwhile, by
+// which the words find a place of their own that does not move.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "panels/callout.h"
+#include "panels/panel.h"
+#include "scene/time/showing.h"
+
+namespace carom {
+
+class Callouts {
+  public:
+    explicit Callouts(const PanelContext& context);
+
+    /// First pass, every frame in order; `places` as they are drawn.
+    void survey(const FrameInput& input, const Eigen::ArrayXXd& places);
+    void archive(auto& archive) { archive(ways_); }
+
+    /// Where a particle is in a frame, which is counted from 0 for the first one surveyed.
+    struct Step {
+        std::int64_t frame = 0;
+        double x = 0.0, y = 0.0;
+        void archive(auto& archive) { archive(frame, x, y); }
+    };
+
+    /// One that is seen at a moment.
+    struct Present {
+        std::size_t index = 0;
+        Eigen::Index particle = 0;
+        double share = 0.0;  ///< how much of it is seen
+    };
+    std::vector<Present> at(const Tick& tick) const;
+
+    const std::string& words(const Present& one) const;
+    const std::vector<Step>& way(const Present& one) const { return ways_[one.index]; }
+
+  private:
+    PanelContext context_;
+    struct Timed {
+        Eigen::Index particle;
+        Showing time;
+        const Callout* callout;
+    };
+    std::vector<Timed> callouts_;
+    std::vector<std::vector<Step>> ways_;  ///< of each
+    std::int64_t surveyed_ = 0;
+};
+
+}  // namespace carom

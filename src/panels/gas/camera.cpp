@@ -1,0 +1,122 @@
+#include "panels/gas/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/chosen.h"
+
+namespace carom {
+namespace {
+
+double smooth(double share) {
+    const double x = std::clamp(share, 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
+}
+
+}  // namespace
+
+CameraView between(const CameraView& from, const CameraView& to, double share) {
+    if (share <= 0.0) return from;
+    if (share >= 1.0) return to;
+    const double width = from.width * std::pow(to.width / from.width, share);
+    const double turned = std::abs(to.width / from.width - 1.0) > 1e-6
+                              ? (from.width - width) / (from.width - to.width)
+                              : share;
+    return {from.middle + turned * (to.middle - from.middle), width};
+}
+
+Camera::Camera(const PanelContext& context, const std::optional<View>& fixed)
+    : context_(context), moves_(context.scene.film.camera) {
+    if (fixed) moves_ = {{0.0, *fixed, 0.0}};
+    const bool all_whole = std::ranges::all_of(
+        moves_, [](const CameraMove& move) { return std::holds_alternative<WholeBox>(move.view); });
+    if (all_whole) moves_.clear();
+}
+
+Eigen::Array2d Camera::nearest_image(const Eigen::Array2d& of, const Eigen::Array2d& to) const {
+    return to + context_.scene.gas.box.nearest(of - to);
+}
+
+// Where what a view follows is: a particle, or the centre of mass of several.
+Eigen::Array2d Camera::target(const View& view, const FrameInput& input) const {
+    const auto* followed = std::get_if<Followed>(&view);
+    Eigen::Array2d sum{0.0, 0.0};
+    if (followed == nullptr) return sum;
+    const std::vector<Eigen::Index> its = members(context_, followed->what);
+    const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
+    const bool weighs = its.size() > 1 && std::ranges::all_of(its, [&](Eigen::Index i) {
+                            return inverse_mass[i] > 0.0;
+                        });
+    double mass = 0.0;
+    for (const Eigen::Index i : its) {
+        const double one = weighs ? 1.0 / inverse_mass[i] : 1.0;
+        for (Eigen::Index axis = 0; axis < input.sample.position.cols(); ++axis)
+            sum[axis] += one * input.sample.position(i, axis);
+        mass += one;
+    }
+    return sum / mass;
+}
+
+// Through periodic sides a target goes on without a jump.
+void Camera::survey(const FrameInput& input) {
+    if (!moves()) return;
+    Frame frame{input.tick.time, input.tick.seconds, {}};
+    for (std::size_t k = 0; k < moves_.size(); ++k) {
+        const Eigen::Array2d now = target(moves_[k].view, input);
+        frame.targets.push_back(frames_.empty() ? now
+                                                : nearest_image(now, frames_.back().targets[k]));
+    }
+    frames_.push_back(std::move(frame));
+}
+
+CameraView Camera::view_of(std::size_t move, const Frame& frame, const CameraView& whole) const {
+    const View& view = moves_[move].view;
+    if (const auto* followed = std::get_if<Followed>(&view))
+        return {frame.targets[move], std::min(followed->width, whole.width)};
+    const auto* region = std::get_if<Region>(&view);
+    if (region == nullptr) return whole;
+    const Eigen::Array2d size = region->high - region->low;
+    const Eigen::Array2d box = context_.scene.gas.box.size;
+    const bool is_line = context_.scene.gas.box.dimension == 1;
+    const double width = is_line ? size[0] : std::max(size[0], size[1] * box[0] / box[1]);
+    return {0.5 * (region->low + region->high), std::min(width, whole.width)};
+}
+
+// Every move begins with what is seen then, and what that follows meanwhile; in a periodic box at
+// the image of its target that is nearest then.
+void Camera::fix_way(const Region& whole_box) {
+    const Eigen::Array2d size = whole_box.high - whole_box.low;
+    const CameraView whole{0.5 * (whole_box.low + whole_box.high), size[0]};
+    std::vector<std::optional<Eigen::Array2d>> shifts(moves_.size());
+    std::vector<double> begins(moves_.size(), 0.0);
+    for (const Frame& frame : frames_) {
+        CameraView now = whole;
+        for (std::size_t k = 0; k < moves_.size() && moves_[k].at <= frame.time; ++k) {
+            CameraView next = view_of(k, frame, whole);
+            if (!shifts[k]) {
+                shifts[k] = nearest_image(next.middle, now.middle) - next.middle;
+                begins[k] = &frame == &frames_.front() ? -1e9 : frame.seconds;
+            }
+            next.middle += *shifts[k];
+            const double passed = frame.seconds - begins[k], takes = moves_[k].seconds;
+            now = between(now, next, takes > 0.0 ? smooth(passed / takes) : 1.0);
+        }
+        const Eigen::Array2d off = nearest_image(now.middle, whole.middle) - whole.middle;
+        const bool is_whole =
+            now.width > (1.0 - 1e-9) * whole.width && off.abs().maxCoeff() < 1e-9 * size[0];
+        way_.push_back(is_whole ? CameraView{} : now);
+    }
+    frames_ = {};
+}
+
+std::optional<CameraView> Camera::at(std::size_t frame) const {
+    if (frame >= way_.size() || way_[frame].width <= 0.0) return std::nullopt;
+    CameraView view = way_[frame];
+    for (const int axis : {0, 1})
+        view.middle[axis] = context_.scene.gas.box.wrapped(axis, view.middle[axis]);
+    return view;
+}
+
+std::optional<CameraView> Camera::next() { return at(next_++); }
+
+}  // namespace carom

@@ -1,0 +1,67 @@
+#include "panels/gas/spotlights.h"
+
+#include <algorithm>
+
+#include "panels/chosen.h"
+
+namespace carom {
+namespace {
+
+constexpr double dimmed = 0.35;  // what is left of a colour
+
+}  // namespace
+
+double share_of(const PanelContext& context, const Showing& time, const Tick& tick) {
+    if (!context.in_film) return time.holds(tick.time) ? 1.0 : 0.0;
+    return opacity(time, context.scene.film, tick.frame, overlay_fade_seconds);
+}
+
+Spotlights::Spotlights(const PanelContext& context) : context_(context) {
+    const Film& film = context.scene.film;
+    if (film.spotlights.empty()) return;
+    const std::vector<Tick> ticks = timeline(context.scene);
+    for (const Spotlight& spotlight : film.spotlights) {
+        Light& light = lights_.emplace_back(Light{showing(ticks, film, spotlight.time), {}, {}});
+        for (const Chosen& chosen : spotlight.on) {
+            const std::vector<Eigen::Index> its = members(context, chosen);
+            light.on.insert(light.on.end(), its.begin(), its.end());
+            if (its.size() == 1) light.single.push_back(its.front());
+        }
+    }
+}
+
+double Spotlights::share(const Light& light, const Tick& tick) const {
+    return share_of(context_, light.time, tick);
+}
+
+// Where one spotlight follows another, particles that both are on stay as they are.
+std::vector<float> Spotlights::light(const Tick& tick) const {
+    double most = 0.0;
+    for (const Light& light : lights_) most = std::max(most, share(light, tick));
+    if (most <= 0.0) return {};
+    std::vector<double> on(static_cast<std::size_t>(context_.particles.count()), 0.0);
+    for (const Light& light : lights_) {
+        const double its = share(light, tick);
+        for (const Eigen::Index i : light.on) {
+            double& own = on[static_cast<std::size_t>(i)];
+            own = std::max(own, its);
+        }
+    }
+    std::vector<float> kept;
+    kept.reserve(on.size());
+    for (const double own : on)
+        kept.push_back(static_cast<float>(1.0 - (1.0 - dimmed) * (most - own)));
+    return kept;
+}
+
+std::vector<Spotlights::Ring> Spotlights::rings(const Tick& tick) const {
+    std::vector<Ring> rings;
+    for (const Light& light : lights_) {
+        const double its = share(light, tick);
+        if (its <= 0.0) continue;
+        for (const Eigen::Index i : light.single) rings.push_back({i, its});
+    }
+    return rings;
+}
+
+}  // namespace carom

@@ -1,0 +1,58 @@
+// What lies over the beads of a line, or under them: marks, rings, callouts, and where the camera
+// is.
+#include "panels/line/line_drawing.h"
+
+namespace carom {
+
+void LinePanel::Drawing::draw_ghosts() const {
+    if (!now.ghosts) return;
+    const double line = ghost_line(dc), half = rod_half_height * u;
+    for (Eigen::Index i = 0; i < count(); ++i) {
+        const double radius = shown_radius(i);
+        for (const Point& at : seen_at(static_cast<double>(now.ghosts->place(i, 0)), radius))
+            if (is_rod(i))
+                canvas.stroke_rect({at.x - radius, at.y - half, 2.0 * radius, 2.0 * half}, line,
+                                   dc.theme.muted);
+            else
+                canvas.stroke_circle(at, radius, line, dc.theme.muted);
+    }
+}
+
+void LinePanel::Drawing::draw_rings() const {
+    for (const Spotlights::Ring& ring : now.rings)
+        for (const Point& at : seen_at(place(ring.particle), shown_radius(ring.particle)))
+            if (!is_rod(ring.particle))
+                canvas.stroke_circle(at, shown_radius(ring.particle) + 0.07 * u, 0.14 * u,
+                                     with_alpha(dc.theme.ink, ring.share));
+}
+
+// In the picture of the world lines.
+void LinePanel::Drawing::draw_where_it_is() const {
+    const double width = 1.0 / v.zoom;
+    const double left = v.low / map.length();
+    const double share = std::clamp(std::log(v.zoom) / std::log(1.3), 0.0, 1.0);
+    draw_where(canvas, dc, {v.plot.x, v.plot.y, v.plot.width, v.plot.height},
+               {left, 0.0, width, 1.0}, 0.0, v.scale, share);
+}
+
+// Over the world lines, as their words would hide beads elsewhere.
+void LinePanel::Drawing::draw_callouts() const {
+    std::vector<Rect> taken;
+    for (const Callouts::Present& one : now.callouts) {
+        std::vector<Point> way;
+        for (const Callouts::Step& step : panel.callouts_.way(one)) {
+            State then;
+            then.view = panel.camera_.at(static_cast<std::size_t>(step.frame));
+            way.push_back({panel.view(dc, then).x(step.x), v.line_y});
+        }
+        const CalloutPlate plate =
+            callout_plate(dc, panel.callouts_.words(one), std::min(17.0 * u, 0.5 * v.plot.width));
+        taken.push_back(free_place(dc, v.plot, plate, way, 0.0, taken));
+        const std::vector<Point> seen = seen_at(place(one.particle), shown_radius(one.particle));
+        if (!seen.empty())
+            draw_callout(canvas, dc, taken.back(), plate, seen.front(), half_height(one.particle),
+                         one.share);
+    }
+}
+
+}  // namespace carom

@@ -367,6 +367,10 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
         if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }
     if (layout) check_slots(node, film, templates, reading.errors);
+    std::erase_if(film.callouts, [&](const Callout& callout) {  // to panels that are left out
+        const auto* point = std::get_if<PlotPoint>(&callout.on);
+        return point != nullptr && point->panel >= film.panels.size();
+    });
     return film;
 }
 

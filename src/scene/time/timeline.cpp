@@ -103,13 +103,10 @@ class Reel {
     void hold(int frames, double time, Phase phase, int reversals) {
         for (int i = 0; i < frames; ++i) add(time, phase, (i + 1.0) / frames, reversals);
     }
-    // The words for it come and go within a fifth of a second.
     void pause(int frames, double time, int reversals) {
-        constexpr double fade_seconds = 0.2;
         for (int i = 0; i < frames; ++i) {
             add(time, Phase::pausing, (i + 1.0) / frames, reversals);
-            const double nearest_end = std::min(i, frames - 1 - i) + 0.5;
-            ticks_.back().slow = {0.0, std::min(1.0, nearest_end / (fade_seconds * fps_))};
+            ticks_.back().slow = {0.0, 1.0};
         }
     }
     void pause_at_reversal(int frames, double time, int before) {

@@ -42,7 +42,7 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         subject.lines.push_back({species[k].name, species_role(context, k)});
     if (context.equilibrium && species.size() > 1)
         subject.reference = [context]() -> std::optional<ReferenceLevel> {
-            return ReferenceLevel{"equal shares", mean_energy(*context.equilibrium)};
+            return ReferenceLevel{"equipartition", mean_energy(*context.equilibrium)};
         };
     return std::make_unique<SeriesPanel>(context, std::move(subject));
 }

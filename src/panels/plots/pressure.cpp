@@ -48,7 +48,7 @@ class Gauge {
                 pushed ? nan_ : virial.value_or(nan_)};
     }
 
-    // Of a gas of points with the energy of this one; NaN where that is not kept or not known yet.
+    // Of an ideal gas with the energy of this one; NaN where that is not kept or not known yet.
     std::shared_ptr<const double> of_points() const { return of_points_; }
 
   private:
@@ -108,7 +108,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .notes = {time_words(over, box)},
         .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
             if (!std::isfinite(*of_points)) return std::nullopt;
-            return ReferenceLevel{"gas of points", *of_points};
+            return ReferenceLevel{"ideal gas", *of_points};
         },
         .quantity = "pressure",
         .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2",

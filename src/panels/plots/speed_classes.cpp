@@ -32,13 +32,10 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .titles = {},
         .notes =
             spec.reference_initial
-                ? std::vector<std::string>{"slow below ½, fast above 1½ of the mean at the start",
-                                           "below ½, above 1½ of the mean at the start"}
-                : std::vector<
-                      std::string>{spec.at ? "slow below ½, fast above 1½ of each time’s "
-                                             "mean speed"
-                                           : "slow below ½, fast above 1½ of the mean speed now",
-                                   "slow below ½, fast above 1½ of the mean"},
+                ? std::vector<std::string>{"slow: &lt; ½ mean speed at the start; fast: &gt; 1½",
+                                           "slow: &lt; ½ initial mean; fast: &gt; 1½"}
+                : std::vector<std::string>{"slow: &lt; ½ mean speed; fast: &gt; 1½",
+                                           "slow: &lt; ½ mean; fast: &gt; 1½"},
         .top = 100.0,
         .quantity = "share",
         .unit = "per cent"};

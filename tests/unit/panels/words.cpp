@@ -142,12 +142,12 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
         "{name: b, position: [10, 15], velocity: -1}]\nrun: {until: 5}";
     CHECK(has(words(wire, "velocity-histogram"), "|Particles by velocity: "));
     // N T over the area: 90 times 2 over 1200.
-    CHECK(has(words(plane, "pressure"), "|gas of points 0.150|"));
+    CHECK(has(words(plane, "pressure"), "|ideal gas 0.150|"));
     CHECK(!has(words("box: {size: [40, 30]}\ngas: [{name: a, count: 9, speed: 1}, {name: b, count: "
                      "1, mass: infinite, "
                      "position: [20, 15], velocity: [1, 0]}]\nrun: {until: 5}",
                      "pressure"),
-               "gas of points"));
+               "ideal gas"));
     // The only particle of its kind has a name.
     const std::string positions = words(wire, "{kind: positions, of: [0, 2]}");
     CHECK(has(positions, "|a|"));

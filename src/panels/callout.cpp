@@ -11,7 +11,7 @@ constexpr double across = 0.7, above = 0.5;  // around the words, units
 constexpr double line_height = 1.35;         // of the size of the words
 constexpr double clear = 1.6;                // units, from a target to its plate
 constexpr int columns = 9, rows = 9;         // of places that are tried
-constexpr std::size_t most_lines = 3;
+constexpr std::size_t most_lines = 6;
 
 double distance(const Rect& rect, Point at) {
     return std::hypot(at.x - std::clamp(at.x, rect.x, rect.right()),
@@ -95,6 +95,7 @@ void draw_callout(Canvas& canvas, const DrawContext& dc, const Rect& place,
     canvas.stroke_rect(place, 0.6 * line, with_alpha(dc.theme.ink, alpha));
     TextStyle style = words_style(dc);
     style.color = with_alpha(dc.theme.ink, alpha);
+    style.max_width = place.width - 2.0 * across * u + 1.0;
     Point at{place.x + across * u, place.y + above * u + style.size};
     for (const std::string& words : plate.lines) {
         draw_text(canvas, at, escape_markup(words), style);

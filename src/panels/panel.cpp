@@ -94,8 +94,6 @@ std::string disk_sample(Color color, const Theme& theme) {
                        looks_hollow(color, theme) ? "○" : "●");
 }
 
-std::string slow_words(const Slowness& slow) {
-    return slow.factor > 0.0 ? fmt::format("\u00D7{:.3g}", slow.factor) : "paused";
-}
+std::string slow_words(const Slowness& slow) { return fmt::format("\u00D7{:.3g}", slow.factor); }
 
 }  // namespace carom

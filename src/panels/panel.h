@@ -144,7 +144,7 @@ Rect plot_area(const DrawContext& dc);
 /// The height of a row of words between a panel's title and its plot, in units.
 inline constexpr double note_height = 1.5;
 
-/// How slow a film is, as a viewer reads it: ×0.1, or paused.
+/// How slow a film is, as a viewer reads it: ×0.1, and ×0 in a pause.
 std::string slow_words(const Slowness& slow);
 
 /// The panel's title at its top left (markup), smaller where it is too long.

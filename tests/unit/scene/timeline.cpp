@@ -184,7 +184,7 @@ TEST_CASE("a pause stands for exactly its seconds at exactly its time, and moves
             continue;
         }
         CHECK(tick.slow.factor == 0.0);
-        CHECK(tick.slow.share == 1.0);  // a still says too that the film is paused
+        CHECK(tick.slow.share == 1.0);  // a still says too that the film stands
         before += tick.time == 4.321;
         at_turn += tick.time == 6.0 && tick.reversals == 1;
     }

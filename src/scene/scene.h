@@ -192,15 +192,6 @@ struct CameraMove {
     double seconds = 1.5;  ///< of film, that it takes
 };
 
-/// A quantity in the cells of a grid over the box, as its mean over a time before the present.
-struct Field {
-    enum class Of { density, temperature, speed, flow, concentration } of = Of::density;
-    std::size_t species = 0;  ///< of a concentration
-    int cells = 32;           ///< along the longer side
-    double over = 1.0;        ///< simulated time
-    double opacity = 0.6;
-};
-
 struct Scene;
 
 /// One of the runs that a figure shows side by side.
@@ -250,7 +241,6 @@ struct Film {
     std::vector<Spotlight> spotlights;
     std::vector<Callout> callouts;
     std::vector<CameraMove> camera;  ///< in order of time; none: the whole box throughout
-    std::optional<Field> field;
 };
 
 /// Where a scene came from.

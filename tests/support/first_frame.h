@@ -12,6 +12,7 @@ struct FirstFrame {
     Scene scene;
     Simulation simulation;
     PanelSet panels;
+    FrameData frame;
     std::unique_ptr<FramePainter> painter;
     PixelView view;
 
@@ -23,7 +24,7 @@ struct FirstFrame {
         const Tick tick{};
         panels.survey(tick, simulation.sample(), advanced);
         panels.fix_axes();
-        const FrameData frame = panels.frame_data(tick, simulation.sample(), advanced);
+        frame = panels.frame_data(tick, simulation.sample(), advanced);
         painter = std::make_unique<FramePainter>(panels);
         view = painter->paint(frame).pixels();
     }

@@ -293,7 +293,7 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     CHECK(disk_sample(kind_color(0, print), print).find("●") != std::string::npos);
     CHECK(disk_sample(kind_color(1, print), print).find("○") != std::string::npos);
     TextLog log;
-    FramePainter painter(picture.panels);
+    FramePainter(picture.panels).paint(picture.frame);
     const bool has_samples = std::ranges::any_of(log.lines, [](const DrawnLine& line) {
         return line.markup.find("–·–") != std::string::npos &&
                line.markup.find("- - -") != std::string::npos;

@@ -330,7 +330,7 @@ TEST_CASE("the time of the contact is written above it, as near as there is room
     DiskPainter disks;
     const DrawContext dc = page_of(film.scene, disks);
     const TextLog log;
-    FramePainter painter(*film.panels);
+    FramePainter(*film.panels).paint(film.frames.front());
     const Rect plot = plot_area(dc);
     const PairCollision met = pair_collision_in(film.scene);
     const double last = met.time + 1.75 * (met.other_root() - met.time);

@@ -6,9 +6,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <tuple>
 #include <utility>
 
 #include "util/text.h"
@@ -69,6 +66,8 @@ double half_line_height(const TextStyle& style) {
     return 0.5 * cap_height * style.size;
 }
 
+constexpr double line_of_title = 1.15;  // ems, from the labels to the title below
+
 double gap_to_label(const AxisStyle& style) { return 0.35 * style.label.size; }
 
 // Lines of an axis lie on whole pixels, or they would be grey and as many as three pixels wide.
@@ -115,40 +114,6 @@ std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style
         if (fits(marks, scale, style.label)) return marks;
     }
     return ticks(scale.low, scale.high, 2, style.whole);
-}
-
-// The left end of an axis's title among its labels: at the right end, or in the last gap between
-// two labels that has room for it.
-std::optional<double> title_place(const std::vector<TickMark>& marks, const Scale& scale,
-                                  double width, double right, double air, const AxisStyle& style) {
-    if (marks.empty()) return right - width;
-    LabelSpan next = span_of(marks.back(), scale, style.label);
-    if (next.right < right - width - 0.5 * style.title.size) return right - width;
-    for (std::size_t i = marks.size() - 1; i-- > 0;) {
-        const LabelSpan label = span_of(marks[i], scale, style.label);
-        if (next.left - label.right >= width + 2.0 * air)
-            return 0.5 * (label.right + next.left - width);
-        next = label;
-    }
-    return {};
-}
-
-// Three ticks or more and the place of the title with which no label is lost, if there are such.
-std::pair<std::vector<TickMark>, std::optional<double>> ticks_with_title(const Scale& scale,
-                                                                         double width, double right,
-                                                                         const AxisStyle& style) {
-    std::vector<TickMark> usual = fitting_x_ticks(scale, style);
-    constexpr std::size_t least_ticks = 3;
-    for (const double ems : {0.7, 0.5})  // of air on each side of the title
-        for (std::size_t most = usual.size(); most >= least_ticks; --most) {
-            std::vector<TickMark> marks =
-                ticks(scale.low, scale.high, static_cast<int>(most), style.whole);
-            if (marks.size() < least_ticks || !fits(marks, scale, style.label)) continue;
-            const double air = ems * style.title.size;
-            if (const auto place = title_place(marks, scale, width, right, air, style))
-                return {std::move(marks), place};
-        }
-    return {std::move(usual), {}};
 }
 
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
@@ -216,7 +181,8 @@ double round_up_for_axis(double value) {
 }
 
 double x_axis_space(const AxisStyle& style) {
-    return style.tick_length + gap_to_label(style) + 2 * half_line_height(style.label);
+    return style.tick_length + gap_to_label(style) + 2 * half_line_height(style.label) +
+           line_of_title * style.title.size;
 }
 
 double y_axis_space(const Scale& scale, const AxisStyle& style) {
@@ -235,25 +201,15 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
         y + style.tick_length + gap_to_label(style) + 2 * half_line_height(label);
     draw_level_line(canvas, area.x - 0.5 * style.line_width, area.right() + 0.5 * style.line_width,
                     y, style);
-    double end = std::numeric_limits<double>::infinity();  // of the room for labels
-    std::vector<TickMark> marks;
-    if (title.empty()) {
-        marks = fitting_x_ticks(scale, style);
-    } else {
-        const double width = measure_text(title, style.title).width;
-        std::optional<double> place;
-        std::tie(marks, place) = ticks_with_title(scale, width, area.right(), style);
-        if (!place) end = area.right() - width - 0.5 * style.title.size;
-        TextStyle words = style.title;
-        words.align = Align::left;
-        draw_text(canvas, {place.value_or(area.right() - width), baseline}, title, words);
-    }
-    for (const TickMark& mark : marks) {
+    for (const TickMark& mark : fitting_x_ticks(scale, style)) {
         draw_upright_line(canvas, scale(mark.value), y, y + style.tick_length, style);
         const LabelSpan span = span_of(mark, scale, label);
-        if (span.right < end)
-            draw_text(canvas, {0.5 * (span.left + span.right), baseline}, mark.label, label);
+        draw_text(canvas, {0.5 * (span.left + span.right), baseline}, mark.label, label);
     }
+    if (title.empty()) return;
+    TextStyle words = style.title;
+    words.align = Align::right;
+    draw_text(canvas, {area.right(), baseline + line_of_title * style.title.size}, title, words);
 }
 
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const AxisStyle& style) {

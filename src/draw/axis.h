@@ -46,13 +46,13 @@ struct AxisStyle {
     bool decades = false;  ///< of a vertical axis: its scale maps decimal logarithms
 };
 
-/// The height that an x axis takes below its area, and the width that a y axis takes left of it.
+/// The height that an x axis with a title takes below its area, and the width that a y axis takes
+/// left of it.
 double x_axis_space(const AxisStyle& style);
 double y_axis_space(const Scale& scale, const AxisStyle& style);
 
-/// A horizontal axis along the bottom edge of `area`, ticks and labels below it, `title` (markup)
-/// on the line of the labels: at the right end, or between two of them, with fewer ticks if that
-/// makes room for it. Where nothing does, labels that it would touch at the right end are left out.
+/// A horizontal axis along the bottom edge of `area`, ticks and labels below it, and below those at
+/// the right end `title` (markup).
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
 

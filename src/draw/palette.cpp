@@ -90,21 +90,16 @@ const Samples& samples_of(std::string_view name) {
     throw std::invalid_argument("no colour map is named " + std::string(name));
 }
 
-// Okabe and Ito, "Color Universal Design" (2008), https://jfly.uni-koeln.de/color/.
-constexpr Color black = rgb(0x000000), orange = rgb(0xE69F00), sky_blue = rgb(0x56B4E9),
-                bluish_green = rgb(0x009E73), yellow = rgb(0xF0E442), blue = rgb(0x0072B2),
-                vermilion = rgb(0xD55E00), reddish_purple = rgb(0xCC79A7), white = rgb(0xFFFFFF);
-constexpr Color darker_purple = rgb(0xC776A3);  // a contrast of 3 with the light page
-
-// The colours that stand out least from the ground, or are near the theory curve's, come last.
-constexpr std::array on_dark = {sky_blue, yellow, bluish_green, reddish_purple,
-                                white,    orange, vermilion,    blue};
-constexpr std::array on_light = {blue,      bluish_green, darker_purple, black,
-                                 vermilion, orange,       sky_blue,      yellow};
-// Greys as far apart as eight can be (CIEDE2000); the first four are far apart in lightness: 0, 83,
-// 45 and 68 of 100.
-constexpr std::array in_print = {black,         rgb(0xCFCFCF), rgb(0x6A6A6A), rgb(0xA5A5A5),
-                                 rgb(0x2B2B2B), white,         rgb(0x858585), rgb(0x4C4C4C)};
+// Near Okabe and Ito's colours ("Color Universal Design", 2008, https://jfly.uni-koeln.de/color/):
+// blue, yellow, green, purple, sand and vermilion; in light and dark shades of them, so that each
+// two differ for every viewer by a CIEDE2000 of 20, and stand out from the ground by a contrast
+// of 3.
+constexpr std::array on_dark = {rgb(0x80CCFA), rgb(0xFFFE1F), rgb(0x2E8874),
+                                rgb(0xA160BA), rgb(0xDCB78E), rgb(0xD15B04)};
+constexpr std::array on_light = {rgb(0x205E85), rgb(0x2E9F85), rgb(0xA681CF),
+                                 rgb(0x000000), rgb(0x984400), rgb(0xC68300)};
+// No more greys than four are so far apart; lines have dashes beside, and pale disks are rings.
+constexpr std::array in_print = {rgb(0x000000), rgb(0xE4E4E4), rgb(0x4E4E4E), rgb(0x8E8E8E)};
 
 }  // namespace
 
@@ -155,8 +150,8 @@ std::span<const std::string> color_map_names() {
 // NetLogo's colours 105, 55 and 15, brighter or darker where the ground asks for it, and with green
 // lighter than red by so much that viewers who see no difference of hue see that.
 ColorMap netlogo_map(bool dark_ground) {
-    if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x74CA50), rgb(0xE5483F)});
-    return ColorMap({rgb(0x345DA9), rgb(0x4C9A30), rgb(0xB5201A)});
+    if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x9CED6E), rgb(0xE5483F)});
+    return ColorMap({rgb(0x345DA9), rgb(0x59A239), rgb(0xA21110)});
 }
 
 // Even in CIE's lightness: from 61, which has a contrast of 3 with white, to 14, which is no black.
@@ -189,9 +184,9 @@ Color kind_color(std::size_t index, const Theme& theme) {
 ColorMap direction_map(const Theme& theme) {
     switch (theme.kind) {
         case ThemeKind::dark:
-            return ColorMap({sky_blue, reddish_purple, yellow, bluish_green, sky_blue});
+            return ColorMap({on_dark[0], on_dark[3], on_dark[1], on_dark[2], on_dark[0]});
         case ThemeKind::light:
-            return ColorMap({blue, darker_purple, orange, bluish_green, blue});
+            return ColorMap({on_light[0], on_light[2], on_light[5], on_light[1], on_light[0]});
         case ThemeKind::print:
             break;
     }
@@ -201,7 +196,8 @@ ColorMap direction_map(const Theme& theme) {
 std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme) {
     constexpr double least_contrast_with_words = 1.6;
     std::vector<std::pair<double, Color>> kinds;
-    for (std::size_t k = 0; k < on_dark.size(); ++k) {
+    const std::size_t count = theme.kind == ThemeKind::print ? in_print.size() : on_dark.size();
+    for (std::size_t k = 0; k < count; ++k) {
         const Color color = kind_color(k, theme);
         double least = INFINITY;
         for (const Color other : {theme.highlight, theme.accent, theme.page})

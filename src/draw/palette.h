@@ -49,8 +49,8 @@ ColorMap direction_map(const Theme& theme);
 /// Greys from light to dark by even steps, for print.
 ColorMap grey_map();
 
-/// Okabe and Ito's colours for kinds, in a fixed order for each theme, greys in print; repeats
-/// after eight. The last ones on light grounds, and pale greys, need an edge (see edge_of).
+/// Colours for kinds near those of Okabe and Ito, in a fixed order for each theme, greys in print;
+/// they repeat after six, in print after four. Pale greys need an edge (see edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
 
 /// The same colours, the one first that is furthest from all of others, from words and from curves

@@ -15,7 +15,7 @@ constexpr Theme light_theme = {.page = rgb(0xFBFAF7),
                                .bar = rgb(0x64748B),
                                .wall = rgb(0x7D8793),
                                .trail = rgb(0x5B6470),
-                               .highlight = rgb(0x0B63A5),
+                               .highlight = rgb(0x4C1D95),
                                .kind = ThemeKind::light,
                                .dark = false};
 
@@ -24,10 +24,10 @@ constexpr Theme dark_theme = {.page = rgb(0x101418),
                               .ink = rgb(0xE9EDF1),
                               .muted = rgb(0x9AA5B1),
                               .accent = rgb(0xFF9F43),
-                              .bar = rgb(0x8092A6),
+                              .bar = rgb(0x7486A0),
                               .wall = rgb(0x6B7785),
                               .trail = rgb(0x9AA5B1),
-                              .highlight = rgb(0x7CC7FF),
+                              .highlight = rgb(0x8FD3FF),
                               .kind = ThemeKind::dark,
                               .dark = true};
 

@@ -64,6 +64,7 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
       particles_(particles),
       equilibrium_(lasting_equilibrium(scene, particles, start)) {
     constexpr bool in_film = false;
+    is_film_ = in_film;
     const PanelContext context{scene, particles_, frames, equilibrium_, in_film};
     for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
 }
@@ -123,16 +124,26 @@ void PanelSet::archive(Archive& archive) {
 }
 
 FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
-                               const AdvanceResult& advanced) {
+                               const AdvanceResult& advanced, bool is_still) {
     FrameData frame{tick, {}, 0};
     if (is_card(tick.phase)) return frame;
-    const FrameInput now = input(tick, sample, advanced);
+    FrameInput now = input(tick, sample, advanced);
+    constexpr int readouts_a_second = 5;
+    now.refreshes_readouts = is_still || !is_film_ || tick.phase != Phase::moving ||
+                             tick.frame % std::max(1, scene_.film.fps / readouts_a_second) == 0;
     for (const Placed& placed : panels_) {
         frame.states.push_back(placed.panel->state(now));
         frame.bytes += frame.states.back()->bytes();
     }
     return frame;
 }
+
+namespace {
+
+constexpr double title_line = 1.2;      // of the size of its letters
+constexpr double subtitle_line = 1.35;  // units
+
+}  // namespace
 
 FramePainter::FramePainter(const PanelSet& panels)
     : scene_(panels.scene()),
@@ -189,7 +200,9 @@ void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacit
     }
     const DrawContext key = context_at(scene_.film.layout.color_bar);
     const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
-    const Rect beside{box.right() + 0.8 * unit_, box.y, key.area.width, box.height};
+    const double left = box.right() + 0.8 * unit_;
+    const Rect beside{left, box.y, std::max(key.area.width, key.area.right() - left),
+                      std::min(box.height, key.area.bottom() - box.y)};
     panels_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
                            context_at(scene_.film.layout.gas));
 }
@@ -198,63 +211,53 @@ DrawContext FramePainter::context_at(const Slot& slot) {
     return {grid_.place(slot), unit_, theme_, disks_};
 }
 
-// A little smaller if that keeps the title on one line.
-TextStyle FramePainter::title_style(double width) const {
-    TextStyle style{.size = 1.98 * unit_, .weight = 600, .color = theme_.ink, .tabular = false};
-    constexpr double smallest = 0.85;
-    const double share = width / measure_text(escape_markup(scene_.title), style).width;
-    if (share < 1.0 && share >= smallest) style.size *= share;
-    style.max_width = width * (1.0 + 1e-3);  // letters are set at whole sizes
-    return style;
+// In one line, smaller if that is enough; else in two, as large as the place allows.
+FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
+    constexpr double largest = 1.5, smallest_in_one = 1.2, smallest = 1.0;  // units
+    TextStyle style{.size = largest * unit_,
+                    .weight = 600,
+                    .color = theme_.ink,
+                    .tabular = false,
+                    .max_width = area.width};
+    const double share =
+        area.width / measure_text(escape_markup(scene_.title), {style.size, style.weight}).width;
+    if (share >= smallest_in_one / largest) {
+        style.size *= std::min(1.0, share);
+        style.max_width *= 1.0 + 1e-3;  // letters are set at whole sizes
+        return {style, {scene_.title}};
+    }
+    const double room = area.height - (scene_.subtitle.empty() ? 0.0 : subtitle_line * unit_);
+    for (style.size = std::min(style.size, room / (2.0 * title_line));; style.size *= 0.95) {
+        const bool is_smallest = style.size <= smallest * unit_;
+        if (is_smallest) style.size = smallest * unit_;
+        std::vector<std::string> lines = wrapped(scene_.title, style, 2);
+        const double width =
+            measure_text(escape_markup(lines.back()), {style.size, style.weight}).width;
+        if (is_smallest || width <= area.width) return {style, std::move(lines)};
+    }
 }
 
-// A title too long for its line takes two where there is room, and the subtitle the rest.
+// Title and subtitle; the subtitle takes the lines that the title leaves.
 void FramePainter::draw_title(Canvas& canvas) const {
     const Rect area = grid_.place(scene_.film.layout.title);
-    const TextStyle title = title_style(area.width);
-    const TextStyle subtitle{.size = 1.17 * unit_,
-                             .weight = 400,
-                             .color = theme_.muted,
-                             .tabular = false,
-                             .max_width = area.width};
-    const double title_line = 2.4 * unit_, line = 1.6 * unit_;
-    const double spare = area.height - 4.2 * unit_;
-    double y = area.y + 1.7 * unit_;
-    const std::size_t title_lines = spare < title_line ? 1 : 2;
-    for (const std::string& words : wrapped(scene_.title, title, title_lines)) {
-        draw_text(canvas, {area.x, y}, escape_markup(words), title);
-        y += title_line;
+    const SetTitle title = set_title(area);
+    double y = area.y;
+    for (const std::string& words : title.lines) {
+        draw_text(canvas, {area.x, y + 0.9 * title.style.size}, escape_markup(words), title.style);
+        y += title_line * title.style.size;
     }
-    y -= title_line - 2.0 * unit_;
-    const double rest = std::max(0.0, area.bottom() - 0.5 * unit_ - y);
-    draw_subtitle(canvas, {area.x, y}, subtitle, 1 + static_cast<std::size_t>(rest / line + 1e-9),
-                  line);
-}
-
-// With the remark on units at the right end of its last line; where it would meet a line all by
-// itself, at the left of the next.
-void FramePainter::draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most,
-                                 double line) const {
-    TextStyle remark = style;
-    remark.size = unit_;
-    remark.align = Align::right;
-    const std::string units = "reduced units";
-    const double right = at.x + style.max_width;
-    const double taken = 14.0 * unit_;
-    if (most == 1) style.max_width -= taken;
-    const std::vector<std::string> lines = wrapped(scene_.subtitle, style, most);
-    double last = 0.0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (i > 0) at.y += line;
-        last = draw_text(canvas, at, escape_markup(lines[i]), style).width;
+    const TextStyle style{.size = 1.05 * unit_,
+                          .weight = 400,
+                          .color = theme_.muted,
+                          .tabular = false,
+                          .max_width = area.width};
+    const double line = subtitle_line * unit_;
+    const auto most = static_cast<std::size_t>(std::max(0.0, area.bottom() - y) / line + 1e-6);
+    for (const std::string& words :
+         wrapped(scene_.subtitle, style, std::max<std::size_t>(1, most))) {
+        draw_text(canvas, {area.x, y + style.size}, escape_markup(words), style);
+        y += line;
     }
-    const bool meets = at.x + last + unit_ > right - measure_text(units, remark).width;
-    if (meets && lines.size() >= most) return;
-    if (meets) {
-        at.y += line;
-        remark.align = Align::left;
-    }
-    draw_text(canvas, {meets ? at.x : right, at.y}, units, remark);
 }
 
 const Canvas& FramePainter::paint(const FrameData& frame) {
@@ -394,7 +397,7 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
         const Rect place = grid_.place(layout.gas);
         const Rect box = panels_.gas().frame_in(place, unit_);
         const std::string words = escape_markup(caption.words);
-        TextStyle style{.size = 1.5 * unit_,
+        TextStyle style{.size = 1.3 * unit_,
                         .weight = 500,
                         .color = with_alpha(theme_.ink, alpha),
                         .tabular = false};

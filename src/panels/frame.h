@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,8 +50,10 @@ class PanelSet {
     /// Writes or reads what the first pass has fixed.
     void archive(Archive& archive);
 
-    /// Second pass, every frame in order.
-    FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
+    /// Second pass, every frame in order. Numbers in words stay the same for a fifth of a second,
+    /// so that they can be read; in a still they are those of its frame.
+    FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
+                         bool is_still = false);
 
     /// Whether any panel needs the collisions on the way, in either pass.
     bool wants_collisions() const;
@@ -77,6 +80,7 @@ class PanelSet {
     Particles particles_;
     std::optional<EquilibriumGas> equilibrium_;
     std::vector<Placed> panels_;
+    bool is_film_ = true;
     Eigen::ArrayXd speed_, energy_;  ///< of the present frame
 };
 
@@ -105,11 +109,13 @@ class FramePainter {
     void prepare_ground(const std::vector<double>& opacities);
     void draw_fading(Canvas& canvas, const PanelSet::Placed& placed, const PanelState& state,
                      double opacity);
-    TextStyle title_style(double width) const;
+    struct SetTitle {
+        TextStyle style;
+        std::vector<std::string> lines;
+    };
+    SetTitle set_title(const Rect& area) const;
     void draw_ground(Canvas& canvas, const std::vector<double>& opacities);
     void draw_title(Canvas& canvas) const;
-    void draw_subtitle(Canvas& canvas, Point at, TextStyle style, std::size_t most_lines,
-                       double line) const;
     void draw_changing(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
                        bool still);
     void draw_callouts(Canvas& canvas, const FrameData& frame, bool still);

@@ -37,7 +37,7 @@ AxisStyle axis_style(const DrawContext& dc) {
 Rect plot_area(const DrawContext& dc) {
     const double left = 3.0 * dc.unit;
     const double top = 2.5 * dc.unit;
-    const double bottom = 1.6 * dc.unit;
+    const double bottom = 2.65 * dc.unit;
     return {dc.area.x + left, dc.area.y + top, dc.area.width - left, dc.area.height - top - bottom};
 }
 

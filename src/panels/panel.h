@@ -39,6 +39,7 @@ struct FrameInput {
     const Eigen::ArrayXd& speed;   ///< N
     const Eigen::ArrayXd& energy;  ///< N
     const AdvanceResult& advanced;
+    bool refreshes_readouts = true;  ///< else numbers in words stay as they are
 };
 
 /// What one panel shows in one frame: complete and immutable.

@@ -165,6 +165,19 @@ std::string three_digits(double value) {
     return value < 0 ? "\u2212" + text : text;
 }
 
+std::string steady_number(double value, std::pair<double, double> range) {
+    if (!std::isfinite(value)) return "–";
+    const double largest = std::max(std::abs(range.first), std::abs(range.second));
+    if (!(largest > 0.0)) return "0";
+    const int before = static_cast<int>(std::floor(std::log10(largest))) + 1;
+    if (before < -2 || before > 5) return three_digits(value);
+    const std::string digits =
+        fmt::format("{:.{}f}", std::abs(off_the_tie(value)), std::max(0, 3 - before));
+    const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
+    if (value < 0.0 && !is_zero) return "\u2212" + digits;
+    return range.first < 0.0 ? "\u2007" + digits : digits;  // a figure space
+}
+
 std::string three_digits_of_power(double exponent) {
     constexpr double plain = 300.0;  // doubles have all their digits
     if (!std::isfinite(exponent)) return exponent < 0.0 ? "0" : "–";

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace carom {
 
@@ -60,6 +61,10 @@ std::string superscript(int value);
 /// Three significant digits, as on an axis: 0.0123, 1.23, 1230, 1.23×10⁷, with U+2212 for
 /// minus.
 std::string three_digits(double value);
+
+/// A number with as many decimals as show three digits of the one farther from 0 of a range, and
+/// room for a sign where some of the range are negative: a readout in which only digits change.
+std::string steady_number(double value, std::pair<double, double> range);
 
 /// The same for a power of ten with any exponent, also where no double is so small or so large;
 /// 0 for minus infinity.

@@ -116,8 +116,11 @@ inline double distance(const Vision& vision, Color a, Color b) {
 inline double lightness(Color color) { return lab_of(seen_by(visions[0], color))[0]; }
 
 /// Colours that stand for different things are this far apart (CIEDE2000) for every viewer. About 1
-/// is just seen side by side; at 10 a difference is seen at a glance, and it is what the eight
-/// colours of Okabe and Ito, chosen with colour-blind viewers, keep by this measure (10.9).
-inline constexpr double least_distance = 10.0;
+/// is just seen side by side; at 10 a difference is seen at a glance, at 20 from the back of a
+/// hall.
+inline constexpr double least_distance = 20.0;
+
+/// Colours of one scale keep this much: its ends are not far enough apart for more.
+inline constexpr double least_distance_on_scale = 10.0;
 
 }  // namespace carom::test

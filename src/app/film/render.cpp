@@ -120,7 +120,8 @@ Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, P
     progress.begin("preparing the frame", static_cast<double>(end));
     FrameData frame;
     plan.run.play(end, [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-        frame = panels->frame_data(tick, sample, advanced);
+        const bool is_last = tick.frame + 1 == static_cast<int>(end);
+        frame = panels->frame_data(tick, sample, advanced, is_last);
         progress.advance();
     });
     progress.finish();

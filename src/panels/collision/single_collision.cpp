@@ -18,6 +18,23 @@ namespace {
 constexpr double apart = 1.6;          // distance of the centres before and after, over contact's
 constexpr double longest_arrow = 1.0;  // over the distance at contact
 constexpr double words_above = 1.65, words_below = 1.4;  // units, of each stage
+constexpr double least_of_row = 7.2;        // units, the width of two numbers side by side
+constexpr double height_of_row = 1.25;      // units
+constexpr double least_with_numbers = 7.0;  // units, the height of a stage
+
+bool has_rows_of_numbers(const Rect& stage, double unit) {
+    return stage.width < least_of_row * unit;
+}
+
+// In a low stage the disks take their place.
+bool has_numbers(const Rect& stage, double unit) {
+    return stage.height >= least_with_numbers * unit;
+}
+
+double height_of_numbers(const Rect& stage, double unit) {
+    if (!has_numbers(stage, unit)) return 0.2;
+    return words_below + (has_rows_of_numbers(stage, unit) ? height_of_row : 0.0);
+}
 constexpr double lift_of_arrows = 0.75;  // units, from one row of arrows to the next
 
 using Vector = Eigen::Array2d;
@@ -125,7 +142,7 @@ CollisionStages collision_stages(const PairCollision& pair, const Particles& par
     const Vector half = half_extent(all, cause, time);
     const double margin = 0.15 * unit;
     const auto height_for_disks = [&](const Rect& rect) {
-        return rect.height - (words_above + words_below) * unit;
+        return rect.height - (words_above + height_of_numbers(rect, unit)) * unit;
     };
     const auto scale_in = [&](const std::array<Rect, 3>& rects) {
         const double high = height_for_disks(rects[0]);
@@ -194,7 +211,7 @@ class SingleCollisionPanel : public Panel {
     void draw_stage(Canvas& canvas, const DrawContext& dc, std::size_t index) const;
     void draw_words(Canvas& canvas, const DrawContext& dc, std::size_t index) const;
     void draw_key(Canvas& canvas, const DrawContext& dc) const;
-    std::string amounts(std::size_t index, const DrawContext& dc, const std::string& words) const;
+    std::array<plot::Text, 2> amounts(std::size_t index) const;
     using Panel::draw_key;
 
     PanelContext context_;
@@ -204,11 +221,15 @@ class SingleCollisionPanel : public Panel {
 };
 
 constexpr double title_height = 1.9, row_height = 1.4;  // units
-constexpr double least_with_law = 14.0;  // units: in lower areas the pictures take its place
-constexpr double tint = 0.3;             // of the disks, so that arrows stand out from them
+constexpr double least_with_law = 14.0;    // units: in lower areas the pictures take its place
+constexpr double least_of_one_row = 19.0;  // units, of a key
+constexpr double tint = 0.3;               // of the disks, so that arrows stand out from them
+
+bool has_law(const DrawContext& dc) { return dc.area.height >= least_with_law * dc.unit; }
 
 double key_height(const DrawContext& dc) {
-    return (dc.area.height < least_with_law * dc.unit ? 1.0 : 2.0) * row_height;
+    const double rows = dc.area.width < least_of_one_row * dc.unit && has_law(dc) ? 2.0 : 1.0;
+    return (rows + (has_law(dc) ? 1.0 : 0.0)) * row_height;
 }
 constexpr std::array names{"before", "contact", "after"};
 
@@ -263,7 +284,7 @@ void SingleCollisionPanel::draw_ground(Canvas& canvas, const DrawContext& dc) co
     const std::string title =
         spec_.title ? escape_markup(*spec_.title)
                     : fitting_title(dc, {"The collision of " + of + at, "Collision of " + of + at,
-                                         "Collision of " + of});
+                                         "Collision of " + of, capitalised(of)});
     draw_panel_title(canvas, dc, title);
     for (std::size_t i = 0; i < 3; ++i) draw_stage(canvas, dc, i);
     draw_key(canvas, dc);
@@ -312,31 +333,39 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
     draw_words(canvas, dc, index);
 }
 
-std::string SingleCollisionPanel::amounts(std::size_t index, const DrawContext& dc,
-                                          const std::string& words) const {
-    plot::Text text = words;
+std::array<plot::Text, 2> SingleCollisionPanel::amounts(std::size_t index) const {
+    std::array<plot::Text, 2> texts;
     for (std::size_t k = 0; k < 2; ++k) {
         const Vector v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
-        if (k > 0) text += ", ";
-        text += plot::named(three_digits(length(v)), role_of(context_, met_, k));
+        texts[k] = plot::named(three_digits(length(v)), role_of(context_, met_, k));
     }
-    return plot::markup_of(text, dc.theme);
+    return texts;
 }
 
-// The numbers under a stage.
+// The numbers under a stage: in one row, or one below the other.
 void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
                                       std::size_t index) const {
     const CollisionStage stage = stages(dc).stage[index];
     TextStyle style = label_style(dc);
     style.align = Align::center;
     const double middle = stage.area.x + stage.area.width / 2;
+    if (!has_numbers(stage.area, dc.unit)) return;
+    const double y = stage.area.bottom() - 0.3 * dc.unit;
+    const auto [first, second] = amounts(index);
+    if (has_rows_of_numbers(stage.area, dc.unit)) {
+        draw_text(canvas, {middle, y - height_of_row * dc.unit}, plot::markup_of(first, dc.theme),
+                  style);
+        draw_text(canvas, {middle, y}, plot::markup_of(second, dc.theme), style);
+        return;
+    }
     using Words = std::array<const char*, 3>;
     for (const char* words : index == 1 ? Words{"changes ", "|Δ<i>v</i>| ", "Δ "}
                                         : Words{"speeds ", "|<i>v</i>| ", ""}) {
-        const std::string text = amounts(index, dc, words);
+        const std::string text =
+            plot::markup_of(plot::Text(words) + first + ", " + second, dc.theme);
         const bool is_last = *words == '\0' || std::string_view(words) == "Δ ";
         if (!is_last && measure_text(text, style).width > stage.area.width) continue;
-        draw_text(canvas, {middle, stage.area.bottom() - 0.3 * dc.unit}, text, style);
+        draw_text(canvas, {middle, y}, text, style);
         return;
     }
 }
@@ -345,17 +374,22 @@ void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
 void SingleCollisionPanel::draw_key(Canvas& canvas, const DrawContext& dc) const {
     const double u = dc.unit;
     double x = dc.area.x;
-    const double baseline = dc.area.bottom() - (key_height(dc) - 1.15) * u;
+    double baseline = dc.area.bottom() - (key_height(dc) - 1.15) * u;
     const std::array<std::pair<ArrowStyle, const char*>, 3> key{
         {{style(dc, dc.theme.ink), "velocity"},
          {change_style(dc), "its change"},
          {style(dc, dc.theme.muted), "centre of mass"}}};
     for (const auto& [drawn, words] : key) {
+        if (x + 1.9 * u + measure_text(words, label_style(dc)).width > dc.area.right()) {
+            if (!has_law(dc)) break;  // nor room for another row
+            x = dc.area.x;
+            baseline += row_height * u;
+        }
         draw_arrow(canvas, {x, baseline - 0.35 * u}, {x + 1.6 * u, baseline - 0.35 * u}, drawn);
         x += 1.9 * u;
         x += draw_text(canvas, {x, baseline}, words, label_style(dc)).width + 0.9 * u;
     }
-    if (key_height(dc) == row_height) return;
+    if (!has_law(dc)) return;
     const Eigen::Array2d inverse{context_.particles.inverse_mass[met_.particle[0]],
                                  context_.particles.inverse_mass[met_.particle[1]]};
     const std::size_t movable = inverse[0] > 0.0 ? 0 : 1;

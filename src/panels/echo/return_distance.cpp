@@ -343,7 +343,7 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     Label label;
     const std::string time = "<i>t</i> = " + three_digits(run.reversals.front());
-    label.words = {"starts at the reversal, " + time, "starts at " + time, time};
+    label.words = {"starts at " + time, "from " + time};
     for (const Point at : {Point{0.5, 0.5}, {0.5, 0.75}, {0.5, 0.25}, {0.6, 0.5}})
         label.anchors.push_back({.at = at,
                                  .x_is_share = true,

@@ -273,10 +273,19 @@ double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) 
     const std::vector<Entry> all = entries(dc.theme);
     TextStyle style = label_style(dc);
     style.max_width = dc.area.width - 1.4 * u;
+    // Names go below their swatches where a word of one is too long to stand beside it.
+    const bool is_below = std::ranges::any_of(all, [&](const Entry& entry) {
+        return std::ranges::any_of(wrapped(entry.name, style, 9), [&](const std::string& line) {
+            return line != entry.name && entry.name.find(line + " ") == std::string::npos &&
+                   entry.name.find(" " + line) == std::string::npos;
+        });
+    });
+    const Point offset = is_below ? Point{0.0, 1.4 * u} : Point{1.4 * u, 0.0};
+    if (is_below) style.max_width = dc.area.width;
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Entry& entry = all[k];
         const std::vector<std::string> lines = wrapped(entry.name, style, 2);
-        const double end = y + 1.4 * u * static_cast<double>(lines.size() - 1);
+        const double end = y + offset.y + 1.4 * u * static_cast<double>(lines.size() - 1);
         const double last = k + 1 == all.size() ? 0.0 : 1.8 * u;  // room for how many more
         if (k > 1 && end + last > dc.area.bottom()) {
             draw_text(canvas, {dc.area.x, y}, fmt::format("and {} more", all.size() - k),
@@ -289,7 +298,8 @@ double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) 
         canvas.fill_circle(swatch, radius, entry.color);
         if (entry.is_hatched) draw_hatching(canvas, dc, swatch, radius);
         for (std::size_t line = 0; line < lines.size(); ++line)
-            draw_text(canvas, {dc.area.x + 1.4 * u, y + 1.4 * u * static_cast<double>(line)},
+            draw_text(canvas,
+                      {dc.area.x + offset.x, y + offset.y + 1.4 * u * static_cast<double>(line)},
                       escape_markup(lines[line]), style);
         y = end + 1.8 * u;
     }

@@ -9,6 +9,7 @@ namespace carom::plot {
 namespace {
 
 constexpr double usual_width = 10.6;  // units, of a name and its number
+constexpr double first_row = 1.05;    // units, from the top of the plot to its baseline
 
 using Side = PlaceOfNotes::Side;
 
@@ -18,14 +19,23 @@ double width_of(const DrawContext& dc, const BarNotes& notes, const std::string&
     return measure_text(words, label_style(dc)).width + 0.7 * dc.unit;
 }
 
-// Names in a row share its width.
-bool are_in_a_row(const Plot& plot) { return bars_of(plot).size() > 1; }
+bool has_short_names(const Plot& plot) {
+    return !plot.bar_notes->are_in_a_row &&
+           std::ranges::none_of(plot.bar_notes->names,
+                                [](const auto& name) { return name.short_name.empty(); });
+}
 
-double width_of_names(const DrawContext& dc, const Plot& plot) {
-    double width = usual_width * dc.unit;
-    if (!are_in_a_row(plot))
+const std::string& name_of(const BarNotes::Name& name, bool is_short) {
+    return is_short ? name.short_name : name.name;
+}
+
+double width_of_names(const DrawContext& dc, const Plot& plot, bool is_short) {
+    const double numbers_waver = 0.6 * dc.unit;
+    double width = is_short ? 0.0 : usual_width * dc.unit;
+    if (!plot.bar_notes->are_in_a_row)
         for (const BarNotes::Name& name : plot.bar_notes->names)
-            width = std::max(width, width_of(dc, *plot.bar_notes, name.name));
+            width = std::max(width, width_of(dc, *plot.bar_notes, name_of(name, is_short)) +
+                                        (is_short ? numbers_waver : 0.0));
     return width;
 }
 
@@ -64,7 +74,14 @@ double left_end(const Frame& frame) {
 // Short names where a row has no room for more.
 bool are_short(const Frame& frame, const Plot& plot) {
     const BarNotes& notes = *plot.bar_notes;
-    if (are_in_a_row(plot) || frame.notes.side != Side::above) return false;
+    if (plot.bar_notes->are_in_a_row) {
+        const double share =
+            frame.area.width / std::max<double>(2.0, static_cast<double>(notes.names.size()));
+        return std::ranges::any_of(notes.names, [&](const BarNotes::Name& name) {
+            return width_of(frame.dc, notes, name.name) + 0.6 * frame.dc.unit > share;
+        });
+    }
+    if (frame.notes.side != Side::above) return frame.notes.is_short;
     double width = 0.0;
     for (const BarNotes::Name& name : notes.names) width += width_of(frame.dc, notes, name.name);
     return width + frame.dc.unit > frame.area.right() - frame.dc.area.x;
@@ -74,9 +91,9 @@ Point place_of_name(const Frame& frame, const Plot& plot, std::size_t index, boo
     const double u = frame.dc.unit;
     const BarNotes& notes = *plot.bar_notes;
     if (frame.notes.side != Side::above)
-        return {left_end(frame), frame.area.y + (0.8 + 1.4 * static_cast<double>(index)) * u};
+        return {left_end(frame), frame.area.y + (first_row + 1.4 * static_cast<double>(index)) * u};
     const Point& row = frame.row;
-    if (are_in_a_row(plot)) {
+    if (plot.bar_notes->are_in_a_row) {
         const auto count = std::max<double>(2.0, static_cast<double>(notes.names.size()));
         return {row.x + 0.2 * u + static_cast<double>(index) * frame.area.width / count, row.y};
     }
@@ -84,7 +101,7 @@ Point place_of_name(const Frame& frame, const Plot& plot, std::size_t index, boo
     // The first at the left, the other at the right.
     const auto width = [&](std::size_t k) {
         const BarNotes::Name& name = notes.names[k];
-        return width_of(frame.dc, notes, is_short ? name.short_name : name.name);
+        return width_of(frame.dc, notes, name_of(name, is_short));
     };
     const double second = frame.area.right() - (is_short ? width(1) : frame.notes.width);
     if (index == 1) return {second, row.y};
@@ -110,42 +127,52 @@ void draw_words(Canvas& canvas, const Frame& frame, Point at, const std::string&
 
 PlaceOfNotes place_of_notes(const Plot& plot, const DrawContext& dc) {
     if (!plot.bar_notes) return {};
-    const double width = width_of_names(dc, plot);
-    const Side side = side_of(plot, dc, width);
+    double width = width_of_names(dc, plot, false);
+    Side side = side_of(plot, dc, width);
+    bool is_short = false;
+    if (side == Side::above && has_short_names(plot)) {
+        const double short_width = width_of_names(dc, plot, true);
+        side = side_of(plot, dc, short_width);
+        is_short = side != Side::above;
+        if (is_short) width = short_width;
+    }
     const bool has_row = side == Side::above && !plot.bar_notes->names.empty();
-    return {side, width, has_row ? note_height : 0.0};
+    const double left_over = plot_area(dc).height / dc.unit - height_of_rows(plot, dc, false);
+    if (has_row && left_over < least_height + note_height) return {Side::none, 0.0};
+    const double rows = first_row + 1.4 * static_cast<double>(plot.bar_notes->names.size());
+    if (side != Side::above && !plot.bar_notes->names.empty() && left_over < rows)
+        return {Side::none, 0.0};
+    return {side, width, is_short, has_row ? note_height : 0.0};
 }
 
+// On the line of the axis's name, each toward its own end.
 void draw_counts_beyond(Canvas& canvas, const Frame& frame, const Plot& plot) {
     if (!plot.bar_notes) return;
     const BarNotes& notes = *plot.bar_notes;
-    const double u = frame.dc.unit, top = frame.area.y + 0.8 * u;
-    const Color color = frame.dc.theme.muted;
-    const std::string lower = notes.below.empty() ? "" : "← " + notes.below;
-    if (frame.notes.side == Side::above) {  // each at its own end
-        const std::string higher = notes.above + " →";
-        const double width = measure_text(higher, label_style(frame.dc)).width;
-        if (!lower.empty()) draw_words(canvas, frame, {frame.area.x + 0.6 * u, top}, lower, color);
-        if (!notes.above.empty())
-            draw_words(canvas, frame, {frame.area.right() - width, top}, higher, color);
-        return;
-    }
-    std::string words = lower.empty() ? "" : lower + "  ";
-    if (!notes.above.empty()) words += notes.above + " " + notes.beyond + " →";
-    if (words.empty()) return;
-    const double row = 1.4 * static_cast<double>(std::max<std::size_t>(2, notes.names.size()));
-    draw_words(canvas, frame, {left_end(frame) + 0.6 * u, top + row * u}, words, color);
+    const DrawContext& dc = frame.dc;
+    TextStyle style = label_style(dc);
+    const double y = frame.area.bottom() + x_axis_space(axis_style(dc));
+    double left = frame.area.x;
+    if (!notes.below.empty())
+        left += draw_text(canvas, {left, y}, "← " + notes.below, style).width + dc.unit;
+    if (notes.above.empty()) return;
+    const double right =
+        frame.area.right() - dc.unit - measure_text(markup_of(plot.x.title, dc.theme), style).width;
+    style.align = Align::right;
+    std::string words = notes.above + (notes.beyond.empty() ? " →" : " " + notes.beyond + " →");
+    if (measure_text(words, style).width > right - left) words = notes.above + " →";
+    draw_text(canvas, {right, y}, words, style);
 }
 
 void draw_names(Canvas& canvas, const Frame& frame, const Plot& plot) {
-    if (!plot.bar_notes) return;
+    if (!plot.bar_notes || frame.notes.side == Side::none) return;
     const BarNotes& notes = *plot.bar_notes;
     const double u = frame.dc.unit;
     const bool is_short = are_short(frame, plot);
     for (std::size_t k = 0; k < notes.names.size(); ++k) {
         const BarNotes::Name& name = notes.names[k];
         const Point at = place_of_name(frame, plot, k, is_short);
-        const std::string words = is_short ? name.short_name : name.name;
+        const std::string& words = name_of(name, is_short);
         draw_words(canvas, frame, {at.x + 0.6 * u, at.y}, escape_markup(words) + " " + name.number,
                    color_of(name.sample, frame.dc.theme));
         draw_straight(canvas, frame.dc, {at.x, at.y + 0.1 * u}, {at.x, at.y - 0.85 * u},

@@ -1,6 +1,6 @@
 // The words over bars: names and numbers of marks, and how many values lie beyond the ends of the
 // axis. They stand still while marks and numbers change: beside the bars, where a tail leaves room,
-// or in a row above the plot.
+// or in a row above the plot; the numbers beyond beside the axis's name.
 #pragma once
 
 #include "panels/plot/layers.h"

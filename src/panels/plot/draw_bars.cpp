@@ -8,9 +8,10 @@
 namespace carom::plot {
 namespace {
 
-constexpr double casing = 0.07;     // of the page on each side of lines over bars, in units
-constexpr double cased_bar = 0.7;   // units, the height of bars over which lines have casings
-constexpr double cased_from = 0.3;  // units over the axis
+constexpr double casing_of_marks = 0.6;  // of the page in it: a line of it alone would split a bar
+constexpr double casing = 0.07;          // of the page on each side of lines over bars, in units
+constexpr double cased_bar = 0.7;        // units, the height of bars over which lines have casings
+constexpr double cased_from = 0.3;       // units over the axis
 
 double left_of(const Frame& frame, const Bars& bars, std::size_t i) {
     return std::round(frame.x(bars.from[i]));
@@ -20,12 +21,20 @@ double right_of(const Frame& frame, const Bars& bars, std::size_t i) {
     return std::round(frame.x(bars.to[i]));
 }
 
+bool is_broken(const Bars& bars, std::size_t i) {
+    return i < bars.broken.size() && !bars.broken[i].empty();
+}
+
+double top_of(const Frame& frame, const Bars& bars, std::size_t i) {
+    return is_broken(bars, i) ? frame.area.y : frame.y(bars.value[i], Beyond::clamped);
+}
+
 // One shape: bars of their own would show seams between them wherever a vector picture is seen at
 // another size. On whole pixels sideways, so that bars side by side are equally sharp.
 void fill_bars(Canvas& canvas, const Frame& frame, const Bars& bars) {
     std::vector<Point> outline{{left_of(frame, bars, 0), frame.area.bottom()}};
     for (std::size_t i = 0; i < bars.value.size(); ++i) {
-        const double top = frame.y(bars.value[i], Beyond::clamped);
+        const double top = top_of(frame, bars, i);
         outline.push_back({left_of(frame, bars, i), top});
         outline.push_back({right_of(frame, bars, i), top});
     }
@@ -37,7 +46,7 @@ void fill_bars(Canvas& canvas, const Frame& frame, const Bars& bars) {
 void draw_edge(Canvas& canvas, const Frame& frame, const Bars& bars) {
     std::vector<Point> path;
     for (std::size_t i = 0; i < bars.value.size(); ++i) {
-        const double y = frame.y(bars.value[i], Beyond::clamped);
+        const double y = top_of(frame, bars, i);
         path.push_back({frame.x(bars.from[i]), y});
         path.push_back({frame.x(bars.to[i]), y});
     }
@@ -46,28 +55,56 @@ void draw_edge(Canvas& canvas, const Frame& frame, const Bars& bars) {
 
 bool is_cut(const Frame& frame, double value) { return value > frame.y_scale.high; }
 
-// What the axes cannot hold is said: a bar that is cut, with its count.
-void draw_cuts(Canvas& canvas, const Frame& frame, const std::vector<const Bars*>& all) {
+// On a plate of the page's colour, so that bars behind it do not cut it up.
+void draw_on_plate(Canvas& canvas, const Frame& frame, Point at, const std::string& markup) {
+    const double u = frame.dc.unit;
+    const double width = measure_text(markup, label_style(frame.dc)).width;
+    canvas.fill({at.x - 0.2 * u, at.y - 0.95 * u, width + 0.4 * u, 1.25 * u},
+                with_alpha(frame.dc.theme.page, plate_alpha));
+    draw_text(canvas, at, markup, label_style(frame.dc));
+}
+
+// What the axis cannot hold is said: a bar that is broken, with its count beside it; of several
+// side by side, all counts beside the last. Where there is no room its break says that it is
+// taller.
+void draw_breaks(Canvas& canvas, const Frame& frame, const Plot& plot,
+                 const std::vector<const Bars*>& all) {
     const double u = frame.dc.unit;
     const Rect& area = frame.area;
-    double free_from = area.x;  // counts of neighbours must not lie on each other
-    for (std::size_t i = 0; i < all.front()->value.size(); ++i) {
-        Text words;  // of all whose bars are cut here
+    const Bars& first = *all.front();
+    Text words;
+    double free_from = area.x;
+    for (std::size_t i = 0; i < first.value.size(); ++i) {
         for (const Bars* bars : all) {
-            if (!is_cut(frame, bars->value[i])) continue;
+            if (!is_broken(*bars, i)) continue;
             if (!words.empty()) words += ", ";
-            words += named(count_words(bars->value[i]), bars->role);
+            words += named(bars->broken[i], bars->role);
         }
-        if (words.empty()) continue;
-        const double left = frame.x(all.front()->from[i]);
-        const double right = frame.x(all.front()->to[i]);
+        const auto is_any_broken = [&](std::size_t bin) {
+            return std::ranges::any_of(all,
+                                       [&](const Bars* bars) { return is_broken(*bars, bin); });
+        };
+        if (!is_any_broken(i)) continue;
+        const double left = frame.x(first.from[i]), right = frame.x(first.to[i]);
         for (const double y : {area.y + 0.9 * u, area.y + 1.3 * u})
             canvas.stroke_line({left - 0.15 * u, y + 0.25 * u}, {right + 0.15 * u, y - 0.25 * u},
                                0.14 * u, frame.dc.theme.page);
-        if (left < free_from) continue;
-        const TextExtent drawn = draw_text(canvas, {left, area.y - 0.25 * u},
-                                           markup_of(words, frame.dc.theme), label_style(frame.dc));
-        free_from = left + 0.4 * u + drawn.width;
+        if (i + 1 < first.value.size() && is_any_broken(i + 1)) continue;
+        const std::string markup = markup_of(words, frame.dc.theme);
+        words = {};
+        const double width = measure_text(markup, label_style(frame.dc)).width;
+        // Beside the bar, off the names of marks and off the count before.
+        double most_left = free_from, most_right = frame.dc.area.right();
+        if (frame.notes.side == PlaceOfNotes::Side::right && plot.bar_notes &&
+            !plot.bar_notes->names.empty())
+            most_right = area.right() - frame.notes.width - u;
+        if (frame.notes.side == PlaceOfNotes::Side::left)
+            most_left = std::max(most_left, area.x + u + frame.notes.width);
+        const double after = right + 0.4 * u, before = left - 0.4 * u - width;
+        const bool is_after = after > most_left && after + width < most_right;
+        if (!is_after && (before < most_left || before + width > most_right)) continue;
+        free_from = (is_after ? after : before) + width + 0.5 * u;
+        draw_on_plate(canvas, frame, {is_after ? after : before, area.y + 1.05 * u}, markup);
     }
 }
 
@@ -95,23 +132,29 @@ void draw_casing(Canvas& canvas, const Frame& frame, const Line& line) {
     canvas.stroke_path(path, frame.pixels(line.stroke.width + 2.0 * casing), frame.dc.theme.page);
 }
 
+// As high as the bars that it goes through: they are darker there, and stay whole.
+void draw_casing(Canvas& canvas, const Frame& frame, const Marker& marker, const Bars& bars) {
+    const double axis = axis_style(frame.dc).line_width;
+    const double half = frame.pixels(0.5 * marker.stroke.width + casing);
+    const double x = frame.x(marker.value), bottom = frame.area.bottom() - axis;
+    const Color color =
+        mix(color_of(bars.role, frame.dc.theme), frame.dc.theme.page, casing_of_marks);
+    for (std::size_t i = 0; i < bars.value.size(); ++i) {
+        const double from = std::max({x - half, frame.x(bars.from[i]), frame.area.x + axis});
+        const double to = std::min(x + half, frame.x(bars.to[i])), top = top_of(frame, bars, i);
+        if (from < to && top < bottom) canvas.fill({from, top, to - from, bottom - top}, color);
+    }
+}
+
 // Solid bars have hardly another lightness than curves and marks: a line of the page on each side
 // keeps those apart. Under all of them, and not over the axes. It would hide low bars and the feet
 // of others, on which a curve lies like a lid: there the curve has none.
 void draw_casings(Canvas& canvas, const Frame& frame, const Plot& plot, const Bars& bars) {
     const Rect& area = frame.area;
     const double axis = axis_style(frame.dc).line_width;
-    canvas.clip_to({area.x + axis, area.y, area.width - axis, area.height - axis});
-    for (const AnyLayer& layer : plot.layers) {
-        const auto* marker = std::get_if<Marker>(&layer);
-        if (marker == nullptr) continue;
-        const double x = frame.x(marker->value);
-        if (x >= area.x && x <= area.right())
-            canvas.stroke_line({x, area.bottom()}, {x, area.y},
-                               frame.pixels(marker->stroke.width + 2.0 * casing),
-                               frame.dc.theme.page);
-    }
-    canvas.release_clip();
+    for (const AnyLayer& layer : plot.layers)
+        if (const auto* marker = std::get_if<Marker>(&layer))
+            draw_casing(canvas, frame, *marker, bars);
     const auto is_tall = [&](std::size_t i) {
         return area.bottom() - frame.y(bars.value[i]) >= frame.pixels(cased_bar);
     };
@@ -152,7 +195,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars) {
 void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const std::vector<const Bars*> all = bars_of(plot);
     if (all.empty()) return;
-    draw_cuts(canvas, frame, all);
+    draw_breaks(canvas, frame, plot, all);
     if (all.size() == 1 && all.front()->alpha == 1.0)
         draw_casings(canvas, frame, plot, *all.front());
     for (const Bars* bars : all) draw_errors(canvas, frame, *bars);

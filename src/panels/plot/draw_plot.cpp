@@ -15,12 +15,11 @@ namespace {
 constexpr double sample_gap = 0.5, entry_gap = 1.5;  // of notes, units
 constexpr double first_baseline = 2.5;               // of notes, units
 constexpr double least_left = 3.0;                   // for the labels of the axis up, units
-constexpr double most_of_title = 0.3;      // of the width: a longer title has a short form
-constexpr double zero_place_height = 1.5;  // units
-constexpr double sample_over_plot = 2.4;   // of notes that begin at the plot's edge, units
-constexpr double gap_over_bars = 0.4;  // under notes, for the counts of bars that are cut, units
-constexpr double gap_beside = 1.4;     // between a plot and the note beside it, units
-constexpr double most_rows = 0.45;     // of the height, that a note takes which may be beside
+constexpr double zero_place_height = 1.5;            // units
+constexpr double sample_over_plot = 2.4;  // of notes that begin at the plot's edge, units
+constexpr double gap_over_bars = 0.4;     // under notes, for the counts of bars that are cut, units
+constexpr double gap_beside = 1.4;        // between a plot and the note beside it, units
+constexpr double most_rows = 0.45;        // of the height, that a note takes which may be beside
 constexpr double thinnest = 0.8, widest = 1.6;  // of a plot beside a note, width over height
 
 // How much lower rows of words stand over bars.
@@ -122,12 +121,46 @@ double height_of(const Note& note, const DrawContext& dc) {
 
 namespace {
 
+// Whether all but the last of the titles are too long.
+bool has_short_title(const Plot& plot, const DrawContext& dc) {
+    const auto fits = [&](const Text& title, TextStyle style) {
+        return measure_text(markup_of(title, dc.theme), style).width <= dc.area.width;
+    };
+    const TextStyle full = title_style(dc);
+    TextStyle small = full;
+    small.size = dc.unit;
+    for (const Text& title : plot.wide_titles)
+        if (fits(title, full)) return false;
+    for (std::size_t i = 0; i + 1 < plot.titles.size(); ++i)
+        if (fits(plot.titles[i], small)) return false;
+    return true;
+}
+
+// The notes that are drawn: those for which the title leaves no room, and as many as leave room to
+// the data.
+std::vector<const Note*> notes_of(const Plot& plot, const DrawContext& dc) {
+    double room = plot_area(dc).height / dc.unit - least_height;
+    std::vector<const Note*> notes;
+    for (const Note& note : plot.notes) {
+        if (note.is_of_short_title && !has_short_title(plot, dc)) continue;
+        const double height = height_of(note, dc);
+        if (!note.may_be_beside && height > room) continue;
+        room -= height;
+        notes.push_back(&note);
+    }
+    return notes;
+}
+
+}  // namespace
+
 double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_beside) {
     double sum = 0.0;
-    for (const Note& note : plot.notes)
-        if (!(note.may_be_beside && is_key_beside)) sum += height_of(note, dc);
+    for (const Note* note : notes_of(plot, dc))
+        if (!(note->may_be_beside && is_key_beside)) sum += height_of(*note, dc);
     return sum;
 }
+
+namespace {
 
 // One entry at the left edge of the plot, its sample left of that.
 void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, double y) {
@@ -179,7 +212,8 @@ void draw_note(Canvas& canvas, const Frame& frame, const std::vector<PlacedEntry
 void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part) {
     const DrawContext& dc = frame.dc;
     double y = dc.area.y + first_baseline * dc.unit + drop_over_bars(plot, dc);
-    for (const Note& note : plot.notes) {
+    for (const Note* one : notes_of(plot, dc)) {
+        const Note& note = *one;
         const bool is_beside = note.may_be_beside && frame.is_key_beside;
         if (note.changes == (part == Part::changing)) {
             if (note.is_over_plot)
@@ -305,7 +339,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const AxisStyle style = style_of(plot.x, dc);
     std::string title = markup_of(plot.x.title, dc.theme);
     if (!plot.x.short_title.empty() &&
-        measure_text(title, style.title).width > most_of_title * frame.area.width)
+        measure_text(title, style.title).width > frame.area.right() - dc.area.x)
         title = markup_of(plot.x.short_title, dc.theme);
     draw_x_axis(canvas, frame.area, frame.x_scale, title, style);
     Rect above = frame.area;
@@ -313,7 +347,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     draw_y_axis(canvas, above, frame.y_scale, style_of(plot.y, dc));
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
     if (!plot.y.title.empty())
-        draw_text(canvas, {frame.area.x + 0.4 * dc.unit, frame.area.y - 0.1 * dc.unit},
+        draw_text(canvas, {frame.area.x + 0.4 * dc.unit, frame.area.y - 0.35 * dc.unit},
                   markup_of(plot.y.title, dc.theme), label_style(dc));
 }
 

@@ -15,9 +15,10 @@ namespace carom::plot {
 
 /// Where the words over bars stand: at the top right or left of the plot, or in a row above it.
 struct PlaceOfNotes {
-    enum class Side { right, left, above } side = Side::right;
-    double width = 0.0;  ///< of a name and its number, pixels
-    double row = 0.0;    ///< its height, units; 0: none
+    enum class Side { right, left, above, none } side = Side::right;
+    double width = 0.0;     ///< of a name and its number, pixels
+    bool is_short = false;  ///< short names
+    double row = 0.0;       ///< its height, units; 0: none
 };
 
 /// Where a plot's data lie on a canvas.
@@ -77,6 +78,11 @@ void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, con
 
 /// The height of a note under the title, in units.
 double height_of(const Note& note, const DrawContext& dc);
+
+/// That of all that are drawn, but for the one that stands beside the plot if it does; those that
+/// would leave less than `least_height` to the data are not.
+double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_beside);
+inline constexpr double least_height = 2.4;  // units
 
 /// A text as markup in a theme's colours.
 std::string markup_of(const Text& text, const Theme& theme);

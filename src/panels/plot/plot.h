@@ -203,8 +203,9 @@ struct Marker : Layer {
 
 /// The heights of bins side by side.
 struct Bars : Layer {
-    Column from, to, value, error;    ///< errors may be none
-    double below = 0.0, above = 0.0;  ///< beyond the ends of the axis, for the table
+    Column from, to, value, error;         ///< errors may be none
+    double below = 0.0, above = 0.0;       ///< beyond the ends of the axis, for the table
+    std::vector<std::string> broken = {};  ///< of each bar: what is said at its break; empty: whole
     Role role = {.of = Role::Of::bar};
     double alpha = 1.0;               ///< of the filling; 0: none
     std::optional<Stroke> edge = {};  ///< of the upper edge
@@ -233,6 +234,7 @@ struct BarNotes {
     };
     std::vector<Name> names = {};
     std::string typical_number = {};       ///< by which places are found
+    bool are_in_a_row = false;             ///< side by side, sharing its width
     bool may_be_beside = true;             ///< at the top right or left; else in a row above
     bool is_right = false;                 ///< at the top right whatever lies there
     std::pair<double, double> marks = {};  ///< between which marks move in the whole film
@@ -253,11 +255,12 @@ struct KeyEntry {
 /// Words under the title: entries in a row, all in their longest words that fit.
 struct Note {
     std::vector<KeyEntry> entries = {};
-    bool wraps = false;          ///< into as many rows as they need
-    bool changes = false;        ///< from frame to frame; its row is kept in any case
-    bool is_over_plot = false;   ///< begins at the plot's left edge, samples left of it
-    bool may_be_beside = false;  ///< in a column right of the plot, where that leaves it larger
-    double sample_width = 2.6;   ///< units
+    bool wraps = false;              ///< into as many rows as they need
+    bool changes = false;            ///< from frame to frame; its row is kept in any case
+    bool is_over_plot = false;       ///< begins at the plot's left edge, samples left of it
+    bool may_be_beside = false;      ///< in a column right of the plot, where that leaves it larger
+    double sample_width = 2.6;       ///< units
+    bool is_of_short_title = false;  ///< what the last of the titles leaves out: under that alone
 };
 
 // ------------------------------------------------------------------------------------ axes, plot
@@ -269,7 +272,7 @@ struct Axis {
         powers        ///< of data that are decimal logarithms themselves
     };
     Text title = {};
-    Text short_title = {};         ///< instead, where that leaves too little room for numbers
+    Text short_title = {};         ///< instead, where that is too long
     double low = 0.0, high = 1.0;  ///< unless linear, decimal logarithms
     Kind kind = Kind::linear;
     bool is_whole = false;        ///< ticks at whole numbers only

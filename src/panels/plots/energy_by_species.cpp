@@ -18,13 +18,14 @@ std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& ene
     return sum;
 }
 
-plot::Text title(const PanelContext& context, const PanelSpec& spec) {
-    if (spec.title) return escape_markup(*spec.title);
+std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spec) {
+    if (spec.title) return {escape_markup(*spec.title)};
     const std::size_t count = context.scene.gas.species.size();
-    if (count == 1) return "Mean energy";
+    if (count == 1) return {"Mean energy"};
     std::vector<Chosen> all;
     for (std::size_t k = 0; k < count; ++k) all.push_back({.species = k});
-    return "Mean energy: " + names_of(context, all, plot::Sample::line);
+    return {"Mean energy: " + names_of(context, all, plot::Sample::line),
+            "Energy: " + names_of(context, all, plot::Sample::line, ", "), "Mean energy"};
 }
 
 }  // namespace
@@ -33,11 +34,12 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
     SeriesSubject subject{
         .measure = [context](const FrameInput& o) { return means(context, o.energy); },
         .lines = {},
-        .titles = {title(context, spec)},
+        .titles = titles(context, spec),
         .spreads = true,
         .quantity = "mean energy",
         .unit = reduced::energy};
     const std::vector<Species>& species = context.scene.gas.species;
+    subject.last_title_has_no_names = species.size() > 1 && !spec.title;
     for (std::size_t k = 0; k < species.size(); ++k)
         subject.lines.push_back({species[k].name, species_role(context, k)});
     if (context.equilibrium && species.size() > 1)

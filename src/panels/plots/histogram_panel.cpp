@@ -16,7 +16,8 @@
 namespace carom {
 namespace {
 
-constexpr int probe_frames = 40;  // frames whose bars decide the height of the axis
+constexpr double probe_frames = 40;  // whose bars decide the height of the axis, at least
+constexpr double break_seconds = 1;  // of film, for which a bar stays broken at least
 
 double finite_mean(const Eigen::ArrayXd& values) {
     const auto finite = values.isFinite();
@@ -60,6 +61,7 @@ std::vector<HistogramCounts> counts_of(
 std::shared_ptr<const PanelState> state_of(HistogramCounts counts) {
     auto state = std::make_shared<HistogramState>();
     state->counts = std::move(counts);
+    state->readouts = std::make_shared<const HistogramCounts>(state->counts);
     return state;
 }
 
@@ -68,6 +70,7 @@ std::shared_ptr<const PanelState> state_of(HistogramCounts counts) {
 std::size_t HistogramState::bytes() const {
     std::size_t sum = 0;
     for (const MeanHistogram& one : counts.series) sum += one.counts.size() * sizeof(double);
+    if (readouts) sum += sum;
     return sum;
 }
 
@@ -108,12 +111,8 @@ void HistogramPanel::survey(const FrameInput& input) {
     if (subject_.position_axis)
         widen_to_sides(*subject_.extent, context_.scene.gas.box, *subject_.position_axis, input);
     const double numbers = record_.values();
-    // Bars of a few particles over a while are as rough as their probes are few.
-    const int probes =
-        window() == 0.0
-            ? probe_frames
-            : static_cast<int>(std::clamp(most_kept_of_film / numbers, double(probe_frames),
-                                          std::max(40.0, double(context_.frames))));
+    // Of a few particles every frame: their bars waver most.
+    const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_frames));
     const bool probe = surveyed_ % std::max(1, context_.frames / probes) == 0;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         HistogramSeries& one = record_.series[k];
@@ -186,7 +185,27 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
         if (counts) running_[k].add(input.tick.time, values_of(choices_[k].members, all));
         state->counts.series.push_back(running_[k].mean());
     }
+    if (input.refreshes_readouts || !readouts_)
+        readouts_ = std::make_shared<const HistogramCounts>(state->counts);
+    state->readouts = readouts_;
+    broken_until_.resize(state->counts.series.size());
+    for (std::size_t k = 0; k < broken_until_.size(); ++k)
+        state->broken.push_back(broken_bars(state->counts.series[k], input.tick.frame, k));
     return state;
+}
+
+// Those that the axis cannot hold, and those that it could not a moment ago: a bar that wavers
+// about the end of the axis does not break and heal from frame to frame.
+std::vector<bool> HistogramPanel::broken_bars(const MeanHistogram& now, int frame, std::size_t k) {
+    const int hold = static_cast<int>(std::lround(break_seconds * context_.scene.film.fps));
+    std::vector<int>& until = broken_until_[k];
+    until.resize(now.counts.size(), -1);
+    std::vector<bool> broken;
+    for (std::size_t i = 0; i < now.counts.size(); ++i) {
+        if (now.counts[i] > axes_.top) until[i] = frame + (context_.in_film ? hold : 0);
+        broken.push_back(frame <= until[i]);
+    }
+    return broken;
 }
 
 std::shared_ptr<const PanelState> HistogramPanel::state_of_runs(

@@ -38,6 +38,9 @@ struct HistogramSubject {
 /// What a histogram shows in one frame.
 struct HistogramState : PanelState {
     HistogramCounts counts;
+    std::shared_ptr<const HistogramCounts> readouts = {};  ///< those that numbers tell
+    std::vector<std::vector<bool>> broken = {};  ///< whether each bar of each series is; none: by
+                                                 ///< its height
     std::size_t bytes() const override;
 };
 
@@ -82,6 +85,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void make_axes() override;
     void take_axes(const RecordPanel& of) override;
     void begin_counting();
+    std::vector<bool> broken_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
     HistogramRules rules() const;
     Expected expected(const HistogramSeries& series) const;
@@ -104,12 +108,16 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::Stroke fit_stroke(std::size_t k) const;
     plot::Note fit_note(std::size_t k, const MeanHistogram* now) const;
     plot::Marker mean_mark(std::size_t k, double mean, bool is_start) const;
+    std::string mean_words(std::size_t k, double mean) const;
     std::vector<plot::BarNotes::Name> mean_names(const HistogramCounts* now) const;
     plot::BarNotes bar_notes(const HistogramCounts* now) const;
     plot::Text names_of_choices(const std::string& last) const;
+    plot::Note note_of_short_title() const;
     void add_titles();
     void make_plot();
-    void add_series(plot::Plot& plot, std::size_t k, const HistogramCounts* now) const;
+    std::string height_name() const;
+    plot::Bars bars_of(const HistogramState& state, std::size_t k) const;
+    void add_series(plot::Plot& plot, std::size_t k, const HistogramState* state) const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -123,6 +131,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::vector<SeriesLayers> layers_;       ///< of each series, the same in every frame
     std::vector<RunningHistogram> running_;  ///< of each choice, in the second pass
     double seen_until_ = -1;                 ///< time of the last sample in a mean
+    std::shared_ptr<const HistogramCounts> readouts_;
+    std::vector<std::vector<int>> broken_until_;  ///< the last frame, of each bar of each series
 };
 
 }  // namespace carom

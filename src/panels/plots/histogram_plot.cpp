@@ -109,6 +109,11 @@ HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
                            .print_dashes = dashes_in_print(k, count()),
                            .shade = Shade::legible};
         curve.stroke.print_dashes = dashes_in_print(k, count());
+        const auto is_hidden = [&](std::size_t other) {  // under this one, if that were solid
+            return axes_.curves[other].count == axes_.curves[k].count;
+        };
+        for (std::size_t other = 0; other < k; ++other)
+            if (is_hidden(other)) curve.stroke.dashes = {0.8};
     }
     return {std::move(bars), std::move(curve)};
 }
@@ -126,7 +131,8 @@ plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) con
     if (now == nullptr) return note;
     const std::string whose = count() == 1 ? "normal curve" : axes_.series[k].name;
     const std::string numbers =
-        fmt::format("mean {}, deviation {}", three_digits(now->mean), three_digits(now->deviation));
+        fmt::format("mean {}, deviation {}", mean_words(k, now->mean),
+                    steady_number(now->deviation, {0.0, axes_.bins.high - axes_.bins.low}));
     const Role& role = roles_[k].fit;
     KeyEntry entry{.words = {named(whose + ": " + numbers, role), named(numbers, role)}};
     if (const Stroke stroke = fit_stroke(k); !stroke.dashes.empty() || !stroke.print_dashes.empty())
@@ -150,25 +156,34 @@ plot::Marker HistogramPanel::mean_mark(std::size_t k, double mean, bool is_start
     return mark;
 }
 
+plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) const {
+    const MeanHistogram& now = state.counts.series[k];
+    Bars bars = layers_[k].bars;
+    bars.value = column(value_name(), now.counts);
+    bars.below = now.below;
+    bars.above = now.above;
+    if (!state.counts.errors.empty())
+        bars.error = column("standard error (count)", state.counts.errors[k]);
+    for (std::size_t i = 0; i < now.counts.size(); ++i) {
+        const bool is_broken =
+            state.broken.empty() ? now.counts[i] > axes_.top : state.broken[k][i];
+        bars.broken.push_back(is_broken ? count_words(state.readouts->series[k].counts[i]) : "");
+    }
+    return bars;
+}
+
 // Before there are counts the curve alone, which words keep clear of.
-void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramCounts* now) const {
+void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState* state) const {
     const HistogramSeries& series = axes_.series[k];
     const auto add = [&](auto layer) {
         layer.of = compares() ? name_of(context_, choices_.front().chosen) : series.name;
         if (compares()) layer.run = k;
         plot.layers.emplace_back(std::move(layer));
     };
-    if (now) {
-        Bars bars = layers_[k].bars;
-        bars.value = column(value_name(), now->series[k].counts);
-        bars.below = now->series[k].below;
-        bars.above = now->series[k].above;
-        if (!now->errors.empty()) bars.error = column("standard error (count)", now->errors[k]);
-        add(std::move(bars));
-    }
+    if (state) add(bars_of(*state, k));
     if (!axes_.curves[k].empty()) add(layers_[k].curve);
-    if (now == nullptr) return;
-    const MeanHistogram& one = now->series[k];
+    if (state == nullptr) return;
+    const MeanHistogram& one = state->counts.series[k];
     if (spec_.fit) {
         Line fit = line_of("fit", normal_curve(axes_.bins, one, series.unit * series.values()),
                            from_name(), value_name());
@@ -179,20 +194,30 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramCounts
     if (marks_mean_start()) add(mean_mark(k, series.mean_start, true));
 }
 
+// With as many decimals in all frames, of a mean near 0 no more than the axis shows.
+std::string HistogramPanel::mean_words(std::size_t k, double mean) const {
+    constexpr double least_of_axis = 0.1;
+    const HistogramSeries& series = axes_.series[k];
+    const double least = least_of_axis * axes_.bins.high;
+    return steady_number(mean, {std::min(series.lowest_mean, 0.0),
+                                std::max({series.highest_mean, -series.lowest_mean, least})});
+}
+
 // A picture of one time shows no other that were the present.
 std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCounts* now) const {
     std::vector<BarNotes::Name> names;
     const auto add = [&](std::size_t k, const std::string& name, const std::string& short_name,
                          double mean, bool is_start) {
-        names.push_back(
-            {mean_mark(k, mean, is_start).stroke, name, short_name, now ? three_digits(mean) : ""});
+        names.push_back({mean_mark(k, mean, is_start).stroke, name, short_name,
+                         now ? mean_words(k, mean) : ""});
     };
     const bool is_present = window() == 0.0 && !spec_.at;
     if (marks_mean_now())
         for (std::size_t k = 0; k < count(); ++k) {
             const double mean = now ? now->series[k].mean : 0.0;
             if (count() > 1)
-                add(k, axes_.series[k].name, "", mean, false);
+                add(k, (k == 0 ? "means: " : "") + axes_.series[k].name, axes_.series[k].name, mean,
+                    false);
             else
                 add(k, is_present ? "mean now" : "mean", is_present ? "now" : "mean", mean, false);
         }
@@ -204,10 +229,11 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
 // Fits are written over the bars, and so are the means where they find no room beside them; a fit
 // says the mean too. A mean over a while may be a small part of one.
 plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
-    BarNotes notes{.typical_number = three_digits(axes_.series.front().mean_start),
+    BarNotes notes{.typical_number = mean_words(0, axes_.series.front().mean_start),
                    .may_be_beside = !fills_the_middle() && !compares(),
                    .is_right = window() != 0.0,  // the mean over a while comes to rest soon
                    .beyond = subject_.beyond};
+    notes.are_in_a_row = count() > 1;
     if (!compares()) notes.names = mean_names(now);
     if (spec_.fit && !notes.may_be_beside) notes.names.clear();
     notes.marks = {axes_.bins.high, axes_.bins.low};
@@ -242,7 +268,24 @@ plot::Text HistogramPanel::names_of_choices(const std::string& last) const {
     return names;
 }
 
-// What the words say of the time, and of the equilibrium curves where there is room.
+// What a title has no room for: the names of choices, and that curves are of the equilibrium.
+plot::Note HistogramPanel::note_of_short_title() const {
+    Note note{.wraps = true, .is_of_short_title = true};
+    if (count() > 1 && !compares())
+        for (std::size_t k = 0; k < count(); ++k)
+            note.entries.push_back(
+                {*layers_[k].bars.edge, {named(axes_.series[k].name, roles_[k].bar)}});
+    if (!axes_.has_curves()) return note;
+    if (count() == 1)
+        note.entries.push_back(
+            {layers_.front().curve.stroke, {named("equilibrium", roles_.front().curve)}});
+    else
+        note.entries.push_back(
+            {{}, {compares() ? "thin lines: equilibrium" : "lines: equilibrium"}});
+    return note;
+}
+
+// What the words say of the time and of the equilibrium curves.
 void HistogramPanel::add_titles() {
     const std::string quantity = capitalised(subject_.quantity);
     const std::string runs = axes_.runs > 1 ? fmt::format(", mean of {} runs", axes_.runs) : "";
@@ -263,16 +306,20 @@ void HistogramPanel::add_titles() {
     if (!spec_.title && !spec_.of.empty()) words = quantity + " of " + names_of_choices(" and ");
     if (!several) time = named(axes_.time + runs, {Role::Of::bar});
     words += ": " + time;
-    const Text shortest =
-        several ? quantity + ": " + names_of_choices(", ") + ", " + time : quantity + ": " + time;
-    whole_.titles = {words, shortest};
-    if (!axes_.has_curves()) return;
     if (several) {
-        for (const char* ending :
-             {", lines: in equilibrium", ", lines: equilibrium", ", lines: theory"})
-            whole_.wide_titles.push_back(words + ending);
+        const Text names = quantity + ": " + names_of_choices(", ") + ", " + time;
+        for (const Text& title : {words, names})
+            if (axes_.has_curves())
+                for (const char* ending : {", lines: in equilibrium", ", lines: equilibrium"})
+                    whole_.titles.push_back(title + ending);
+            else
+                whole_.titles.push_back(title);
+        whole_.titles.push_back(spec_.title ? words : quantity + ": " + time);
         return;
     }
+    const Text shortest = quantity + ": " + time;
+    whole_.titles = {words, shortest};
+    if (!axes_.has_curves()) return;
     const Text curve = ", " + named("equilibrium", {Role::Of::accent});
     whole_.wide_titles = {words + " and " + named("in equilibrium", {Role::Of::accent}),
                           words + curve};
@@ -291,27 +338,41 @@ std::string HistogramPanel::value_name() const {
     return axes_.counts_per_cent() ? "value (per cent)" : "value (count)";
 }
 
+// What a bar counts, and in what: without its width a height says nothing.
+std::string HistogramPanel::height_name() const {
+    const bool is_of_one = std::ranges::all_of(
+        axes_.series, [](const HistogramSeries& series) { return series.values_each == 1.0; });
+    const std::string what = axes_.counts_per_cent() ? "%" : is_of_one ? "particles" : "values";
+    const double width = axes_.bins.width();
+    const bool is_plain = width >= 1e-3 && width < 1e5;
+    return what + " per " + (is_plain ? fmt::format("{:.3g}", width) : three_digits(width));
+}
+
 void HistogramPanel::make_plot() {
     whole_.x = {.title = subject_.quantity, .low = axes_.bins.low, .high = axes_.bins.high};
+    whole_.y.title = height_name();
     whole_.y.high = axes_.top;
     whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
+    for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
     add_titles();
     whole_.columns = {from_name(), to_name(), value_name()};
     if (axes_.runs > 1) whole_.columns.emplace_back("standard error (count)");
     std::vector<std::string> names;
     for (const auto& one : axes_.series) names.push_back(one.name);
     if (compares()) name_runs(whole_, std::move(names));
-    for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
+    if (Note note = note_of_short_title(); !note.entries.empty())
+        whole_.notes.push_back(std::move(note));
 }
 
 Plot HistogramPanel::plot(const PanelState* state) const {
-    const HistogramCounts* now =
-        state ? &static_cast<const HistogramState&>(*state).counts : nullptr;
+    const auto* shown = static_cast<const HistogramState*>(state);
+    const HistogramCounts* now = shown ? &shown->counts : nullptr;
+    const HistogramCounts* told = shown ? shown->readouts.get() : nullptr;
     Plot plot = whole_;
     for (std::size_t k = 0; spec_.fit && k < std::min(count(), most_fit_rows); ++k)
-        plot.notes.push_back(fit_note(k, now ? &now->series[k] : nullptr));
-    plot.bar_notes = bar_notes(now);
-    for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, now);
+        plot.notes.push_back(fit_note(k, told ? &told->series[k] : nullptr));
+    plot.bar_notes = bar_notes(told);
+    for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, shown);
     if (now == nullptr) return plot;
     for (const MeanHistogram& one : now->series)
         plot.accounts_of_runs.push_back(

@@ -28,6 +28,91 @@ double reach_of(const std::vector<double>& pool) {
     return sizes.empty() ? 0.0 : 1.25 * quantile(sizes, 0.97);
 }
 
+// The values of all series at the start where they are a few equal ones, as of beams or of a gas at
+// rest.
+std::vector<double> equal_starts(const HistogramRecord& record) {
+    constexpr std::size_t most = 3;
+    std::vector<double> values;
+    for (const auto& probes : record.probes) {
+        if (probes.empty()) continue;
+        for (const double value : probes.front().values) {
+            const auto is_near = [&](double other) { return std::abs(value - other) < 1e-9; };
+            if (!std::isfinite(value) || std::ranges::any_of(values, is_near)) continue;
+            values.push_back(value);
+            if (values.size() > most) return {};
+        }
+    }
+    return values;
+}
+
+bool is_whole(double number) { return std::abs(number - std::round(number)) < 1e-6; }
+
+// What is asked of bins of a round width.
+struct WantedBins {
+    double low, high, width;
+    bool is_fixed, is_symmetric;  // a fixed range is filled by whole bins
+    std::vector<double> starts;
+    double tick_step;
+};
+
+// Of this width, with an edge or the middle of a bin at 0; none where they do not fit.
+std::optional<Bins> bins_of_width(const WantedBins& wanted, double width, double offset) {
+    Bins bins{.low = wanted.low, .high = wanted.high};
+    if (wanted.is_fixed) {
+        if (!is_whole(bins.low / width - offset) || !is_whole(bins.high / width - offset))
+            return {};
+    } else {
+        bins.high = (std::ceil(wanted.high / width - offset - 1e-6) + offset) * width;
+        if (wanted.is_symmetric) bins.low = -bins.high;
+    }
+    bins.count = static_cast<int>(std::lround((bins.high - bins.low) / width));
+    if (bins.count < fewest_bins || bins.count > most_bins_by_rule) return {};
+    return bins;
+}
+
+// How far bins are from what is wanted; none where round-off would deal equal values at the start
+// out to two of them.
+std::optional<double> misfit(const WantedBins& wanted, const Bins& bins, double offset) {
+    constexpr double ticks_off_edges = 1.0, start_off_middle = 1.2, ticks_at_middles = 0.2;
+    double sum = std::abs(std::log2(bins.width() / wanted.width));
+    if (!is_whole(wanted.tick_step / bins.width())) sum += ticks_off_edges;
+    if (offset != 0.0) sum += ticks_at_middles;
+    bool is_off_middle = false;
+    for (const double start : wanted.starts) {
+        const double place = (start - bins.low) / bins.width();
+        if (place < 1e-6 || start > bins.high) continue;
+        if (is_whole(place)) return {};
+        is_off_middle |= !is_whole(place - 0.5);
+    }
+    return is_off_middle ? sum + start_off_middle : sum;
+}
+
+// Bins of a round width, their edges or middles on the ticks of the axis, the values of an equal
+// start in the middle of theirs.
+std::optional<Bins> round_bins(const WantedBins& wanted) {
+    std::optional<Bins> best;
+    double least = 1e9;
+    const int exponent = static_cast<int>(std::floor(std::log10(wanted.width)));
+    for (int power = exponent - 1; power <= exponent + 1; ++power)
+        for (const auto [digits, is_less_round] : {std::pair{1.0, 0.0},
+                                                   {2.0, 0.0},
+                                                   {5.0, 0.0},
+                                                   {2.5, 0.1},
+                                                   {4.0, 0.1},
+                                                   {8.0, 0.2},
+                                                   {1.6, 0.3}})
+            for (const double offset : {0.0, 0.5}) {
+                if (offset != 0.0 && !wanted.is_symmetric) continue;
+                const auto bins = bins_of_width(wanted, digits * std::pow(10.0, power), offset);
+                if (!bins) continue;
+                const std::optional<double> its = misfit(wanted, *bins, offset);
+                if (!its || *its + is_less_round >= least) continue;
+                least = *its + is_less_round;
+                best = bins;
+            }
+    return best;
+}
+
 Bins bins_of(const HistogramRecord& record, const HistogramRules& rules) {
     double reach = 0.0;
     std::vector<double> values;
@@ -49,11 +134,20 @@ Bins bins_of(const HistogramRecord& record, const HistogramRules& rules) {
     }
     bins.count = freedman_diaconis(values, record.independent, bins.low, bins.high, fewest_bins,
                                    most_bins_by_rule);
-    // Equal values at the start must not lie on an edge, where round-off would deal them out to two
-    // bins; nor may 0, where particles at rest are, between two of an even number.
+    const std::vector<TickMark> marks = ticks(bins.low, bins.high);
+    const WantedBins wanted{
+        .low = bins.low,
+        .high = bins.high,
+        .width = bins.width(),
+        .is_fixed = rules.range.has_value(),
+        .is_symmetric = rules.symmetric,
+        .starts = equal_starts(record),
+        .tick_step = marks.size() > 1 ? marks[1].value - marks[0].value : bins.high};
+    if (const std::optional<Bins> round = round_bins(wanted)) return *round;
+    // Of a range that no round width fills: 0, where particles at rest are, lies not between two.
     if (rules.symmetric && bins.count % 2 == 0) ++bins.count;
     const double place = (record.series.front().mean_start - bins.low) / bins.width();
-    if (std::abs(place - std::round(place)) < 1e-6) bins.count += rules.symmetric ? 2 : 1;
+    if (is_whole(place)) bins.count += rules.symmetric ? 2 : 1;
     return bins;
 }
 
@@ -97,25 +191,40 @@ double top_of(const std::vector<HistogramCurve>& curves) {
     return top;
 }
 
-// Room for the bars of most frames and for the whole curve; a start far from equilibrium, all in
-// one bin, would flatten everything that follows: such bars are cut with a mark.
+// Of each probe the tallest bar of all series, in order of time.
+std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramRules& rules,
+                                 const HistogramAxes& axes) {
+    std::vector<double> tallest;
+    for (std::size_t k = 0; k < record.series.size(); ++k) {
+        RunningHistogram running(axes.bins, rules.window);
+        for (std::size_t i = 0; i < record.probes[k].size(); ++i) {
+            const HistogramProbe& probe = record.probes[k][i];
+            running.add(probe.time, probe.values);
+            if (i == tallest.size()) tallest.push_back(0.0);
+            tallest[i] = std::max(tallest[i],
+                                  record.series[k].unit * std::ranges::max(running.mean().counts));
+        }
+    }
+    return tallest;
+}
+
+// Room for the whole curve, and for the bars of the second half of the run with all that they
+// waver; for those before too, if they are not much taller. A start far from equilibrium, all in
+// one bin, would flatten everything that follows, and so would a return to it: there bars are
+// broken.
 double height_of(const HistogramRecord& record, const HistogramRules& rules,
                  const HistogramAxes& axes) {
-    const double curve = top_of(axes.curves);
-    const bool settles = curve > 0.0 || rules.window != 0.0;  // means are rough at first only
-    double bars = 0.0;
-    for (std::size_t k = 0; k < record.series.size(); ++k) {
-        std::vector<double> tops;
-        RunningHistogram running(axes.bins, rules.window);
-        for (const HistogramProbe& probe : record.probes[k]) {
-            running.add(probe.time, probe.values);
-            tops.push_back(record.series[k].unit * std::ranges::max(running.mean().counts));
-        }
-        if (!tops.empty()) bars = std::max(bars, quantile(tops, settles ? 0.5 : 0.9));
-    }
-    const double top = curve > 0.0 ? std::clamp(1.1 * bars, 1.2 * curve, 1.4 * curve) : 1.1 * bars;
+    constexpr double over_bars = 1.1, over_curve = 1.2, most_of_settled = 1.6;
+    const std::vector<double> tallest = tallest_bars(record, rules, axes);
+    const auto half = tallest.begin() + std::ssize(tallest) / 2;
+    std::vector<double> later(half, tallest.end());
+    const double usual = later.empty() ? 0.0 : quantile(later, 0.5);
+    double settled = over_curve * top_of(axes.curves), all = settled;
+    for (const double bar : tallest) all = std::max(all, over_bars * bar);
+    for (const double bar : later)
+        if (bar <= 2.0 * usual) settled = std::max(settled, over_bars * bar);
     const double least = rules.window == 0.0 ? 1.0 : 1e-3;  // a mean number may be far below 1
-    return round_up_for_axis(std::max(least, top));
+    return round_up_for_axis(std::max(least, all <= most_of_settled * settled ? all : settled));
 }
 
 }  // namespace

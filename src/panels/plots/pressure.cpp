@@ -86,12 +86,17 @@ std::string time_words(const Over& over, const Box& box) {
 const plot::Role of_walls{.of = plot::Role::Of::bar};
 const plot::Role of_virial{.of = plot::Role::Of::highlight};
 
-plot::Text title(const PanelSpec& spec, bool has_walls) {
-    if (spec.title) return escape_markup(*spec.title);
-    const plot::Text virial = plot::named("from collisions", of_virial, plot::Sample::line, 1);
-    if (!has_walls) return "Pressure " + virial;
-    return "Pressure " + plot::named("on the walls", of_walls, plot::Sample::line, 0) + " and " +
-           virial;
+std::vector<plot::Text> titles(const PanelSpec& spec, bool has_walls) {
+    if (spec.title) return {escape_markup(*spec.title)};
+    const auto virial = [](const char* words) {
+        return plot::named(words, of_virial, plot::Sample::line, 1);
+    };
+    const auto walls = [](const char* words) {
+        return plot::named(words, of_walls, plot::Sample::line, 0);
+    };
+    if (!has_walls) return {"Pressure " + virial("from collisions")};
+    return {"Pressure " + walls("on the walls") + " and " + virial("from collisions"),
+            "Pressure: " + walls("walls") + ", " + virial("collisions")};
 }
 
 }  // namespace
@@ -104,7 +109,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
     SeriesSubject subject{
         .measure = gauge,
         .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
-        .titles = {title(spec, walls)},
+        .titles = titles(spec, walls),
         .notes = {time_words(over, box)},
         .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
             if (!std::isfinite(*of_points)) return std::nullopt;

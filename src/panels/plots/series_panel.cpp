@@ -174,6 +174,14 @@ void SeriesPanel::make_plot() {
     whole_.columns = {column_name(time_name(), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
+    if (subject_.last_title_has_no_names && !compares) {
+        plot::Note names{.wraps = true, .is_of_short_title = true};
+        for (const SeriesSubject::Line& line : subject_.lines)
+            names.entries.push_back(
+                {{},
+                 {plot::named(line.name, line.role, plot::Sample::line, names.entries.size())}});
+        whole_.notes.push_back(std::move(names));
+    }
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
     std::vector<std::string> names;

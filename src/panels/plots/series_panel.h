@@ -21,8 +21,9 @@ struct SeriesSubject {
     std::function<std::vector<double>(const FrameInput&)> measure =
         {};  ///< one number for each line, every frame of the first pass in order; NaN: none
     std::vector<Line> lines = {};
-    std::vector<plot::Text> titles = {};  ///< from the longest on
-    std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
+    std::vector<plot::Text> titles = {};   ///< from the longest on
+    bool last_title_has_no_names = false;  ///< of the lines: they stand under it
+    std::vector<std::string> notes = {};   ///< markup under the title, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
     std::optional<double> top = {};        ///< of the axis; none: as the run shows
     bool spreads = false;                  ///< over powers of ten, if need be

@@ -20,7 +20,7 @@ std::vector<plot::Text> titles(const std::vector<SeriesSubject::Line>& lines,
     };
     const plot::Text slow = name(0, "Slow"), medium = name(1, "medium"), fast = name(2, "fast");
     return {slow + ", " + medium + " and " + fast + ", in per cent",
-            slow + ", " + medium + ", " + fast + " (per cent)"};
+            slow + ", " + medium + ", " + fast + " (per cent)", slow + ", " + medium + ", " + fast};
 }
 
 }  // namespace
@@ -33,9 +33,11 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .notes =
             spec.reference_initial
                 ? std::vector<std::string>{"slow: &lt; ½ mean speed at the start; fast: &gt; 1½",
-                                           "slow: &lt; ½ initial mean; fast: &gt; 1½"}
+                                           "slow: &lt; ½ initial mean; fast: &gt; 1½",
+                                           "&lt; ½, &gt; 1½ of the initial mean"}
                 : std::vector<std::string>{"slow: &lt; ½ mean speed; fast: &gt; 1½",
-                                           "slow: &lt; ½ mean; fast: &gt; 1½"},
+                                           "slow: &lt; ½ mean; fast: &gt; 1½",
+                                           "slow &lt; ½, fast &gt; 1½"},
         .top = 100.0,
         .quantity = "share",
         .unit = "per cent"};

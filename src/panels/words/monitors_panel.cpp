@@ -1,5 +1,5 @@
-// Numbers in fixed places: time, collisions, mean speed, mean energy, shares of slow, medium and
-// fast, or some of these; a row under the gas, or as large as a panel.
+// Numbers in fixed places: time, collisions, mean speed and mean energy, or those that the scene
+// asks for; a row under the gas, or as large as a panel.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,9 +36,9 @@ constexpr std::array all_columns{Column{"time", 7.08, reduced::time, Format::fix
                                  Column{"collisions", 7.788, "count", Format::count},
                                  Column{"mean speed", 7.788, reduced::speed, Format::fixed},
                                  Column{"mean energy", 8.968, reduced::energy, Format::fixed},
-                                 Column{"slow", 5.664, "per cent", Format::per_cent},
+                                 Column{"slow, < ½ mean", 9.6, "per cent", Format::per_cent},
                                  Column{"medium", 5.9, "per cent", Format::per_cent},
-                                 Column{"fast", 4.012, "per cent", Format::per_cent},
+                                 Column{"fast, > 1½ mean", 9.6, "per cent", Format::per_cent},
                                  Column{"all collisions", 8.968, "count", Format::count},
                                  Column{"from way out", 8.968, reduced::length, Format::power}};
 using Numbers = std::array<double, all_columns.size()>;
@@ -46,6 +46,7 @@ using Numbers = std::array<double, all_columns.size()>;
 std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
 
 struct MonitorsState : PanelState {
+    Numbers readouts{};             // those that are shown
     Numbers numbers{};              // of a distance its decimal logarithm, or none
     double return_distance = none;  // the same as a double, which may be 0
     Slowness slow;
@@ -66,17 +67,6 @@ constexpr double arrow_gap = 0.9;      // units, from the end of a long time to 
 constexpr double arrow_size = 0.6;     // units, from its middle to its ends
 
 const Column& column(Monitor number) { return all_columns.at(index_of(number)); }
-
-// As many decimals as show three digits of the largest value, so that only digits change.
-std::string fixed_digits(double value, double largest) {
-    if (!std::isfinite(value)) return "–";
-    if (largest <= 0.0) return "0";
-    const int before = static_cast<int>(std::floor(std::log10(largest))) + 1;
-    if (before < -2 || before > 5) return three_digits(value);
-    const std::string digits =
-        fmt::format("{:.{}f}", std::abs(off_the_tie(value)), std::max(0, 3 - before));
-    return value < 0.0 ? "\u2212" + digits : digits;
-}
 
 std::string counted(std::int64_t count) {
     return count < 1'000'000 ? grouped(count) : three_digits(static_cast<double>(count));
@@ -153,6 +143,7 @@ class MonitorsPanel : public Panel {
     std::optional<std::string> title_;
     Numbers largest_{}, smallest_;    // in the film: fix the number of decimals
     std::optional<EchoRecord> echo_;  // if its number is shown
+    std::optional<Numbers> readouts_;
 };
 
 // Of the first `count` numbers.
@@ -239,14 +230,13 @@ double MonitorsPanel::column_width(double unit) const {
     return std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
 }
 
-// No numbers stand for all of them but the last two.
+// No numbers stand for those that any gas has, without classes of its own.
 MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
     : context_(context), numbers_(spec.numbers), title_(spec.title) {
     smallest_.fill(infinity);
     largest_[index_of(Monitor::time)] = context.scene.run.until;
     if (numbers_.empty())
-        for (std::size_t i = 0; i <= index_of(Monitor::fast); ++i)
-            numbers_.push_back(static_cast<Monitor>(i));
+        numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
         echo_.emplace(context);
 }
@@ -287,6 +277,8 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) 
             state->return_distance = apart->largest;
             state->numbers.back() = apart->log10_largest;
         }
+    if (input.refreshes_readouts || !readouts_) readouts_ = state->numbers;
+    state->readouts = *readouts_;
     state->slow = input.tick.slow;
     const bool turning = input.tick.phase == Phase::reversing;
     const int before = input.tick.reversals - (turning && input.tick.progress > 0.5);
@@ -309,7 +301,7 @@ void MonitorsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
 std::string MonitorsPanel::text(Monitor number, double value) const {
     switch (column(number).format) {
         case Format::fixed:
-            return fixed_digits(value, largest_.at(index_of(number)));
+            return steady_number(value, {0.0, largest_.at(index_of(number))});
         case Format::count:
             return counted(static_cast<std::int64_t>(value));
         case Format::per_cent:
@@ -355,7 +347,7 @@ void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();
         draw_text(canvas, {at.x, baseline},
-                  text(numbers_[i], now.numbers.at(index_of(numbers_[i]))), style);
+                  text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
         if (numbers_[i] != Monitor::time) continue;
         draw_slowness(canvas, dc, rows, now.slow);
         if (branch_count(context_.scene.run) == 1) continue;

@@ -142,7 +142,7 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
                  "The numbers in the row of monitors; all-collisions includes those with walls, "
                  "return-distance is the largest distance of a particle from where it was on the "
                  "way out.")
-            .default_text("all but all-collisions and return-distance"),
+            .default_text("time, collisions, mean-speed and mean-energy"),
         bind_key("panels", &Film::panels, panels_notation(kinds),
                  "What the panels show, each a kind or a mapping with options.")
             .default_text("the template's")};

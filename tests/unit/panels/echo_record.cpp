@@ -262,13 +262,13 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
         for (const DrawnLine& line : log.lines) all += line.markup + "\n";
         return all;
     };
-    CHECK(words("auto", 1280).find("Return error (64-bit arithmetic)\n") != std::string::npos);
-    CHECK(words("double", 1280).find(" (53-bit arithmetic)\n") != std::string::npos);
+    CHECK(words("auto", 2600).find("Return error (64-bit arithmetic)\n") != std::string::npos);
+    CHECK(words("double", 2600).find(" (53-bit arithmetic)\n") != std::string::npos);
 }
 
 TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
     const Scene scene = load_scene(carom::test::checkout().string() + "/scenes/time-reversal.yaml",
-                                   test::resources(), {"film.template=square", "film.fps=5"});
+                                   test::resources(), {"film.template=portrait", "film.fps=5"});
     const test::Shot film(scene);
     const TextLog log;
     FramePainter painter(*film.panels);

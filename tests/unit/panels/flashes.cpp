@@ -190,7 +190,7 @@ TEST_CASE("a flash stands at the point of contact, for a quarter of a second") {
             if (frames++ == 0) first = i;
             if (one.x < 40.0) {
                 CHECK(std::abs(spot.middle.x - (box.x + one.x * scale)) <= 1.0);
-                CHECK(spot.width < 0.09 * box.width);
+                CHECK(spot.width < 0.13 * box.width);
             } else {
                 CHECK(spot.width > 0.9 * box.width);  // half of it at each side
             }

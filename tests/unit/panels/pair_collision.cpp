@@ -340,7 +340,7 @@ TEST_CASE("the time of the contact is written above it, as near as there is room
         if (!line.markup.starts_with("contact at ")) continue;
         ++seen;
         CHECK(std::abs(line.ink.x + line.ink.width / 2 - at) < dc.unit);
-        CHECK(line.ink.bottom() > plot.y + 0.5 * plot.height);
+        CHECK(line.ink.bottom() > plot.y + 0.25 * plot.height);
         CHECK(line.ink.bottom() < plot.bottom());
     }
     CHECK(seen == 1);
@@ -387,7 +387,7 @@ TEST_CASE("the arrow before is drawn as long as it is") {
     // By the stages' own geometry, with the room that the panel leaves for words.
     const double unit = dc.unit;
     const Rect room{dc.area.x, dc.area.y + 1.9 * unit, dc.area.width,
-                    dc.area.height - (1.9 + 2.8) * unit};
+                    dc.area.height - (1.9 + 4.2) * unit};
     const Particles particles = Simulation(film.scene.gas, film.scene.run).particles();
     const CollisionStages all = collision_stages(met, particles, room, unit, 2);
     const CollisionStage& before = all.stage[0];

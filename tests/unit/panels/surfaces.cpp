@@ -309,7 +309,8 @@ TEST_CASE("words on events lie on nothing, or are left out") {
         "gas: [{count: 20, radius: 0.4, temperature: 1, position: {side: left, of: door}}]\n"
         "run: {until: 40, events: [{at: 8, open: door}, {at: 10, move: right, velocity: -0.3}, "
         "{at: 13, move: right, velocity: 0}, {at: 16, wall: top, temperature: 2}]}\n"
-        "film: {seconds: 1, fps: 5, size: [1280, 720], panels: [temperature, entropy, "
+        "film: {seconds: 1, fps: 5, size: [2900, 1080], template: data, panels: [temperature, "
+        "entropy, "
         "pressure]}\n");
     const test::Shot shot(scene);
     const TextLog log;
@@ -406,7 +407,7 @@ TEST_CASE("the ends of a wire are drawn where they are, and as what they do") {
 
 TEST_CASE("a narrow box has as many words on its surfaces as it has room for") {
     Scene scene = test::scene_from(
-        "title: T\nbox: {size: [4, 16]}\ngas: [{name: a, count: 5, radius: 0.2, speed: 1}]\n"
+        "title: T\nbox: {size: [5, 16]}\ngas: [{name: a, count: 5, radius: 0.2, speed: 1}]\n"
         "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], panels: [{kind: "
         "pressure}]}\n");
     scene.gas.box.surfaces.sides = {Bath{2.0}, Bath{1.5}, Reflecting{}, Piston{200.0, -0.5}};
@@ -417,6 +418,7 @@ TEST_CASE("a narrow box has as many words on its surfaces as it has room for") {
     std::string marks;
     for (const DrawnLine& line : log.lines) {
         if (line.markup.find(" = ") != std::string::npos) marks += line.markup + "; ";
+        CAPTURE(line.markup);
         CHECK_FALSE(line.is_cut);
         CHECK(line.ink.x >= 0.0);
     }

@@ -86,7 +86,7 @@ TEST_CASE("lines end where they are ended, and paragraphs stand apart") {
 
 TEST_CASE("a film with words that do not fit is refused with their place") {
     const std::string few = "{kind: text, words: \"" + words_of(20) + "\"}";
-    const std::string many = "{kind: text, title: T, words: \"" + words_of(99) + "\"}";
+    const std::string many = "{kind: text, title: T, words: \"" + words_of(60) + "\"}";
     CHECK(complaint(few).empty());
     CHECK(complaint(many).empty());  // alone it has all the places
     const std::string message = complaint(few + ", temperature, " + many);

@@ -120,8 +120,9 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
 TEST_CASE("panels say what they count, compare with and put on their axes") {
     const auto words = [](const std::string& rest, const std::string& panels) {
         const test::Shot film(load_scene_text(
-            "title: T\n" + rest + "\nfilm: {seconds: 4, panels: [" + panels + "]}\n", "test",
-            test::resources()));
+            "title: T\n" + rest + "\nfilm: {seconds: 4, size: [2600, 1080], panels: [" + panels +
+                "]}\n",
+            "test", test::resources()));
         const TextLog log;
         FramePainter painter(*film.panels);
         painter.paint(film.frames.back());

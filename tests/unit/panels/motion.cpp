@@ -1,0 +1,125 @@
+// What moves in a film moves calmly: numbers can be read, and bars do not break and heal from frame
+// to frame. Of the frames of whole films, as tables, plots and words.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "panels/plots/histogram_panel.h"
+#include "scene/load.h"
+#include "support/resources.h"
+#include "support/shot.h"
+#include "support/test_root.h"
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+Scene scene_of(const std::string& name, const std::vector<std::string>& changes = {}) {
+    return load_scene(checkout() / "scenes" / (name + ".yaml"), resources(), changes);
+}
+
+std::vector<std::string> words_of(FramePainter& painter, const FrameData& frame) {
+    const TextLog log;
+    painter.paint(frame);
+    std::vector<std::string> words;
+    for (const DrawnLine& line : log.lines) words.push_back(line.markup);
+    return words;
+}
+
+// Of each bar of a panel in each frame, whether it is broken.
+std::vector<std::vector<bool>> breaks_of(const Shot& film, std::size_t index) {
+    const auto& panel = dynamic_cast<const HistogramPanel&>(*film.panels->panels()[index].panel);
+    std::vector<std::vector<bool>> frames;
+    for (const FrameData& frame : film.frames) {
+        std::vector<bool>& now = frames.emplace_back();
+        for (const plot::AnyLayer& layer : panel.plot(frame.states[index].get()).layers)
+            if (const auto* bars = std::get_if<plot::Bars>(&layer))
+                for (const std::string& words : bars->broken) now.push_back(!words.empty());
+    }
+    return frames;
+}
+
+}  // namespace
+
+TEST_CASE("numbers in words stay the same for a fifth of a second") {
+    for (const char* name : {"one-hot-particle", "entropy-reversed"}) {
+        CAPTURE(name);
+        const Shot film(scene_of(name), 260);
+        FramePainter painter(*film.panels);
+        int changes = 0;
+        std::vector<std::string> before = words_of(painter, film.frames[199]);
+        for (std::size_t i = 200; i < 260; ++i) {
+            const std::vector<std::string> now = words_of(painter, film.frames[i]);
+            changes += now != before;
+            before = now;
+        }
+        CHECK(changes >= 5);
+        CHECK(changes <= 12);
+    }
+}
+
+TEST_CASE("a still tells the numbers of its own frame") {
+    const Scene scene = scene_of("one-hot-particle");
+    StartedScene started = start_scene(scene);
+    PanelSet panels(scene, started.simulation.particles(), started.simulation.sample());
+    const Recording run = panels.record(started.simulation, timeline(scene),
+                                        [](const Tick&, const Sample&, const AdvanceResult&) {});
+    panels.fix_axes();
+    FrameData held, still;
+    run.play(203, [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+        if (tick.frame == 202) held = panels.frame_data(tick, sample, advanced);
+        const bool is_still = tick.frame == 202;
+        still = panels.frame_data(tick, sample, advanced, is_still);
+    });
+    FramePainter painter(panels);
+    CHECK(words_of(painter, held) != words_of(painter, still));
+}
+
+TEST_CASE("a bar that breaks stays so for a second, and breaks seldom") {
+    for (const char* name : {"one-hot-particle", "maxwell-boltzmann", "fifty-in-a-unit-box"}) {
+        CAPTURE(name);
+        const Shot film(scene_of(name, {"film.panels=[speed-histogram]"}));
+        const auto frames = breaks_of(film, 2);
+        const auto moving = static_cast<std::size_t>(1.5 * film.scene.film.fps);
+        for (std::size_t bar = 0; bar < frames.front().size(); ++bar) {
+            CAPTURE(bar);
+            int breaks = 0;
+            std::size_t since = 0;
+            for (std::size_t i = 1; i < frames.size(); ++i) {
+                if (frames[i][bar] == frames[i - 1][bar]) continue;
+                if (frames[i][bar]) ++breaks, since = i;
+                if (!frames[i][bar] && i > moving)
+                    CHECK(i - since >= std::size_t(film.scene.film.fps));
+            }
+            CHECK(breaks <= 1);
+        }
+        // Once the gas has settled no bar is broken.
+        CHECK(std::ranges::count(frames[frames.size() / 2 + 60], true) == 0);
+    }
+}
+
+TEST_CASE("a number has the same decimals and the same room in the whole film") {
+    Scene scene =
+        scene_of("entropy-reversed",
+                 {"film.panels=[{kind: velocity-histogram, component: x, mean_now: true}]"});
+    const Shot film(std::move(scene), 300);
+    FramePainter painter(*film.panels);
+    const auto& panel = dynamic_cast<const HistogramPanel&>(*film.panels->panels()[2].panel);
+    std::set<std::size_t> lengths;
+    for (std::size_t i = 0; i < film.frames.size(); i += 10) {
+        const plot::Plot plot = panel.plot(film.frames[i].states[2].get());
+        REQUIRE(plot.bar_notes);
+        for (const plot::BarNotes::Name& name : plot.bar_notes->names)
+            if (name.name.starts_with("mean now")) {
+                int letters = 0;  // a minus sign and a figure space take three bytes each
+                for (const char byte : name.number)
+                    letters += (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+                lengths.insert(static_cast<std::size_t>(letters));
+            }
+    }
+    CHECK(lengths.size() == 1);
+}

@@ -16,7 +16,7 @@ enum class Align { left, center, right };
 struct TextStyle {
     double size = 16;  ///< height of the em, in the canvas's unit
     int weight = 400;  ///< 100 to 900
-    Color color;
+    Color color = {};
     Align align = Align::left;
     bool tabular = true;   ///< figures of equal width
     double max_width = 0;  ///< > 0: a longer line ends in an ellipsis

@@ -94,7 +94,7 @@ std::optional<Bins> round_bins(const WantedBins& wanted) {
     double least = 1e9;
     const int exponent = static_cast<int>(std::floor(std::log10(wanted.width)));
     for (int power = exponent - 1; power <= exponent + 1; ++power)
-        for (const auto [digits, is_less_round] : {std::pair{1.0, 0.0},
+        for (const auto& [digits, is_less_round] : {std::pair{1.0, 0.0},
                                                    {2.0, 0.0},
                                                    {5.0, 0.0},
                                                    {2.5, 0.1},

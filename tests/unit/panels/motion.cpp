@@ -58,7 +58,7 @@ TEST_CASE("numbers in words stay the same for a fifth of a second") {
             before = now;
         }
         CHECK(changes >= 5);
-        CHECK(changes <= 12);
+        CHECK(changes <= 14);  // 12 refreshes, and a caption that comes and goes
     }
 }
 

@@ -52,6 +52,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"events_too_dense", several_places},
     {"figure_compare_run", several_places},  // `set` of a run against the scene
     {"figure_test_over", several_places},
+    {"film_camera_ring", several_places},   // what is followed against the box
+    {"film_pauses", several_places},        // their sum against the film's length
     {"film_slow_between", several_places},  // spans against one another and the film's length
     {"film_slow_in", several_places},
     {"film_slow_out", several_places},

@@ -95,12 +95,12 @@ std::optional<Bins> round_bins(const WantedBins& wanted) {
     const int exponent = static_cast<int>(std::floor(std::log10(wanted.width)));
     for (int power = exponent - 1; power <= exponent + 1; ++power)
         for (const auto& [digits, is_less_round] : {std::pair{1.0, 0.0},
-                                                   {2.0, 0.0},
-                                                   {5.0, 0.0},
-                                                   {2.5, 0.1},
-                                                   {4.0, 0.1},
-                                                   {8.0, 0.2},
-                                                   {1.6, 0.3}})
+                                                    {2.0, 0.0},
+                                                    {5.0, 0.0},
+                                                    {2.5, 0.1},
+                                                    {4.0, 0.1},
+                                                    {8.0, 0.2},
+                                                    {1.6, 0.3}})
             for (const double offset : {0.0, 0.5}) {
                 if (offset != 0.0 && !wanted.is_symmetric) continue;
                 const auto bins = bins_of_width(wanted, digits * std::pow(10.0, power), offset);

@@ -304,8 +304,10 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
                     seconds));
 }
 
-// Of a film that names no panels: from the template's list, as many as have a place, those that
-// have something to show of this gas. The first of the list where there are none.
+Notation<std::int64_t> usual_panels_notation() { return whole(0, most_panels); }
+
+// Of a film that names no panels: from the template's list, so many of those that have something to
+// show of this gas. The first of the list where there are none.
 void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Reading& reading) {
     Node* panels = find(film, "panels");
     if (panels == nullptr || !panels->valid || !panels->is_list() ||
@@ -334,9 +336,13 @@ KeyTable<FilmDraft> film_table(PanelKinds kinds) {
 }
 
 KeyTable<FilmDraft> template_table(PanelKinds kinds) {
-    const std::vector layout{bind_key("layout", &FilmDraft::layout_node, kept(layout_notation()),
-                                      "Where everything is in a frame.")
-                                 .required()};
+    const std::vector layout{
+        bind_key("layout", &FilmDraft::layout_node, kept(layout_notation()),
+                 "Where everything is in a frame.")
+            .required(),
+        bind_key("usual_panels", &FilmDraft::usual_panels, usual_panels_notation(),
+                 "How many of `panels` a film has that names none.")
+            .default_text("as many as there are places")};
     return {.name = "a template",
             .keys = joined<FilmDraft>(film_keys(kinds), layout),
             .choices = film_choices};
@@ -349,7 +355,14 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     const auto layout = layout_node != nullptr ? layout_notation().read(*layout_node, reading)
                                                : std::optional<LayoutSpec>();
     Node node = nodes.film;
-    if (layout) choose_panels(node, layout->panels.size(), kinds, reading);
+    if (layout) {
+        const Node* usual = given(nodes.template_file, "usual_panels");
+        const auto count =
+            usual != nullptr ? usual_panels_notation().read(*usual, reading) : std::nullopt;
+        const std::size_t places = layout->panels.size();
+        choose_panels(node, count ? std::min(places, static_cast<std::size_t>(*count)) : places,
+                      kinds, reading);
+    }
     FilmDraft film;
     film_table(kinds).read(node, film, reading);
     film.template_name = template_name;

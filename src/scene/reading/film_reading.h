@@ -20,7 +20,8 @@ struct FilmDraft : Film {
     double pace = 1.0;
     std::vector<Placed<SlowSpan>> spans;
     std::vector<CalloutDraft> written_callouts;
-    const Node* layout_node = nullptr;  ///< of a template
+    const Node* layout_node = nullptr;         ///< of a template
+    std::optional<std::int64_t> usual_panels;  ///< of a template
 };
 
 KeyTable<FilmDraft> film_table(PanelKinds kinds);

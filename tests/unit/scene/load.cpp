@@ -67,8 +67,8 @@ TEST_CASE("the first scene of the book") {
     CHECK(scene.film.fps == 30);
     CHECK(scene.film.size == PictureSize{1920, 1080});
     CHECK(scene.film.theme == ThemeName::dark);
-    REQUIRE(scene.film.panels.size() == 3);
-    CHECK(scene.film.panels[1].kind == "energy-histogram");
+    REQUIRE(scene.film.panels.size() == 2);
+    CHECK(scene.film.panels[1].kind == "energy-by-species");
     CHECK(scene.film.panels[1].theory);
     CHECK(scene.film.layout.panels.size() == 3);
     CHECK(scene.film.layout.gas.width > 0.0);
@@ -418,8 +418,7 @@ TEST_CASE("rings, labels and monitors are read") {
     CHECK(scene.film.panels[0].numbers == std::vector{Monitor::fast});
 }
 
-// Of a scene that names no panels, with the template lecture: speeds, energies, energies by
-// species.
+// Of a scene that names no panels, with the template lecture.
 TEST_CASE("a film shows panels that have something to show of its gas") {
     const auto kinds = [](const std::string& rest) {
         std::vector<std::string> all;
@@ -433,13 +432,12 @@ TEST_CASE("a film shows panels that have something to show of its gas") {
                       run = "run: {until: 9}\n",
                       back = "run: {until: 9, events: [{at: 4, reverse: velocities}]}\n";
     CHECK(kinds(box + "gas: [{name: a, count: 9}, {name: b, count: 9}]\n" + run) ==
-          Kinds{"speed-histogram", "energy-histogram", "energy-by-species"});
+          Kinds{"speed-histogram", "energy-by-species"});
     // A mean energy of one species is constant.
-    CHECK(kinds(box + "gas: [{count: 9}]\n" + run) ==
-          Kinds{"speed-histogram", "energy-histogram", "velocity-histogram"});
-    CHECK(kinds(box + "gas: [{count: 9}]\n" + back).at(2) == "return-distance");
+    CHECK(kinds(box + "gas: [{count: 9}]\n" + run) == Kinds{"speed-histogram", "energy-histogram"});
+    CHECK(kinds(box + "gas: [{count: 9}]\n" + back).at(1) == "return-distance");
     CHECK(kinds("box: {size: [40, 30], walls: {left: {temperature: 2}}}\ngas: [{count: 9}]\n" + run)
-              .at(2) == "temperature");
+              .at(1) == "temperature");
     // Equal beads only exchange their velocities.
     CHECK(kinds(wire + "gas: [{count: 9, speed: 1}]\n" + run) == Kinds{"phase"});
     CHECK(kinds(wire + "gas: [{count: 9, mass: [1, 2, 3, 4, 5, 6, 7, 8, 9]}]\n" + run).at(0) ==

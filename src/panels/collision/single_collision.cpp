@@ -20,7 +20,7 @@ constexpr double longest_arrow = 1.0;  // over the distance at contact
 constexpr double words_above = 1.65, words_below = 1.4;  // units, of each stage
 constexpr double least_of_row = 7.2;        // units, the width of two numbers side by side
 constexpr double height_of_row = 1.25;      // units
-constexpr double least_with_numbers = 7.0;  // units, the height of a stage
+constexpr double least_with_numbers = 6.5;  // units, the height of a stage
 
 bool has_rows_of_numbers(const Rect& stage, double unit) {
     return stage.width < least_of_row * unit;

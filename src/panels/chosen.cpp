@@ -39,9 +39,9 @@ std::optional<double> asked_trail(const PanelContext& context, Eigen::Index part
     return among ? std::optional(trails.seconds) : std::nullopt;
 }
 
-std::string name_of(const PanelContext& context, const Chosen& chosen) {
+std::string name_of(const Scene& scene, const Chosen& chosen) {
     if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
-    return chosen.species ? context.scene.gas.species[*chosen.species].name : "all";
+    return chosen.species ? scene.gas.species[*chosen.species].name : "all";
 }
 
 namespace {
@@ -73,14 +73,14 @@ plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& ch
 
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
                     plot::Sample sample, const std::string& last) {
-    if (chosen.size() == 1) return escape_markup(name_of(context, chosen.front()));
+    if (chosen.size() == 1) return escape_markup(name_of(context.scene, chosen.front()));
     const bool numbers =
         std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
     plot::Text words(numbers ? "particles " : "");
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
         const std::string name =
-            numbers ? std::to_string(*chosen[k].particle) : name_of(context, chosen[k]);
+            numbers ? std::to_string(*chosen[k].particle) : name_of(context.scene, chosen[k]);
         words += plot::named(name, choice_role(context, chosen[k], k), sample, k);
     }
     return words;

@@ -23,7 +23,7 @@ std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
 std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle);
 
 /// "all", the species' name, "particle 3".
-std::string name_of(const PanelContext& context, const Chosen& chosen);
+std::string name_of(const Scene& scene, const Chosen& chosen);
 
 /// The label of a particle that is the only one of its species, or the species' name; empty for
 /// others.

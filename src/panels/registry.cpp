@@ -115,25 +115,22 @@ bool acts_on_gas(const Gas& gas, const Run& run) {
 // Whether collisions spread the speeds: equal beads on a line only exchange them, and so does a
 // pair.
 bool speeds_spread(const Gas& gas, const Run& run) {
-    const auto* first = std::get_if<Quantity>(&gas.species.front().mass);
-    const double* one = first == nullptr ? nullptr : std::get_if<double>(first);
-    const bool all_equal =
-        one != nullptr && std::ranges::all_of(gas.species, [&](const Species& its) {
-            const auto* mass = std::get_if<Quantity>(&its.mass);
-            const double* value = mass == nullptr ? nullptr : std::get_if<double>(mass);
-            return value != nullptr && *value == *one;
-        });
+    const auto common_mass = [](const Species& species) -> std::optional<double> {
+        const auto* mass = std::get_if<Quantity>(&species.mass);
+        const double* value = mass == nullptr ? nullptr : std::get_if<double>(mass);
+        return value == nullptr ? std::nullopt : std::optional(*value);
+    };
+    const std::optional<double> first = common_mass(gas.species.front());
+    const bool all_equal = first && std::ranges::all_of(gas.species, [&](const Species& species) {
+                               return common_mass(species) == first;
+                           });
     if (acts_on_gas(gas, run)) return true;
     return count_of(gas) > 2 && !(gas.box.dimension == 1 && all_equal);
 }
 
 bool has_several_species(const Gas& gas, const Run&) { return gas.species.size() > 1; }
 
-bool returns(const Gas&, const Run& run) {
-    return std::ranges::any_of(run.events, [](const RunEvent& event) {
-        return std::holds_alternative<ReverseVelocities>(event.action);
-    });
-}
+bool returns(const Gas&, const Run& run) { return !reversal_times(run).empty(); }
 
 bool is_line(const Gas& gas, const Run&) { return gas.box.dimension == 1; }
 

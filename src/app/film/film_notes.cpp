@@ -4,15 +4,11 @@
 
 #include <algorithm>
 
+#include "panels/chosen.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
-
-std::string name_of(const Scene& scene, const Chosen& chosen) {
-    if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
-    return chosen.species ? scene.gas.species[*chosen.species].name : "all particles";
-}
 
 std::string words_of(const Scene& scene, const View& view) {
     if (const auto* followed = std::get_if<Followed>(&view))

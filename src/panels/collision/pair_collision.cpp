@@ -119,7 +119,7 @@ plot::Role role_of(const PanelContext& context, const PairCollision& pair, std::
         return static_cast<std::size_t>(context.particles.species[pair.particle[one]]);
     };
     if (species(0) != species(1)) return species_role(context, species(k));
-    return {.of = plot::Role::Of::kind, .index = context.scene.gas.species.size() + k};
+    return choice_role(context, {}, k);
 }
 
 Color color_of(const PanelContext& context, const PairCollision& pair, std::size_t k,

@@ -26,9 +26,9 @@ namespace carom::plot {
 
 /// A colour by what it stands for; a theme gives it.
 struct Role {
-    enum class Of { ink, muted, accent, bar, highlight, page, kind, run, own };
+    enum class Of { ink, muted, accent, bar, highlight, page, run, own };
     Of of = Of::muted;
-    std::size_t index = 0;       ///< of a kind of particles, or of a run beside others
+    std::size_t index = 0;       ///< of a run beside others
     std::array<Color, 3> own{};  ///< on the light, the dark and the print theme
 };
 

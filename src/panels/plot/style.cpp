@@ -24,8 +24,6 @@ Color color_of(const Role& role, const Theme& theme) {
             return theme.highlight;
         case Role::Of::page:
             return theme.page;
-        case Role::Of::kind:
-            return kind_color(role.index, theme);
         case Role::Of::run:
             return toward_ink(kind_color(role.index, theme), theme, std::array{theme.page},
                               least_contrast_of_marks);

@@ -81,7 +81,7 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
     record_.pools.resize(1);
     for (const Chosen& chosen : choices(spec)) {
         const Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
-        HistogramSeries series{.name = name_of(context, chosen),
+        HistogramSeries series{.name = name_of(context.scene, chosen),
                                .particles = static_cast<double>(choice.members.size())};
         const bool all = !chosen.species && !chosen.particle;
         if (context.equilibrium)

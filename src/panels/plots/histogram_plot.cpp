@@ -176,7 +176,7 @@ plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) c
 void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState* state) const {
     const HistogramSeries& series = axes_.series[k];
     const auto add = [&](auto layer) {
-        layer.of = compares() ? name_of(context_, choices_.front().chosen) : series.name;
+        layer.of = compares() ? name_of(context_.scene, choices_.front().chosen) : series.name;
         if (compares()) layer.run = k;
         plot.layers.emplace_back(std::move(layer));
     };
@@ -292,7 +292,8 @@ void HistogramPanel::add_titles() {
     Text words = escape_markup(spec_.title.value_or(subject_.title)), time = axes_.time + runs;
     if (compares()) {
         if (!spec_.title && !spec_.of.empty())
-            words = quantity + " of " + escape_markup(name_of(context_, choices_.front().chosen));
+            words =
+                quantity + " of " + escape_markup(name_of(context_.scene, choices_.front().chosen));
         const std::string unit = axes_.counts_per_cent() ? ", per cent" : "";
         time = unit + (axes_.time.empty() ? "" : ": " + axes_.time);
         whole_.titles = {words + time, quantity + time};

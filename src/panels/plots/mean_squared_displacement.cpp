@@ -49,7 +49,7 @@ void add_fits(const PanelContext& context, const std::vector<Chosen>& chosen, do
             double coefficient = 0.0;
             std::optional<plot::Line> line = fit_of(context, record.runs[k], i, from, coefficient);
             if (!line) continue;
-            line->of = name_of(context, chosen[compares ? record.compared : i]);
+            line->of = name_of(context.scene, chosen[compares ? record.compared : i]);
             line->x.name = whole.columns[0];
             line->y.name = whole.columns[1];
             if (compares) line->run = k;

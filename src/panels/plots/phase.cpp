@@ -60,7 +60,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     if (std::ranges::none_of(lists, [](const auto& list) { return list.size() == 1; }))
         subject.corners = nullptr;
     for (std::size_t k = 0; k < chosen.size(); ++k)
-        subject.sets.push_back({name_of(context, chosen[k]), role_among(context, chosen, k)});
+        subject.sets.push_back({name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

@@ -12,7 +12,7 @@ namespace {
 // The name of the only particle of its kind says more than its number.
 std::string name_on_axis(const PanelContext& context, const Chosen& chosen) {
     const std::string single = single_name(context, static_cast<Eigen::Index>(*chosen.particle));
-    return escape_markup(single.empty() ? name_of(context, chosen) : single);
+    return escape_markup(single.empty() ? name_of(context.scene, chosen) : single);
 }
 
 }  // namespace
@@ -52,8 +52,10 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
         .never_equal = box.dimension == 1 && !box.is_periodic(0),  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
-        .columns = {column_name("position of " + name_of(context, spec.of[0]), reduced::length),
-                    column_name("position of " + name_of(context, spec.of[1]), reduced::length)}};
+        .columns = {column_name("position of " + name_of(context.scene, spec.of[0]),
+                                reduced::length),
+                    column_name("position of " + name_of(context.scene, spec.of[1]),
+                                reduced::length)}};
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

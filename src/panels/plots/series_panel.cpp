@@ -44,7 +44,8 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     else if (!spec.of.empty())
         subject.titles = {title + " of " + names_of(context, chosen, plot::Sample::line)};
     for (std::size_t k = 0; k < chosen.size(); ++k)
-        subject.lines.push_back({name_of(context, chosen[k]), role_among(context, chosen, k)});
+        subject.lines.push_back(
+            {name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     return subject;
 }
 

@@ -171,7 +171,7 @@ Notation<std::vector<CameraMove>> camera_notation() {
                                         "{at: time, view: what} or {at: time, follow: "
                                         "particle, width: length}"),
                        camera_move),
-                0, most_slow_spans, "a list of {at, view} and {at, follow, width}");
+                0, most_overlays, "a list of {at, view} and {at, follow, width}");
     return mapped(moves, [](std::vector<CameraMove> all) {
         std::ranges::stable_sort(all, {}, &CameraMove::at);
         return all;
@@ -252,12 +252,12 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
     };
     return list_of(
         parsed(complete_mapping(table, "{at: time, on: particle, text: words}"), complete), 0,
-        most_slow_spans, "a list of {at, on, text}");
+        most_overlays, "a list of {at, on, text}");
 }
 
 std::vector<Binding<Film>> overlay_keys() {
     return {bind_key("spotlight", &Film::spotlights,
-                     list_of(spotlight_notation(), 0, most_slow_spans, "a list of {from, to, on}"),
+                     list_of(spotlight_notation(), 0, most_overlays, "a list of {from, to, on}"),
                      "Particles that stand out for a while: all others are dimmed.")
                 .default_text("none"),
             bind_key("camera", &Film::camera, camera_notation(),

@@ -37,12 +37,13 @@ constexpr std::array limits{most_file_bytes,    most_nesting,
                             most_frames,        most_frames_per_second,
                             smallest_side,      largest_side,
                             most_panels,        most_slow_spans,
-                            most_monitors,      most_bins,
-                            most_chosen,        largest_grid,
-                            most_figures,       most_set_scenes,
-                            most_strip,         most_compared,
-                            most_changes,       largest_figure,
-                            smallest_figure,    most_precise};
+                            most_overlays,      most_monitors,
+                            most_bins,          most_chosen,
+                            largest_grid,       most_figures,
+                            most_set_scenes,    most_strip,
+                            most_compared,      most_changes,
+                            largest_figure,     smallest_figure,
+                            most_precise};
 
 std::string text_of(const std::string& path) {
     return test::contents(carom::test::checkout().string() + path);

@@ -12,6 +12,7 @@
 #include "physics/gas.h"
 #include "physics/run.h"
 #include "util/diagnostics.h"
+#include "util/language.h"
 
 namespace carom {
 
@@ -122,6 +123,24 @@ struct Followed {
 /// What is seen of the box.
 using View = std::variant<WholeBox, Region, Followed>;
 
+/// What a field or a profile shows of the particles in a cell.
+enum class FieldOf {
+    density,       ///< particles in a unit of area
+    temperature,   ///< of their motion relative to the cell's mean velocity
+    speed,         ///< their mean
+    flow,          ///< their mean velocity, as arrows
+    concentration  ///< the share of a species
+};
+
+/// A quantity in square cells, drawn over the gas.
+struct Field {
+    FieldOf of = FieldOf::density;
+    std::optional<std::size_t> species = {};  ///< of the concentration
+    int cells = 32;                           ///< along the longer side of the box
+    double over = 0.5;     ///< simulated time before the present that it is averaged over
+    double opacity = 0.6;  ///< of its colours over the ground
+};
+
 /// A panel of a film with its options; those without a meaning for its kind are as here.
 struct PanelSpec {
     std::string kind;
@@ -142,6 +161,7 @@ struct PanelSpec {
     double from = 0.0;               ///< displacements: the time that they are since
     std::optional<double> fit_from = {};  ///< displacements: of their line; none: by kind
     bool against_collisions = false;      ///< return distances; otherwise against the time
+    FieldOf quantity = FieldOf::density;  ///< of a profile
     std::vector<Monitor> numbers = {};    ///< monitors: those shown; none: all
     std::string words = {};               ///< text
     std::optional<GivenPair> given = {};  ///< collision maps: none: of the run
@@ -194,13 +214,13 @@ struct CameraMove {
 
 struct Scene;
 
-/// One of the runs that a figure shows side by side.
+/// One of the runs that a figure or a film shows side by side.
 struct ComparedRun {
-    std::string label;                ///< in the figure's key
+    std::string label;                ///< in the picture
     std::vector<std::string> values;  ///< laid over its scene, as KEY.PATH=VALUE
     Diagnostic place = {};            ///< with an empty message, for errors found later
     std::shared_ptr<const Scene> scene =
-        {};  ///< with these values and this figure only, which compares nothing there
+        {};  ///< with these values; of a figure with this one only, which compares nothing there
 };
 
 /// A picture of a moment, or of several side by side, for a text or a slide.
@@ -214,6 +234,11 @@ struct FigureSpec {
     ThemeName theme = ThemeName::print;
     std::optional<std::string> caption, alt;  ///< none: made from what the figure shows
     std::vector<ComparedRun> compare = {};    ///< side by side in one panel; none: the scene's run
+};
+
+/// The run that a film shows beside the scene's own, at the same times.
+struct Beside : ComparedRun {
+    std::string own_label;  ///< of the scene's own run
 };
 
 struct Film {
@@ -241,6 +266,9 @@ struct Film {
     std::vector<Spotlight> spotlights;
     std::vector<Callout> callouts;
     std::vector<CameraMove> camera;  ///< in order of time; none: the whole box throughout
+    std::optional<Field> field;
+    std::optional<Beside> beside;
+    Language language = Language::english;  ///< of carom's own words; a scene's stay as they are
 };
 
 /// Where a scene came from.

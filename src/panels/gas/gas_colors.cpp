@@ -12,7 +12,6 @@
 
 #include "panels/chosen.h"
 #include "panels/plot/layers.h"
-#include "stats/histogram.h"
 #include "stats/speed_classes.h"
 #include "stats/thinning.h"
 #include "util/archive.h"
@@ -96,7 +95,9 @@ void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double r
 GasColors::GasColors(const PanelContext& context)
     : context_(context),
       tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
-                      (context.particles.inverse_mass == 0.0).any()) {}
+                      (context.particles.inverse_mass == 0.0).any()) {
+    scale_.title = scale_title(context.scene.film.color_by);
+}
 
 double GasColors::value(Eigen::Index i, double speed) const {
     switch (context_.scene.film.color_by) {
@@ -118,16 +119,17 @@ void GasColors::survey(const FrameInput& input) {
 }
 
 void GasColors::fix_scale() {
-    // A quarter above the 95th percentile: the 99th of a Maxwell-Boltzmann gas, but deaf to a start
-    // far from it.
-    const double top = pool_.empty() ? 0.0 : 1.25 * quantile(pool_, 0.95);
-    scale_top_ = top > 0.0 ? round_up_for_axis(top) : 1.0;
+    constexpr Eigen::Index few = 10;  // particles
+    constexpr double share_above = 0.05;
+    const bool is_whole =
+        context_.scene.film.color_by == ColorBy::mass || context_.particles.count() <= few;
+    if (!pool_.empty()) fix_top(scale_, pool_, is_whole ? 0.0 : share_above);
     pool_ = {};
     shades_ = make_shades(theme_of(context_.scene.film.theme));
 }
 
 void GasColors::archive(Archive& archive) {
-    archive(scale_top_);
+    archive(scale_);
     shades_ = make_shades(theme_of(context_.scene.film.theme));
 }
 
@@ -147,7 +149,7 @@ std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
         return on_scale(turns - std::floor(turns));
     }
     if (is_told_infinite(i)) return infinite_shade;
-    return on_scale(std::clamp(value(i, motion.speed) / scale_top_, 0.0, 1.0));
+    return on_scale(std::clamp(value(i, motion.speed) / scale_.top, 0.0, 1.0));
 }
 
 bool GasColors::has_own_color(std::size_t species) const {
@@ -212,7 +214,9 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
     } else if (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass) {
         const double bottom =
             std::max(dc.area.y + 7.8 * u, dc.area.bottom() - std::min(entries_height, 6.0 * u));
-        draw_bar(canvas, dc, bottom);
+        DrawContext bar = dc;
+        bar.area.height = bottom - dc.area.y;
+        draw_color_bar(canvas, bar, scale_colors(context_.scene, dc.theme), scale_);
         y = bottom + 1.9 * u;
     }
     y = draw_entries(canvas, dc, y);
@@ -246,25 +250,6 @@ void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
                                       at(turns - 0.06, 0.4 * radius)};
         canvas.fill_polygon(head, dc.theme.muted);
     }
-}
-
-void GasColors::draw_bar(Canvas& canvas, const DrawContext& dc, double bottom) const {
-    const double u = dc.unit;
-    const Rect bar{dc.area.x, dc.area.y + 1.8 * u, 0.8 * u, bottom - dc.area.y - 1.8 * u};
-    const ColorMap map = scale_colors(context_.scene, dc.theme);
-    for (int i = 0; i < scale_shades; ++i) {
-        const double top = bar.bottom() - bar.height * (i + 1) / scale_shades;
-        canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / scale_shades) + 1.0},
-                    map.at(i / (scale_shades - 1.0)));
-    }
-    draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, scale_title(context_.scene.film.color_by),
-              label_style(dc));
-    const Scale scale{0.0, scale_top_, bar.bottom(), bar.y};
-    for (const TickMark& tick : ticks(0.0, scale_top_, 3))
-        draw_text(canvas,
-                  {bar.right() + 0.4 * u,
-                   std::clamp(scale(tick.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
-                  tick.label, label_style(dc));
 }
 
 // From the baseline `y` on, as many as there is room for; where the next one would be.

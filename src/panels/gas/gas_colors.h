@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "draw/palette.h"
+#include "panels/field/color_bar.h"
 #include "panels/panel.h"
 
 namespace carom {
@@ -32,6 +33,10 @@ class GasColors {
     /// First pass, every frame in order; then fix_scale() fixes the scale.
     void survey(const FrameInput& input);
     void fix_scale();
+
+    /// The scale of speeds, energies or masses: its end is the value that 5 % exceed, of few
+    /// particles and of masses the highest.
+    const ColorScale& scale() const { return scale_; }
 
     /// Writes or reads the scale.
     void archive(Archive& archive);
@@ -62,14 +67,13 @@ class GasColors {
     struct Entry;
     std::vector<Entry> entries(const Theme& theme) const;
     double draw_entries(Canvas& canvas, const DrawContext& dc, double y) const;
-    void draw_bar(Canvas& canvas, const DrawContext& dc, double bottom) const;
     void draw_wheel(Canvas& canvas, const DrawContext& dc) const;
 
     PanelContext context_;
     bool tells_infinite_;
     std::vector<double> pool_;
     int surveyed_ = 0;
-    double scale_top_ = 1.0;     ///< the value at the bright end of the scale
+    ColorScale scale_;
     std::vector<Color> shades_;  ///< in the film's theme, after fix_scale()
 };
 

@@ -1,5 +1,6 @@
 // The drawing of the gas: ghosts, trails, disks, their labels, rings and names, flashes and arrows.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -7,6 +8,8 @@
 #include "panels/gas/bead_words.h"
 #include "panels/gas/disk_names.h"
 #include "panels/gas/gas_panel.h"
+#include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_strokes.h"
 #include "util/text.h"
 
 namespace carom {
@@ -120,11 +123,9 @@ void GasPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
         if (surfaces_.is_still()) surfaces_.draw_room(canvas, dc, map, {});
         return;
     }
-    const Rect box = map.frame;
-    canvas.fill(box, dc.theme.ground);
-    const double line = 0.11 * dc.unit;
-    const Rect edge{box.x - line / 2, box.y - line / 2, box.width + line, box.height + line};
-    canvas.stroke_rect(edge, line, dc.theme.wall);
+    canvas.fill(map.frame, dc.theme.ground);
+    const Box& box = context_.scene.gas.box;
+    draw_box_outline(canvas, dc, map.frame, {box.is_periodic(0), box.is_periodic(1)});
 }
 
 void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
@@ -138,16 +139,20 @@ void GasPanel::Drawing::draw_box() const {
         if (!surfaces.is_still()) surfaces.draw_room(canvas, dc, map, gas.surfaces);
         return;
     }
-    const double line = 0.11 * dc.unit;
     if (gas.view) canvas.fill(frame, dc.theme.page);
     if (!surfaces.is_plain()) return surfaces.draw_room(canvas, dc, map, gas.surfaces);
     Rect inside = map.rect({{0.0, 0.0}, box.size});
-    if (box.is_periodic(0)) inside.x = frame.x - line, inside.width = frame.width + 2.0 * line;
-    if (box.is_periodic(1)) inside.y = frame.y - line, inside.height = frame.height + 2.0 * line;
+    const std::array<bool, 2> joined{box.is_periodic(0), box.is_periodic(1)};
+    if (!gas.view) {
+        canvas.fill(inside, dc.theme.ground);
+        return draw_box_outline(canvas, dc, inside, joined);
+    }
+    // A joined side lies anywhere: a view goes on beyond it.
+    const double line = SurfaceSize::line * dc.unit;
+    if (joined[0]) inside.x = frame.x - line, inside.width = frame.width + 2.0 * line;
+    if (joined[1]) inside.y = frame.y - line, inside.height = frame.height + 2.0 * line;
     canvas.fill(inside, dc.theme.ground);
-    canvas.stroke_rect(
-        {inside.x - line / 2, inside.y - line / 2, inside.width + line, inside.height + line}, line,
-        dc.theme.wall);
+    draw_box_outline(canvas, dc, inside, {false, false});
 }
 
 void GasPanel::Drawing::draw() const {

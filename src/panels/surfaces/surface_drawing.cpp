@@ -110,8 +110,7 @@ Rect SurfaceView::Brush::outside(std::size_t side, double offset, double depth) 
 // Walls along which others move are drawn as far as these ever come.
 void SurfaceView::Brush::draw_outline() const {
     const double wide = SurfaceSize::line * u, half = wide / 2;
-    canvas.stroke_rect({room.x - half, room.y - half, room.width + wide, room.height + wide}, wide,
-                       theme.wall);
+    draw_box_outline(canvas, dc, room, {box.is_periodic(0), box.is_periodic(1)});
     const Rect& all = map.frame;
     const bool across = view.may_move(0) || view.may_move(1);
     const bool up = view.may_move(bottom_side) || view.may_move(top_side);

@@ -6,8 +6,75 @@
 #include <numbers>
 
 #include "draw/arrow.h"
+#include "panels/surfaces/surface_sizes.h"
 
 namespace carom {
+namespace {
+
+// A dashed line with chevrons in its middle that point from its start to its end.
+void add_joined_side(std::vector<std::vector<Point>>& lines, Point from, Point to, int chevrons,
+                     double unit) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (!(length > 0.0)) return;
+    const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
+    const auto at = [&](double way, double aside) {
+        return Point{from.x + way * along.x - aside * along.y,
+                     from.y + way * along.y + aside * along.x};
+    };
+    constexpr double apart = 0.5, half_height = 0.36, half_depth = 0.22;  // units
+    const double room = ((chevrons - 1) * apart / 2 + half_depth + 0.4) * unit;
+    const double half = length / 2 - room, dash = 0.8 * unit, gap = 0.5 * unit;
+    if (half < dash) return lines.push_back({from, to});
+    for (int k = 0; k < chevrons; ++k) {
+        const double middle = length / 2 + (k - 0.5 * (chevrons - 1)) * apart * unit;
+        const double tail = middle - half_depth * unit;
+        lines.push_back({at(tail, -half_height * unit), at(middle + half_depth * unit, 0.0),
+                         at(tail, half_height * unit)});
+    }
+    const double count = std::max(1.0, std::round((half + gap) / (dash + gap)));
+    const double step = (half + gap) / count;
+    for (double k = 0.0; k < count; k += 1.0)
+        for (const bool is_second : {false, true}) {
+            const double first = k * step, last = first + step - gap;
+            lines.push_back(is_second ? std::vector{at(length - last, 0.0), at(length - first, 0.0)}
+                                      : std::vector{at(first, 0.0), at(last, 0.0)});
+        }
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> outline_of_box(const Rect& room, std::array<bool, 2> joined,
+                                               double unit) {
+    const double half = 0.5 * SurfaceSize::line * unit;
+    const double left = room.x - half, right = room.right() + half, top = room.y - half,
+                 bottom = room.bottom() + half;
+    std::vector<std::vector<Point>> lines;
+    for (const double x : {left, right})
+        if (joined[0])
+            add_joined_side(lines, {x, bottom}, {x, top}, 1, unit);
+        else
+            lines.push_back({{x, bottom + half}, {x, top - half}});
+    for (const double y : {bottom, top})
+        if (joined[1])
+            add_joined_side(lines, {left, y}, {right, y}, 2, unit);
+        else
+            lines.push_back({{left - half, y}, {right + half, y}});
+    return lines;
+}
+
+void draw_box_outline(Canvas& canvas, const DrawContext& dc, const Rect& room,
+                      std::array<bool, 2> joined) {
+    const double wide = SurfaceSize::line * dc.unit;
+    if (!joined[0] && !joined[1])
+        return canvas.stroke_rect(
+            {room.x - wide / 2, room.y - wide / 2, room.width + wide, room.height + wide}, wide,
+            dc.theme.wall);
+    for (const std::vector<Point>& line : outline_of_box(room, joined, dc.unit))
+        if (line.size() == 2)
+            canvas.stroke_line(line[0], line[1], wide, dc.theme.wall);
+        else
+            canvas.stroke_path(line, 1.4 * wide, dc.theme.wall);
+}
 
 void hatch_polygon(Canvas& canvas, const std::vector<Point>& corners, double apart, double width,
                    Color color) {

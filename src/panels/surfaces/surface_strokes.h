@@ -1,6 +1,7 @@
 // What the pictures of surfaces are made of: hatching, waves, arrows. Knows no box.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -11,6 +12,14 @@ namespace carom {
 /// The sides of a box: left, right, bottom, top.
 inline constexpr std::size_t bottom_side = 2, top_side = 3;
 inline bool is_upright(std::size_t side) { return side < bottom_side; }
+
+/// The lines of a box's outline, outside of its room. Walls are whole lines; a side that is joined
+/// to the opposite one is dashed, and both have the same chevrons in their middle: one on the left
+/// and the right, two on the bottom and the top. `joined`: across x, across y.
+std::vector<std::vector<Point>> outline_of_box(const Rect& room, std::array<bool, 2> joined,
+                                               double unit);
+void draw_box_outline(Canvas& canvas, const DrawContext& dc, const Rect& room,
+                      std::array<bool, 2> joined);
 
 /// Lines that rise to the right across a polygon, parts of one grid over the whole picture.
 void hatch_polygon(Canvas& canvas, const std::vector<Point>& corners, double apart, double width,

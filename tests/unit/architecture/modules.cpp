@@ -48,7 +48,7 @@ const std::map<std::string, Parts> parts_of_module{
      {{"yaml", "time", "keys", "lettering", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
-     {{"plot", "surfaces", "gas", "line", "plots", "echo", "collision", "words", "panels"},
+     {{"plot", "surfaces", "field", "gas", "line", "plots", "echo", "collision", "words", "panels"},
       {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
     {"app",
      {{"film", "figures", "report", "commands", "app"},

@@ -380,3 +380,37 @@ TEST_CASE("whether there are infinite masses is found once, not for every disk")
     CHECK(colors.shade(3, {0.0, {0.0, 0.0}, 1.0}) == 256);
     CHECK(colors.shade(0, {0.0, {0.0, 0.0}, 1.0}) < 256);
 }
+
+// Many at speed 1, a twentieth at 2, one at 30: the scale is for the many, and says so.
+TEST_CASE(
+    "the scale of speeds ends where a twentieth is faster, and says so; of few at the fastest") {
+    const auto scale_in = [](const std::string& gas) {
+        FirstFrame first(scene_of(gas, "panels: []"));
+        const PanelContext context{first.scene, first.simulation.particles(), 1, {}};
+        GasColors colors(context);
+        const Sample& sample = first.simulation.sample();
+        const Eigen::ArrayXd speed = speeds(sample);
+        colors.survey({Tick{}, sample, speed, speed, {}});
+        colors.fix_scale();
+        return colors.scale();
+    };
+    const ColorScale many = scale_in(
+        "{name: slow, count: 100, radius: 0.1, speed: 1.1}, "
+        "{name: fast, count: 1, radius: 0.1, speed: 30}");
+    CHECK(many.top == 1.5);
+    REQUIRE(many.is_exceeded);
+    CHECK(marks_of(many).back().label == "≥ 1.5");
+    CHECK(marks_of(many).front().label == "0.0");
+    const ColorScale even = scale_in("{count: 100, radius: 0.1, speed: 1.1}");
+    CHECK(!even.is_exceeded);
+    CHECK(marks_of(even).back().label == "1.5");
+    const ColorScale few = scale_in(
+        "{name: slow, count: 8, radius: 0.1, speed: 1.1}, "
+        "{name: fast, count: 1, radius: 0.1, speed: 30}");
+    CHECK(few.top == 30.0);
+    CHECK(!few.is_exceeded);
+    for (const double top : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0}) {
+        CAPTURE(top);
+        CHECK(marks_of({"", top, true}).back().value == doctest::Approx(top));
+    }
+}

@@ -13,6 +13,7 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/recording.h"
 #include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_view.h"
 #include "stats/pressure.h"
 #include "support/pixels.h"
@@ -454,5 +455,44 @@ TEST_CASE("a piston that is held is hatched, in the box and on a wire, and said 
             CHECK((account.find(", held, at x = 20.0.") != std::string::npos) == is_held);
         }
         CHECK(pictures[0] != pictures[1]);
+    }
+}
+
+TEST_CASE("a side that is joined to the opposite one is dashed, with the same chevrons as that") {
+    const Rect room{100.0, 50.0, 600.0, 300.0};
+    const double unit = 20.0;
+    const auto lines_of = [&](std::array<bool, 2> joined) {
+        return outline_of_box(room, joined, unit);
+    };
+    CHECK(lines_of({false, false}).size() == 4);
+    for (const bool is_across : {true, false}) {
+        CAPTURE(is_across);
+        std::vector<std::vector<Point>> first, second;  // of the side, and of the opposite one
+        std::size_t chevrons = 0;
+        double drawn = 0.0;
+        for (const std::vector<Point>& line : lines_of({is_across, !is_across})) {
+            const auto along = [&](const Point& at) { return is_across ? at.y : at.x; };
+            const auto aside = [&](const Point& at) { return is_across ? at.x : at.y; };
+            if (line.size() == 2 && aside(line[0]) != aside(line[1])) continue;  // a wall
+            const bool is_first = aside(line[line.size() / 2]) < (is_across ? 400.0 : 200.0);
+            if (is_first && line.size() == 3) ++chevrons;
+            if (is_first && line.size() == 2) drawn += std::abs(along(line[0]) - along(line[1]));
+            std::vector<Point> shifted = line;  // onto the other side
+            const double across = is_across ? room.width + SurfaceSize::line * unit : 0.0;
+            const double up = is_across ? 0.0 : room.height + SurfaceSize::line * unit;
+            if (is_first)
+                for (Point& at : shifted) at = {at.x + across, at.y + up};
+            (is_first ? first : second).push_back(shifted);
+        }
+        CHECK(chevrons == (is_across ? 1 : 2));
+        const double length = is_across ? room.height : room.width;
+        CHECK(drawn > 0.4 * length);
+        CHECK(drawn < 0.75 * length);
+        REQUIRE(first.size() == second.size());
+        for (std::size_t k = 0; k < first.size(); ++k)
+            for (std::size_t i = 0; i < first[k].size(); ++i) {
+                CHECK(first[k][i].x == doctest::Approx(second[k][i].x));
+                CHECK(first[k][i].y == doctest::Approx(second[k][i].y));
+            }
     }
 }

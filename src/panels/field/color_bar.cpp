@@ -1,0 +1,49 @@
+#include "panels/field/color_bar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stats/histogram.h"
+#include "util/text.h"
+
+namespace carom {
+
+void fix_top(ColorScale& scale, std::vector<double>& values, double share_above) {
+    const double top = quantile(values, 1.0 - share_above);
+    const double highest = std::ranges::max(values);
+    scale.top = top > 0.0       ? round_up_for_axis(top)
+                : highest > 0.0 ? round_up_for_axis(highest)
+                                : 1.0;
+    scale.is_exceeded = highest > scale.top * (1.0 + 1e-9);
+}
+
+std::vector<TickMark> marks_of(const ColorScale& scale) {
+    std::vector<TickMark> marks = ticks(0.0, scale.top, 4);
+    if (std::abs(marks.back().value - scale.top) > 1e-9 * scale.top)
+        marks = ticks(0.0, scale.top, 5);
+    if (scale.is_exceeded) marks.back().label = "≥ " + marks.back().label;
+    return marks;
+}
+
+void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
+                    const ColorScale& scale, double opacity) {
+    constexpr int steps = 256;
+    const double u = dc.unit;
+    const Rect bar{dc.area.x, dc.area.y + 1.8 * u, 0.8 * u, dc.area.height - 1.8 * u};
+    for (int i = 0; i < steps; ++i) {
+        const double top = bar.bottom() - bar.height * (i + 1) / steps;
+        canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / steps) + 1.0},
+                    mix(dc.theme.ground, map.at(i / (steps - 1.0)), opacity));
+    }
+    TextStyle style = label_style(dc);
+    style.max_width = dc.area.width;
+    draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, escape_markup(scale.title), style);
+    const Scale up{0.0, scale.top, bar.bottom(), bar.y};
+    for (const TickMark& mark : marks_of(scale))
+        draw_text(canvas,
+                  {bar.right() + 0.4 * u,
+                   std::clamp(up(mark.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
+                  mark.label, label_style(dc));
+}
+
+}  // namespace carom

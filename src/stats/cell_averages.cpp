@@ -1,0 +1,325 @@
+#include "stats/cell_averages.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace carom {
+namespace {
+
+constexpr double slices_of_window = 32.0;
+
+// The way that is gone in a time: the integral of the speed, with this velocity in the middle.
+double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span) {
+    const double speed = middle.matrix().norm(), pull = gravity.matrix().norm();
+    const double change = pull * span;
+    if (change < 1e-3 * speed || change == 0.0) return span * speed;  // to the sixth digit
+    const double along = (middle * gravity).sum() / pull;
+    const double across = std::sqrt(std::max(0.0, speed * speed - along * along));
+    const auto primitive = [&](double w) {
+        const double bent = across > 0.0 ? across * across * std::asinh(w / across) : 0.0;
+        return 0.5 * (w * std::hypot(across, w) + bent) / pull;
+    };
+    return primitive(along + 0.5 * change) - primitive(along - 0.5 * change);
+}
+
+}  // namespace
+
+Region Cells::region(Eigen::Index cell) const {
+    const Eigen::Array2d low{static_cast<double>(cell % count[0]) * size[0],
+                             static_cast<double>(cell / count[0]) * size[1]};
+    return {low, low + size};
+}
+
+Cells square_cells(const Box& box, int along_longer) {
+    if (box.dimension == 1) return slabs(box, 0, along_longer);
+    const double side = box.size.maxCoeff() / along_longer;
+    const Eigen::Array2i count = (box.size / side).round().max(1.0).cast<int>();
+    return {count, box.size / count.cast<double>(), box.size};
+}
+
+Cells slabs(const Box& box, int axis, int count) {
+    Cells cells{{1, 1}, box.size, box.size};
+    if (box.dimension == 1) cells.size[1] = cells.box[1] = 1.0;
+    cells.count[axis] = count;
+    cells.size[axis] /= count;
+    return cells;
+}
+
+Eigen::ArrayXd CellSums::temperature() const {
+    return (thermal_freedom > 0.0)
+        .select(thermal_energy / (thermal_freedom * static_cast<double>(velocity.cols())),
+                std::numeric_limits<double>::quiet_NaN());
+}
+
+CellAverages::CellAverages(const Box& box, const Particles& particles, const Cells& cells,
+                           Wanted wanted, std::vector<double> events)
+    : box_(box),
+      particles_(particles),
+      cells_(cells),
+      wanted_(std::move(wanted)),
+      events_(std::move(events)) {
+    for (int axis = 0; axis < box.dimension; ++axis) gravity_[axis] = box.surfaces.gravity[axis];
+}
+
+CellSums CellAverages::no_sums() const {
+    const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(cells_.all());
+    return {0.0, none, none, Eigen::ArrayXXd::Zero(cells_.all(), box_.dimension), none, none};
+}
+
+CellAverages::Point CellAverages::at(const Sample& sample, Eigen::Index i) const {
+    Point point{.time = sample.time};
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
+        point.place[axis] = sample.position(i, axis);
+        point.velocity[axis] = sample.velocity(i, axis);
+    }
+    return point;
+}
+
+// Of all time in one.
+std::int64_t CellAverages::slice_number(double time) const {
+    if (!wanted_.window) return 0;
+    return static_cast<std::int64_t>(std::floor(time * slices_of_window / *wanted_.window));
+}
+
+// None beyond sides that move.
+Eigen::Index CellAverages::cell_at(const Eigen::Array2d& place) const {
+    std::array<Eigen::Index, 2> at{0, 0};
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
+        const Eigen::Index count = cells_.count[axis];
+        auto k = static_cast<Eigen::Index>(std::floor(place[axis] / cells_.size[axis]));
+        if (box_.is_periodic(axis)) k = (k % count + count) % count;
+        if (k < 0 || k >= count) return -1;
+        at[static_cast<std::size_t>(axis)] = k;
+    }
+    return at[0] + at[1] * cells_.count[0];
+}
+
+CellSums& CellAverages::slice_at(double time) {
+    const std::int64_t number = slice_number(time);
+    auto slice = slices_.end();
+    while (slice != slices_.begin() && std::prev(slice)->number >= number) --slice;
+    if (slice == slices_.end() || slice->number != number)
+        slice = slices_.insert(slice, {number, no_sums()});
+    return slice->sums;
+}
+
+void CellAverages::see(const Sample& sample, std::span<const Collision> collisions) {
+    const Eigen::Index count = particles_.count();
+    const bool is_first = last_.empty();
+    if (is_first)
+        for (Eigen::Index i = 0; i < count; ++i) last_.push_back(at(sample, i));
+    const double until = sample.time;
+    start_ = wanted_.window ? until - *wanted_.window : -std::numeric_limits<double>::infinity();
+    const bool is_moment = wanted_.window == 0.0;
+    if (!is_first && !is_moment && until > from_) {
+        // Whole slices only: what is older than the first is not looked at.
+        if (wanted_.window) {
+            const double length = *wanted_.window / slices_of_window;
+            start_ = static_cast<double>(slice_number(start_ + 0.5 * length)) * length;
+            while (!slices_.empty() && slices_.front().number < slice_number(start_ + 0.5 * length))
+                slices_.pop_front();
+        }
+        stays_.clear();
+        for (const Collision& one : collisions) {
+            meet(one.first, {one.time, one.first_position, one.first_before}, one.first_after);
+            if (one.second.is_particle())
+                meet(one.second.particle(), {one.time, one.second_position, one.second_before},
+                     one.second_after);
+        }
+        for (Eigen::Index i = 0; i < count; ++i)
+            fly(i, last_[static_cast<std::size_t>(i)], at(sample, i));
+        if (wanted_.temperature) add_temperatures();
+        // The time itself, of each slice.
+        for (double time = std::max(from_, start_); time < until;) {
+            double end = until;
+            if (wanted_.window)
+                end = std::min(until, static_cast<double>(slice_number(time) + 1) *
+                                          (*wanted_.window / slices_of_window));
+            if (!(end > time)) end = std::nextafter(time, until);
+            slice_at(0.5 * (time + end)).time += end - time;
+            time = end;
+        }
+    }
+    for (Eigen::Index i = 0; i < count; ++i) last_[static_cast<std::size_t>(i)] = at(sample, i);
+    if (slices_.empty()) add_moment(sample);
+    from_ = until;
+}
+
+void CellAverages::meet(Eigen::Index particle, const Point& before, const Eigen::Array2d& after) {
+    Point& last = last_[static_cast<std::size_t>(particle)];
+    if (before.time < last.time) return;  // on the way to the first sample
+    fly(particle, last, before);
+    last = {before.time, before.place, after};
+}
+
+// Where velocities change at a time in between, forward until then and backward from the end.
+void CellAverages::fly(Eigen::Index particle, const Point& from, const Point& to) {
+    if (!(to.time > from.time) || !is_member(particle)) return;
+    const auto event = std::ranges::lower_bound(events_, from.time);
+    const bool is_changed = event != events_.end() && *event < to.time;
+    fly_freely(particle, from, from.time, is_changed ? *event : to.time);
+    if (is_changed) fly_freely(particle, to, *event, to.time);
+}
+
+// With this place and velocity at the origin's time, which may be the end.
+void CellAverages::fly_freely(Eigen::Index particle, const Point& origin, double from, double to) {
+    from = std::max(from, start_);
+    if (!(to > from)) return;
+    crossed_.clear();
+    add_crossings(origin, from, to);
+    std::ranges::sort(crossed_);
+    double time = from;
+    for (const double next : crossed_) {
+        if (!(next > time)) continue;
+        stay(particle, origin, time, next);
+        time = next;
+    }
+    if (to > time) stay(particle, origin, time, to);
+}
+
+// The times at which it goes from cell to cell, and from slice to slice.
+void CellAverages::add_crossings(const Point& origin, double from, double to) {
+    const auto add = [&](double after) {
+        const double time = origin.time + after;
+        if (time > from && time < to) crossed_.push_back(time);
+    };
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
+        const double place = origin.place[axis], velocity = origin.velocity[axis];
+        const double gravity = gravity_[axis], size = cells_.size[axis];
+        if (cells_.count[axis] == 1 && box_.is_periodic(axis)) continue;
+        const auto at = [&](double time) {
+            const double after = time - origin.time;
+            return place + after * (velocity + 0.5 * gravity * after);
+        };
+        double low = std::min(at(from), at(to)), high = std::max(at(from), at(to));
+        if (const double turn = origin.time - velocity / gravity;
+            gravity != 0.0 && turn > from && turn < to) {
+            low = std::min(low, at(turn));
+            high = std::max(high, at(turn));
+        }
+        for (double k = std::ceil(low / size); k * size <= high; k += 1.0) {
+            const double way = k * size - place;
+            if (gravity == 0.0) {
+                if (velocity != 0.0) add(way / velocity);
+                continue;
+            }
+            // Both roots, without cancellation.
+            const double square = velocity * velocity + 2.0 * gravity * way;
+            if (square < 0.0) continue;
+            const double sum = velocity + std::copysign(std::sqrt(square), velocity);
+            if (sum == 0.0) continue;
+            add(-sum / gravity);
+            add(2.0 * way / sum);
+        }
+    }
+    if (!wanted_.window) return;
+    const double length = *wanted_.window / slices_of_window;
+    for (double k = std::floor(from / length) + 1.0; k * length < to; k += 1.0)
+        crossed_.push_back(k * length);
+}
+
+void CellAverages::stay(Eigen::Index particle, const Point& origin, double from, double to) {
+    const double span = to - from, middle = 0.5 * (from + to) - origin.time;
+    const Eigen::Array2d velocity = origin.velocity + middle * gravity_;  // its mean, too
+    const Eigen::Array2d place =
+        origin.place + middle * (origin.velocity + 0.5 * middle * gravity_);
+    const Eigen::Index cell = cell_at(place);
+    if (cell < 0) return;
+    CellSums& sums = slice_at(0.5 * (from + to));
+    sums.particles[cell] += span;
+    sums.speed[cell] += length_of_way(velocity, gravity_, span);
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
+        sums.velocity(cell, axis) += span * velocity[axis];
+    if (!wanted_.temperature || particles_.inverse_mass[particle] == 0.0) return;
+    stays_.push_back({cell, from, to, velocity - (0.5 * (from + to) - from_) * gravity_,
+                      1.0 / particles_.inverse_mass[particle]});
+}
+
+// Through all comings and goings of each cell, in order of time: between them the motion about
+// their centre of mass keeps its energy, as gravity moves all alike.
+void CellAverages::add_temperatures() {
+    struct Change {
+        Eigen::Index cell;
+        double time;
+        std::size_t stay;
+        int sign;
+    };
+    std::vector<Change> changes;
+    changes.reserve(2 * stays_.size());
+    for (std::size_t k = 0; k < stays_.size(); ++k) {
+        changes.push_back({stays_[k].cell, stays_[k].from, k, 1});
+        changes.push_back({stays_[k].cell, stays_[k].to, k, -1});
+    }
+    std::ranges::sort(changes, [](const Change& a, const Change& b) {
+        return std::tie(a.cell, a.time, a.sign, a.stay) < std::tie(b.cell, b.time, b.sign, b.stay);
+    });
+    int count = 0;
+    double mass = 0.0, squares = 0.0;
+    Eigen::Array2d momentum{0.0, 0.0};
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+        const Change& change = changes[k];
+        const double span =
+            k > 0 && changes[k - 1].cell == change.cell ? change.time - changes[k - 1].time : 0.0;
+        if (count > 1 && span > 0.0) {
+            CellSums& sums = slice_at(change.time - 0.5 * span);
+            const double thermal = squares - momentum.square().sum() / mass;
+            sums.thermal_energy[change.cell] += span * std::max(0.0, thermal);
+            sums.thermal_freedom[change.cell] += span * (count - 1);
+        }
+        const Stay& one = stays_[change.stay];
+        count += change.sign;
+        if (count == 0) {
+            mass = squares = 0.0;
+            momentum = {0.0, 0.0};
+            continue;
+        }
+        mass += change.sign * one.mass;
+        momentum += change.sign * one.mass * one.velocity;
+        squares += change.sign * one.mass * one.velocity.square().sum();
+    }
+}
+
+void CellAverages::add_moment(const Sample& sample) {
+    moment_ = no_sums();
+    moment_.time = 1.0;
+    Eigen::ArrayXd count = Eigen::ArrayXd::Zero(cells_.all()), mass = count, squares = count;
+    Eigen::ArrayXXd momentum = moment_.velocity;
+    for (Eigen::Index i = 0; i < particles_.count(); ++i) {
+        const Point point = at(sample, i);
+        const Eigen::Index cell = is_member(i) ? cell_at(point.place) : -1;
+        if (cell < 0) continue;
+        moment_.particles[cell] += 1.0;
+        moment_.speed[cell] += point.velocity.matrix().norm();
+        moment_.velocity.row(cell) += point.velocity.head(box_.dimension).transpose();
+        if (particles_.inverse_mass[i] == 0.0) continue;
+        const double its = 1.0 / particles_.inverse_mass[i];
+        count[cell] += 1.0;
+        mass[cell] += its;
+        squares[cell] += its * point.velocity.square().sum();
+        momentum.row(cell) += its * point.velocity.head(box_.dimension).transpose();
+    }
+    const auto several = count > 1.0;
+    moment_.thermal_freedom = several.select(count - 1.0, 0.0);
+    moment_.thermal_energy =
+        several.select((squares - momentum.square().rowwise().sum() / mass).max(0.0), 0.0);
+}
+
+CellSums CellAverages::sums() const {
+    if (slices_.empty()) return moment_;
+    CellSums all = no_sums();
+    for (const Slice& slice : slices_) {
+        all.time += slice.sums.time;
+        all.particles += slice.sums.particles;
+        all.speed += slice.sums.speed;
+        all.velocity += slice.sums.velocity;
+        all.thermal_energy += slice.sums.thermal_energy;
+        all.thermal_freedom += slice.sums.thermal_freedom;
+    }
+    return all;
+}
+
+}  // namespace carom

@@ -10,8 +10,10 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "draw/formula/ink.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -436,8 +438,18 @@ std::vector<std::string> missing_letters(const std::string& text) {
 TextLog::TextLog() { current_log = this; }
 TextLog::~TextLog() { current_log = nullptr; }
 
+LineInPieces::LineInPieces(DrawnLine line) : log_(std::exchange(current_log, nullptr)) {
+    if (log_ != nullptr) log_->lines.push_back(std::move(line));
+}
+LineInPieces::~LineInPieces() { current_log = log_; }
+
 TextExtent measure_text(const std::string& markup, const TextStyle& style) {
     return line_of(markup, style).extent;
+}
+
+Ink ink_of(const std::string& markup, const TextStyle& style) {
+    const Line& line = line_of(markup, style);
+    return {line.extent.width, ink_of(line.layout.get(), {})};
 }
 
 void require_font() {

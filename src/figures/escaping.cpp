@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "util/formula/formula.h"
 #include "util/text.h"
 
 namespace carom {
@@ -184,6 +185,33 @@ bool is_latex_letter(char32_t letter) {
            });
 }
 
+// The blanks that stand around a text, one at either end, around what it became.
+string with_blanks(const string& text, const string& line) {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\n'; };
+    if (line.empty()) return text.empty() ? "" : " ";
+    return (is_blank(text.front()) ? " " : "") + line + (is_blank(text.back()) ? " " : "");
+}
+
+// With commands instead of letters of Unicode, and without packages.
+string plain_tex(string_view tex) {
+    string plain;
+    for (std::size_t i = 0, next = 0; i < tex.size(); i = next) {
+        next = next_code_point(tex, i);
+        const string_view letter = tex.substr(i, next - i), rest = tex.substr(i);
+        constexpr string_view text_command = "\\text{";
+        if (rest.starts_with(text_command)) {
+            plain += "\\mbox{";
+            next = i + text_command.size();
+        } else if (const formula::Symbol* symbol = formula::symbol_of_letter(letter);
+                   letter.size() > 1 && symbol != nullptr) {
+            plain += symbol->tex.size() == 1 ? symbol->tex : "\\" + symbol->tex + " ";
+        } else {
+            plain += letter == "\n" ? " " : letter;
+        }
+    }
+    return plain;
+}
+
 }  // namespace
 
 string escaped(string_view text, PageKind kind) {
@@ -206,6 +234,20 @@ string escaped(string_view text, PageKind kind) {
         plain += letter;
     }
     return line;
+}
+
+string escaped_with_formulas(string_view text, PageKind kind) {
+    string line;
+    for (const formula::Span& span : formula::spans_of(text)) {
+        if (span.is_formula && kind == PageKind::html)
+            line += formula::mathml(formula::parsed(span.text));
+        else if (span.is_formula)
+            line += kind == PageKind::latex ? "\\(" + plain_tex(span.text) + "\\)"
+                                            : "$" + span.text + "$";
+        else
+            line += with_blanks(span.text, escaped(span.text, kind));
+    }
+    return string(line.substr(std::min(line.find_first_not_of(' '), line.size())));
 }
 
 std::vector<string> beyond_pdflatex(string_view page) {

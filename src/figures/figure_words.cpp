@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "util/formula/formula.h"
 #include "util/text.h"
 
 namespace carom {
@@ -114,13 +115,16 @@ std::string shown_times(const FigureSpec& spec) {
 FigureWords words_of(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
     FigureWords words;
+    const auto plain = [](const std::string& made) { return formula::without_formulas(made); };
     words.caption = figure.spec->caption.value_or(
-        unbroken(made_caption(scene, figure, run.particles().count())));
+        plain(unbroken(made_caption(scene, figure, run.particles().count()))));
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
-    if (!finding.empty()) words.caption += " " + finding;
+    if (!finding.empty()) words.caption += " " + plain(finding);
     const bool compares = !figure.sides.empty();
-    words.alt =
-        figure.spec->alt.value_or(compares ? alt_of_runs(scene, figure) : made_alt(scene, figure));
+    if (figure.spec->alt)
+        words.alt = formula::spoken_text(*figure.spec->alt);
+    else
+        words.alt = compares ? alt_of_runs(scene, figure) : made_alt(scene, figure);
     return words;
 }
 

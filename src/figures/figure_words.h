@@ -9,7 +9,7 @@
 namespace carom {
 
 struct FigureWords {
-    std::string caption;  ///< plain text
+    std::string caption;  ///< with formulae between `$` signs; `\$` is a dollar sign
     std::string alt;      ///< plain text, for those who cannot see the picture
 };
 

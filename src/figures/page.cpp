@@ -167,6 +167,8 @@ class Filler {
         for (const PageFields* scope : scopes) {
             if (const auto words = scope->words.find(name); words != scope->words.end())
                 return escaped(words->second, kind_);
+            if (const auto words = scope->formulated.find(name); words != scope->formulated.end())
+                return escaped_with_formulas(words->second, kind_);
             if (const auto file = scope->files.find(name); file != scope->files.end())
                 return kind_ == PageKind::latex ? file->second
                                                 : percent_encoded(file->second, "-._~/+=:;,");

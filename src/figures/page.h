@@ -15,6 +15,7 @@ namespace carom {
 /// elsewhere as parts of an address), and lists of places.
 struct PageFields {
     std::map<std::string, std::string> words = {};
+    std::map<std::string, std::string> formulated = {};  ///< words with formulae
     std::map<std::string, std::string> files = {};
     std::map<std::string, std::vector<PageFields>> lists = {};
 };

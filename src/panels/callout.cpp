@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "draw/formula/words.h"
+
 namespace carom {
 namespace {
 
@@ -33,9 +35,9 @@ TextStyle words_style(const DrawContext& dc) {
 CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width) {
     TextStyle style = words_style(dc);
     style.max_width = std::max(6.0 * dc.unit, most_width - 2.0 * across * dc.unit);
-    CalloutPlate plate{wrapped(words, style, most_lines)};
+    CalloutPlate plate{wrapped_words(words, style, most_lines)};
     for (const std::string& line : plate.lines)
-        plate.width = std::max(plate.width, measure_text(escape_markup(line), style).width);
+        plate.width = std::max(plate.width, measure_words(line, style).width);
     plate.width += 2.0 * across * dc.unit;
     plate.height =
         2.0 * above * dc.unit + line_height * style.size * static_cast<double>(plate.lines.size());
@@ -98,7 +100,7 @@ void draw_callout(Canvas& canvas, const DrawContext& dc, const Rect& place,
     style.max_width = place.width - 2.0 * across * u + 1.0;
     Point at{place.x + across * u, place.y + above * u + style.size};
     for (const std::string& words : plate.lines) {
-        draw_text(canvas, at, escape_markup(words), style);
+        draw_words(canvas, at, words, style);
         at.y += line_height * style.size;
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "draw/formula/words.h"
 #include "panels/callout.h"
 #include "panels/echo/echo_record.h"
 #include "panels/fade.h"
@@ -351,13 +352,17 @@ void FramePainter::draw_card(Canvas& canvas, const Tick& tick) const {
     small.weight = 400;
     small.color = with_alpha(theme_.muted, words_alpha);
     constexpr std::size_t most_lines = 6;
-    const auto heading = wrapped(is_end ? scene_.film.end_card : scene_.title, large, most_lines);
+    const auto heading = is_end ? wrapped_words(scene_.film.end_card, large, most_lines)
+                                : wrapped(scene_.title, large, most_lines);
     const auto rest = wrapped(is_end ? scene_.title : scene_.subtitle, small, most_lines);
     const double height = 1.3 * large.size * static_cast<double>(heading.size()) +
                           1.4 * small.size * static_cast<double>(rest.size());
     Point at{0.5 * all.width, 0.5 * (all.height - height) + large.size};
     for (const std::string& words : heading) {
-        draw_text(canvas, at, escape_markup(words), large);
+        if (is_end)
+            draw_words(canvas, at, words, large);
+        else
+            draw_text(canvas, at, escape_markup(words), large);
         at.y += 1.3 * large.size;
     }
     at.y += 0.9 * small.size - 0.4 * large.size;
@@ -396,22 +401,21 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
         const Rect line = grid_.place(*layout.caption);
         const Rect place = grid_.place(layout.gas);
         const Rect box = panels_.gas().frame_in(place, unit_);
-        const std::string words = escape_markup(caption.words);
         TextStyle style{.size = 1.3 * unit_,
                         .weight = 500,
                         .color = with_alpha(theme_.ink, alpha),
                         .tabular = false};
-        const double share = line.width / measure_text(words, style).width;
+        const double share = line.width / measure_words(caption.words, style).width;
         style.size = std::max(unit_, std::min(1.0, share) * style.size);
         style.max_width = line.width * (1.0 + 1e-3);  // letters are set at whole sizes
         const bool centered = box.x > place.x;
-        const double half = 0.5 * std::min(line.width, measure_text(words, style).width);
+        const double half = 0.5 * std::min(line.width, measure_words(caption.words, style).width);
         const double middle =
             std::clamp(box.x + 0.5 * box.width, line.x + half, line.right() - half);
-        draw_text(
+        draw_words(
             canvas,
             {centered ? middle - half : line.x, line.y + 0.5 * line.height + 0.36 * style.size},
-            words, style);
+            caption.words, style);
     }
 }
 

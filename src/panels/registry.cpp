@@ -84,9 +84,12 @@ std::vector<Binding<PanelSpec>> view_key() {
 }
 
 std::vector<Binding<PanelSpec>> words_key() {
-    return {bind_key("words", &PanelSpec::words, lines(1, most_words_letters),
-                     "The text of the panel; an empty line separates paragraphs.")
-                .default_text("required for a text")};
+    return {
+        bind_key(
+            "words", &PanelSpec::words, with_formulas(lines(1, most_words_letters)),
+            "The text of the panel; an empty line separates paragraphs. Formulae stand between `$` "
+            "signs, large where they are a paragraph.")
+            .default_text("required for a text")};
 }
 
 void check_words(PanelSpec&, const Node& node, Reading& reading) {

@@ -61,6 +61,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
+    {"formula", "a formula has a grammar of its own"},
     {"jam_around", several_places},
     {"jam_lattice", several_places},
     {"jam_row", several_places},

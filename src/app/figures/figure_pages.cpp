@@ -56,7 +56,6 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
     PageFields fields;
     fields.words = {{"name", figure.spec->name},
                     {"number", std::to_string(number)},
-                    {"caption", figure.caption},
                     {"alt", figure.alt},
                     {"kind", figure.spec->panel.kind},
                     {"time", shown_times(*figure.spec)},
@@ -65,6 +64,7 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"seed", std::to_string(figure.part->scene.seed)},
                     {"width", fmt::format("{:g}", width)},
                     {"height", fmt::format("{:g}", height)}};
+    fields.formulated = {{"caption", figure.caption}};
     fields.files = {{"picture", picture}, {"csv", file_of(figure.files, "csv")}};
     for (const std::string& format : figure_formats())
         fields.files[format] = file_of(figure.files, format);

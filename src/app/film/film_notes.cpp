@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "panels/chosen.h"
+#include "util/formula/formula.h"
 #include "util/text.h"
 
 namespace carom {
@@ -55,7 +56,8 @@ std::vector<FilmNote> film_notes(const Scene& scene) {
         else
             what = fmt::format("“{}”",
                                name_of(scene.film.panels[std::get<PlotPoint>(callout.on).panel]));
-        notes.push_back({callout.at, fmt::format("{} is pointed out: “{}”", what, callout.words)});
+        notes.push_back({callout.at, fmt::format("{} is pointed out: “{}”", what,
+                                                 formula::spoken_text(callout.words))});
     }
     for (const CameraMove& move : scene.film.camera)
         notes.push_back({move.at, words_of(scene, move.view)});

@@ -16,6 +16,7 @@
 #include "scene/time/timeline.h"
 #include "stats/speed_classes.h"
 #include "util/atomic_file.h"
+#include "util/formula/formula.h"
 #include "util/text.h"
 
 namespace carom {
@@ -58,7 +59,7 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     for (const CaptionSpan& caption : caption_schedule(scene))
         if (!caption.words.empty() && caption.first <= caption.last && caption.last >= span.first &&
             caption.first < span.end)
-            at(std::max(caption.first, span.first)).caption = caption.words;
+            at(std::max(caption.first, span.first)).caption = formula::spoken_text(caption.words);
     // The first frame that shows what happens at a time, if it is among these.
     const auto shown_from = [&](double time) {
         const auto shown = std::ranges::find_if(ticks, [&](const Tick& tick) {
@@ -84,7 +85,7 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     for (const Happening& one : happenings(scene.run, scene.gas)) add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
-        at(card->frame).end_card = scene.film.end_card;
+        at(card->frame).end_card = formula::spoken_text(scene.film.end_card);
     at(span.first).is_title = is_card(ticks[static_cast<std::size_t>(span.first)].phase);
     const auto gas = std::ranges::find_if(
         ticks, [&](const Tick& tick) { return tick.frame >= span.first && !is_card(tick.phase); });
@@ -139,12 +140,21 @@ std::string coloring(const Scene& scene) {
     return "the colour of a particle tells its speed";
 }
 
+std::string on_one_line(std::string words) {
+    std::ranges::replace(words, '\n', ' ');
+    return words;
+}
+
 // What is beside the gas.
 std::string picture_text(const Scene& scene) {
     std::vector<std::string> panels;
     for (const PanelSpec& panel : scene.film.panels) panels.push_back(name_of(panel));
     std::string text = "In the picture, " + coloring(scene) + ".";
     if (!panels.empty()) text += " Beside the particles: " + listed(panels) + ".";
+    for (const PanelSpec& panel : scene.film.panels)
+        if (panel.kind == "text")
+            text += fmt::format(" The panel “{}” says: “{}”", name_of(panel),
+                                on_one_line(formula::spoken_text(panel.words)));
     const bool is_described = scene.description == describe(scene);
     for (const std::string& words : words_of_surfaces(scene.gas))
         if (!is_described) text += " " + words + ".";
@@ -279,7 +289,8 @@ FilmText FilmTextMaker::text() const {
     std::vector<Cue> captions, chapters, descriptions;
     for (const CaptionSpan& caption : caption_schedule(scene_))
         captions.push_back({std::max(0.0, caption.start - begin),
-                            std::min(end, caption.end - begin), caption.words});
+                            std::min(end, caption.end - begin),
+                            formula::spoken_text(caption.words)});
     for (const Moment& moment : moments_)
         if (!moment.end_card.empty())
             captions.push_back({seconds_at(moment.frame, scene_, span_), end, moment.end_card});

@@ -6,9 +6,18 @@
 
 #include "draw/text.h"
 #include "util/diagnostics.h"
+#include "util/formula/formula.h"
 
 namespace carom {
 namespace {
+
+// Without formulae, whose letters there are.
+std::string plain(const std::string& text) {
+    std::string words;
+    for (const formula::Span& span : formula::spans_of(text))
+        if (!span.is_formula) words += span.text;
+    return words;
+}
 
 // All words that are drawn as they are written in the scene.
 std::string words_of(const Scene& scene) {
@@ -16,10 +25,12 @@ std::string words_of(const Scene& scene) {
     for (const Species& species : scene.gas.species) words += species.name;
     for (const SpeciesLook& look : scene.looks) words += look.label;
     for (const PanelSpec& panel : scene.film.panels)
-        words += panel.title.value_or("") + panel.words;
-    for (const Callout& callout : scene.film.callouts) words += callout.words;
+        words += panel.title.value_or("") + plain(panel.words);
+    for (const Callout& callout : scene.film.callouts) words += plain(callout.words);
+    for (const Caption& caption : scene.captions) words += plain(caption.words);
+    words += plain(scene.film.end_card);
     for (const FigureSpec& figure : scene.figures) {
-        words += figure.panel.title.value_or("") + figure.panel.words;
+        words += figure.panel.title.value_or("") + plain(figure.panel.words);
         for (const ComparedRun& run : figure.compare) words += run.label;
     }
     std::erase(words, '\n');  // parts paragraphs, and is no letter

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "draw/formula/words.h"
 #include "panels/layout.h"
 #include "panels/registry.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::array steps{2.0, 1.7, 1.45, 1.2, 1.0};  // units
 constexpr double line_height = 1.4, paragraph_gap = 0.5;
+constexpr double formula_gap = 0.3;   // above and below what is higher than a line
 constexpr double title_height = 2.4;  // units
 constexpr std::size_t most_lines = 1000;
 
@@ -35,7 +37,7 @@ SetWords set_at(const std::string& words, double width, double size) {
     style.max_width = width;
     for (const std::string& paragraph : paragraphs(words)) {
         if (paragraph.empty()) set.lines.emplace_back();
-        for (std::string& line : wrapped(paragraph, style, most_lines))
+        for (std::string& line : wrapped_words(paragraph, style, most_lines))
             set.lines.push_back(std::move(line));
     }
     return set;
@@ -43,8 +45,24 @@ SetWords set_at(const std::string& words, double width, double size) {
 
 bool fits(const SetWords& set, double width, double height) {
     return height_of(set) <= height && std::ranges::all_of(set.lines, [&](const std::string& line) {
-               return measure_text(escape_markup(line), style_of(set.size)).width <= width;
+               return measure_words(line, style_of(set.size)).width <= width;
            });
+}
+
+// Of a line of set words, or the gap between paragraphs: how much of it lies above the baseline,
+// and all of it.
+struct LineHeight {
+    double above, all;
+};
+
+LineHeight line_height_of(const std::string& line, double size) {
+    if (line.empty()) return {0.0, paragraph_gap * size};
+    LineHeight height{size, line_height * size};
+    if (line.find('$') == std::string::npos) return height;
+    const TextExtent extent = measure_words(line, style_of(size));
+    const double below = std::max(height.all - height.above, extent.descent + formula_gap * size);
+    height.above = std::max(height.above, extent.ascent + formula_gap * size);
+    return {height.above, height.above + below};
 }
 
 // Whether a line ends where the words have no space.
@@ -79,10 +97,13 @@ class TextPanel : public Panel {
         if (!set) return;  // refuse_long_words() has seen to it
         TextStyle style = style_of(set->size);
         style.color = dc.theme.ink;
-        double baseline = area.y + set->size;
+        double top = area.y;
         for (const std::string& line : set->lines) {
-            draw_text(canvas, {area.x, baseline}, escape_markup(line), style);
-            baseline += (line.empty() ? paragraph_gap : line_height) * set->size;
+            const LineHeight height = line_height_of(line, set->size);
+            style.align = is_formula_alone(line) ? Align::center : Align::left;
+            const double x = is_formula_alone(line) ? area.x + 0.5 * area.width : area.x;
+            if (!line.empty()) draw_words(canvas, {x, top + height.above}, line, style);
+            top += height.all;
         }
     }
 
@@ -98,8 +119,7 @@ class TextPanel : public Panel {
 
 double height_of(const SetWords& set) {
     double height = 0.0;
-    for (const std::string& line : set.lines)
-        height += (line.empty() ? paragraph_gap : line_height) * set.size;
+    for (const std::string& line : set.lines) height += line_height_of(line, set.size).all;
     return height;
 }
 

@@ -1,4 +1,5 @@
-// Words in a panel's place: as large as they fit there, in whole steps of size, never cut.
+// Words in a panel's place, with formulae: as large as they fit there, in whole steps of size,
+// never cut. A line that is a formula alone stands in the middle.
 #pragma once
 
 #include <optional>

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/keys/binding.h"
 #include "scene/yaml/scalar.h"
+#include "util/formula/formula.h"
 
 namespace carom {
 namespace {
@@ -24,6 +27,18 @@ Notation<std::string> text_form(bool lines, std::size_t shortest, Limit most) {
                 return without_space_at_end(node.text);
             },
             [](const std::string& text) { return text; }};
+}
+
+// The byte of the source at which a byte of a node's text stands: that of the node where the text
+// is written in other letters there.
+std::size_t place_in_source(const Node& node, std::size_t at) {
+    const std::string& text = node.text;
+    const std::size_t from = text[std::min(at, text.size() - 1)] == '$' ? at : text.rfind('$', at);
+    const std::size_t end = std::min(text.find_first_of("$\n", from + 1), text.size());
+    const std::string formula = text.substr(from, end - from);
+    const std::size_t found = node.source->text.find(formula, node.offset);
+    const bool is_near = found - node.offset <= 2 * text.size() + 100;
+    return found != std::string::npos && is_near && at <= end ? found + (at - from) : node.offset;
 }
 
 /// A distribution, as far as it is given.
@@ -94,6 +109,18 @@ Notation<std::string> text(std::size_t shortest, Limit most) {
 
 Notation<std::string> lines(std::size_t shortest, Limit most) {
     return text_form(true, shortest, most);
+}
+
+Notation<std::string> with_formulas(Notation<std::string> text) {
+    return checked(std::move(text),
+                   [](const std::string& words, const Node& node, Reading& reading) {
+                       try {
+                           formula::check(words);
+                       } catch (const formula::Error& error) {
+                           reading.errors.add(*node.source, place_in_source(node, error.at),
+                                              error.what(), error.hint);
+                       }
+                   });
 }
 
 Notation<std::string> word(const std::vector<std::string>& words) {

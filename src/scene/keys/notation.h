@@ -65,6 +65,9 @@ Notation<std::string> text(std::size_t shortest, Limit most);
 /// The same with line breaks.
 Notation<std::string> lines(std::size_t shortest, Limit most);
 
+/// The same where spans between `$` signs are formulae (util/formula/).
+Notation<std::string> with_formulas(Notation<std::string> text);
+
 /// Words, each of which stands for a value.
 template <typename V>
 Notation<V> one_of(std::vector<std::pair<std::string, V>> words) {

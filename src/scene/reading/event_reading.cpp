@@ -111,8 +111,10 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
         bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
                  "Shows the places that the particles have at this time as outlines, with "
                  "these words, until the next mark."),
-        bind_key("caption", &EventDraft::caption, text(0, most_caption_letters),
-                 "A line of text under the gas, shown until the next one; \"\" removes it."),
+        bind_key(
+            "caption", &EventDraft::caption, with_formulas(text(0, most_caption_letters)),
+            "A line of text under the gas, shown until the next one; \"\" removes it. Formulae "
+            "stand between `$` signs."),
         bind_key("pause", &EventDraft::pause, number({0.1, most_seconds}),
                  "The film stands still for so many seconds, and simulated time with it: time "
                  "to speak. Pauses are part of the film's `seconds`; with `pace` they are added "

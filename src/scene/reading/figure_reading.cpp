@@ -201,11 +201,11 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
 
 std::vector<Binding<FigureSpec>> page_keys() {
     return {size_key(), theme_key(&FigureSpec::theme),
-            bind_key("caption", &FigureSpec::caption, lines(1, most_letters),
-                     "The words under the figure.")
+            bind_key("caption", &FigureSpec::caption, with_formulas(lines(1, most_letters)),
+                     "The words under the figure, with formulae between `$` signs.")
                 .default_text("made from what the figure shows"),
-            bind_key("alt", &FigureSpec::alt, lines(1, most_letters),
-                     "A description for those who cannot see it.")
+            bind_key("alt", &FigureSpec::alt, with_formulas(lines(1, most_letters)),
+                     "A description for those who cannot see it; it has formulae in words.")
                 .default_text("made from what the figure shows")};
 }
 

@@ -124,7 +124,7 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
             "title_card", &Film::title_card, title_card_notation(),
             "A card with title and subtitle before the film: `true` for 3 seconds, or a number of "
             "seconds. It is part of the film's `seconds`; with `pace` it is added to them."),
-        bind_key("end_card", &Film::end_card, text(1, most_title_letters),
+        bind_key("end_card", &Film::end_card, with_formulas(text(1, most_title_letters)),
                  "The text of a card of 4 seconds after the film, which is part of its `seconds` "
                  "too. Both cards together take at most a third of the film.")
             .default_text("none"),

@@ -239,7 +239,8 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
                           "What it points to: a particle by its number, the only one of a species, "
                           "or a place in a panel's plot.")
                      .required(),
-                 bind_key("text", &Written::words, text(1, most_caption_letters), "Its words.")
+                 bind_key("text", &Written::words, with_formulas(text(1, most_caption_letters)),
+                          "Its words, with formulae between `$` signs.")
                      .required()}};
     const auto complete = [](const Written& written, const Node& node, Reading& reading) {
         check_begin(*given(node, "at"), "at", written.at, reading);

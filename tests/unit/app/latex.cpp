@@ -1,12 +1,17 @@
 // Words on LaTeX pages, set by pdfLaTeX itself. Skipped where it is not installed.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "figures/escaping.h"
 #include "support/files.h"
+#include "support/pdflatex_boxes.h"
 #include "support/process.h"
 
 using namespace carom;
@@ -82,4 +87,33 @@ TEST_CASE("pdfLaTeX does not set a letter that is told as beyond it") {
     const test::TemporaryFolder folder;
     folder.write("text.tex", document("二"));
     CHECK(typeset(folder).exit_code != 0);
+}
+
+TEST_CASE("formulae have the sizes that are recorded") {
+    if (!has_latex()) return;
+    std::string words;
+    for (const test::MeasuredFormula& one : test::pdflatex_boxes)
+        words += fmt::format(
+            "\\setbox0\\hbox{{${}{}$}}\\typeout{{BOX \\the\\wd0 \\space\\the\\ht0 "
+            "\\space\\the\\dp0}}\n",
+            one.stands_alone ? "\\displaystyle " : "", one.tex);
+    const test::TemporaryFolder folder;
+    folder.write("text.tex", document(words));
+    std::istringstream lines(typeset(folder).out);
+    std::size_t next = 0;
+    const auto is_near = [](double points, double recorded) {
+        return std::abs(0.1 * points - recorded) < 1e-5;
+    };
+    for (std::string line; std::getline(lines, line);) {
+        double width = 0.0, height = 0.0, depth = 0.0;
+        if (std::sscanf(line.c_str(), "BOX %lfpt %lfpt %lfpt", &width, &height, &depth) != 3)
+            continue;
+        REQUIRE(next < test::pdflatex_boxes.size());
+        const test::MeasuredFormula& recorded = test::pdflatex_boxes[next++];
+        CAPTURE(recorded.tex);
+        CHECK(is_near(width, recorded.width));
+        CHECK(is_near(height, recorded.height));
+        CHECK(is_near(depth, recorded.depth));
+    }
+    CHECK(next == test::pdflatex_boxes.size());
 }

@@ -39,6 +39,8 @@ struct Parts {
 };
 
 const std::map<std::string, Parts> parts_of_module{
+    {"util", {{"util", "formula"}, {}}},
+    {"draw", {{"draw", "formula"}, {"formula/ink.h"}}},
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "surfaces", "placement", "theory", "events",
        "physics", "reversal"},

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "panels/frame.h"
@@ -105,4 +106,25 @@ TEST_CASE("words are no markup") {
     const auto set = set_words("a < b & <b>c</b>", 500.0, 100.0, 10.0);
     REQUIRE(set);
     CHECK(set->lines.front() == "a < b & <b>c</b>");
+}
+
+TEST_CASE("a formula makes its line as high as it is, and stands in the middle where it is alone") {
+    const auto words = set_words("one\ntwo", 240.0, 200.0, 10.0);
+    const auto formula = set_words("one\n$\\frac{a}{b}$", 240.0, 200.0, 10.0);
+    REQUIRE(words);
+    REQUIRE(formula);
+    CHECK(formula->size == words->size);
+    CHECK(formula->lines == std::vector<std::string>{"one", "$\\frac{a}{b}$"});
+    CHECK(height_of(*formula) > height_of(*words) + 0.5 * words->size);
+
+    const test::Shot film(scene_of("{kind: text, words: \"one\\n$x^2$\"}"));
+    FramePainter painter(*film.panels);
+    TextLog log;
+    painter.paint(film.frames.front());
+    const auto line = [&](const std::string& markup) {
+        const auto found = std::ranges::find(log.lines, markup, &DrawnLine::markup);
+        REQUIRE(found != log.lines.end());
+        return found->ink;
+    };
+    CHECK(line("$x^2$").x > line("one").x + 3.0 * line("one").width);
 }

@@ -48,13 +48,43 @@ std::string comparison_words(const Scene& scene, const Figure& figure) {
     return fmt::format("{} of {} runs, each at its end", kind, runs);
 }
 
+// "gas.0.radius=0.35" as "radius of disks: 0.35".
+std::string words_of_value(const std::string& value, const Gas& gas) {
+    const std::size_t sign = value.find('=');
+    const std::string path = value.substr(0, sign), number = value.substr(sign + 1);
+    const std::size_t dot = path.rfind('.');
+    std::string words = dot == std::string::npos ? path : path.substr(dot + 1);
+    std::ranges::replace(words, '_', ' ');
+    for (std::size_t k = 0; k < gas.species.size(); ++k)
+        if (gas.species.size() > 1 && path.starts_with(fmt::format("gas.{}.", k)))
+            words += " of " + gas.species[k].name;
+    return words + " " + number;
+}
+
+// How a run that is compared differs from the scene, or from the others by its scene; empty where
+// its label says it.
+std::string difference(const FigureSpec& spec, const ComparedRun& run) {
+    std::vector<std::string> differences;
+    const bool have_one_scene = std::ranges::all_of(spec.compare, [&](const ComparedRun& other) {
+        return other.scene->source.path == run.scene->source.path;
+    });
+    if (!have_one_scene && run.label != run.scene->title)
+        differences.push_back("“" + run.scene->title + "”");
+    for (const std::string& value : run.values)
+        if (run.label.find(value.substr(value.find('=') + 1)) == std::string::npos &&
+            !value.starts_with("seed="))
+            differences.push_back(words_of_value(value, run.scene->gas));
+    return differences.empty() ? "" : fmt::format("{}; ", fmt::join(differences, ", "));
+}
+
 std::string caption_of_runs(const Scene& scene, const Figure& figure) {
     std::vector<std::string> runs;
     for (std::size_t k = 0; k < figure.sides.size(); ++k) {
         const FigureSide& side = figure.sides[k];
         const Scene& its = *figure.spec->compare[k].scene;
         std::string words =
-            fmt::format("{} ({}, {} between them, {}", side.label,
+            fmt::format("{} ({}{}, {} between them, {}", side.label,
+                        difference(*figure.spec, figure.spec->compare[k]),
                         counted(side.particles, its.gas.box.dimension == 2 ? "disk" : "bead"),
                         counted(side.collisions.particle, "collision"), side.account);
         if (!have_one_time(figure)) words += " at time " + plain_number(side.time);
@@ -67,8 +97,8 @@ std::string caption_of_runs(const Scene& scene, const Figure& figure) {
 std::string alt_of_runs(const Scene& scene, const Figure& figure) {
     std::vector<std::string> runs;
     for (const FigureSide& side : figure.sides) runs.push_back(side.label + ", " + side.account);
-    return fmt::format("{} in one panel: {}. {}", comparison_words(scene, figure),
-                       fmt::join(runs, "; "), scene.description);
+    return fmt::format("{} in one panel: {}.", comparison_words(scene, figure),
+                       fmt::join(runs, "; "));
 }
 
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
@@ -92,12 +122,24 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
                        collisions == 1 ? "collision" : "collisions");
 }
 
-std::string made_alt(const Scene& scene, const Figure& figure) {
-    const std::string account = figure.panel->account(*figure.moments.back().state);
+std::string account_of(const Figure& figure) {
+    return figure.panel->account(*figure.moments.back().state);
+}
+
+// What the scene shows is said once: with the first of its figures that says nothing itself.
+std::string made_alt(const FigureRun& run, const Figure& figure) {
+    const Scene& scene = run.scene();
+    const std::string account = account_of(figure);
     const std::string kind = kind_words(scene, *figure.spec);
     if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
-    return fmt::format("{} {}. {}{}{}", kind, time_words(*figure.spec), account,
-                       account.empty() ? "" : " ", scene.description);
+    const std::string what = fmt::format("{} {}", kind, time_words(*figure.spec));
+    if (!account.empty()) return what + ". " + account;
+    const auto first = std::ranges::find_if(run.figures(), [](const Figure& one) {
+        return one.sides.empty() && account_of(one).empty();
+    });
+    if (&*first == &figure) return what + ". " + scene.description;
+    return fmt::format("{} of “{}”, after {}.", what, scene.title,
+                       counted(figure.moments.back().collisions.particle, "collision"));
 }
 
 }  // namespace
@@ -124,7 +166,7 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     if (figure.spec->alt)
         words.alt = formula::spoken_text(*figure.spec->alt);
     else
-        words.alt = compares ? alt_of_runs(scene, figure) : made_alt(scene, figure);
+        words.alt = compares ? alt_of_runs(scene, figure) : made_alt(run, figure);
     return words;
 }
 

@@ -216,7 +216,7 @@ const std::map<string, std::vector<string>>& placeholders() {
         {"sections", {"title", "subtitle", "description", "scene", "seed", "figures", "films"}},
         {"figures",
          {"name", "number", "caption", "alt", "kind", "time", "title", "scene", "seed", "width",
-          "height", "picture", "inline", "svg", "pdf", "png", "csv"}},
+          "height", "wide", "picture", "inline", "svg", "pdf", "png", "csv"}},
         {"films",
          {"title", "description", "scene", "film", "poster", "captions", "chapters", "descriptions",
           "transcript"}}};

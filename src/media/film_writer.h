@@ -15,6 +15,12 @@ namespace carom {
 
 enum class Quality { draft, standard, final_ };
 
+/// A part of a film that players can jump to.
+struct FilmChapter {
+    int first = 0, end = 0;  ///< frames
+    std::string title;
+};
+
 struct VideoSettings {
     int width = 1920, height = 1080;  ///< of the drawn frames; odd sizes are padded to even ones by
                                       ///< repeating the last row and column
@@ -24,6 +30,7 @@ struct VideoSettings {
     std::uint32_t behind = 0;  ///< 0xffRRGGBB shown by players that know no transparency
     std::vector<std::pair<std::string, std::string>>
         metadata;  ///< title, description, comment, ... as libav names them
+    std::vector<FilmChapter> chapters = {};  ///< in order; none: the film has no chapters
 };
 
 /// What becomes of one run of frames. It may refer to its FilmWriter.

@@ -89,6 +89,23 @@ void set_metadata(AVFormatContext& context, const VideoSettings& settings, const
     av_dict_set(&context.metadata, "keywords", others.c_str(), AV_DICT_APPEND);
 }
 
+void set_chapters(AVFormatContext& context, const VideoSettings& settings) {
+    const std::size_t count = settings.chapters.size();
+    if (count == 0) return;
+    context.chapters = static_cast<AVChapter**>(av_calloc(count, sizeof(AVChapter*)));
+    if (context.chapters == nullptr) throw std::bad_alloc();
+    for (const FilmChapter& its : settings.chapters) {
+        auto* chapter = static_cast<AVChapter*>(av_mallocz(sizeof(AVChapter)));
+        if (chapter == nullptr) throw std::bad_alloc();
+        context.chapters[context.nb_chapters++] = chapter;
+        chapter->id = context.nb_chapters;
+        chapter->time_base = {1, settings.fps};
+        chapter->start = its.first;
+        chapter->end = its.end;
+        av_dict_set(&chapter->metadata, "title", its.title.c_str(), 0);
+    }
+}
+
 class VideoFilm : public FilmWriter {
   public:
     VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
@@ -204,6 +221,7 @@ void VideoFilm::start(const Segment& segment) {
     // Each packet is written at once, so that a full disk stops the work early.
     format_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
     set_metadata(*format_, settings_, codec_);
+    set_chapters(*format_, settings_);
 
     AVStream* const stream = avformat_new_stream(format_.get(), nullptr);
     if (stream == nullptr) throw std::bad_alloc();

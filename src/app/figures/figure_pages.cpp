@@ -24,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double widest_of_a_column = 12.0;  // centimetres
 constexpr std::int64_t most_picture_bytes = 256 << 20;
 
 const std::array<std::pair<std::string, PageKind>, 3> kinds{
@@ -63,7 +64,8 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"scene", as_utf8(figure.part->stem)},
                     {"seed", std::to_string(figure.part->scene.seed)},
                     {"width", fmt::format("{:g}", width)},
-                    {"height", fmt::format("{:g}", height)}};
+                    {"height", fmt::format("{:g}", height)},
+                    {"wide", width > widest_of_a_column ? "wide" : ""}};
     fields.formulated = {{"caption", figure.caption}};
     fields.files = {{"picture", picture}, {"csv", file_of(figure.files, "csv")}};
     for (const std::string& format : figure_formats())

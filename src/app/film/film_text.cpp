@@ -200,12 +200,16 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
 }
 
 std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments,
-                          const FrameSpan& span, double before) {
+                          const FrameSpan& span, std::optional<double> joined_at) {
+    const double before = joined_at.value_or(0.0);
+    const double length = static_cast<double>(span.frames()) / scene.film.fps;
     std::string text = scene.title + "\n";
     if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
-    text += fmt::format("\nA silent film of {}.\n\n{}\n{}\n",
-                        clock_text(static_cast<double>(span.frames()) / scene.film.fps),
-                        sentence(scene.description), picture_text(scene));
+    const std::string span_text =
+        joined_at ? fmt::format("From {} to {}.", clock_text(before), clock_text(before + length))
+                  : fmt::format("A silent film of {}.", clock_text(length));
+    text += fmt::format("\n{}\n\n{}\n{}\n", span_text, sentence(scene.description),
+                        picture_text(scene));
     for (const Moment& moment : moments) {
         text += fmt::format("\n{}  ", clock_text(before + seconds_at(moment.frame, scene, span)));
         text += happening(moment);
@@ -312,7 +316,7 @@ FilmText FilmTextMaker::text() const {
             cue.end += before;
         }
     return {captions.empty() ? "" : webvtt(captions), webvtt(chapters), webvtt(descriptions),
-            transcript_of(scene_, moments_, span_, before)};
+            transcript_of(scene_, moments_, span_, joined_at_)};
 }
 
 bool has_captions(const Scene& scene) {

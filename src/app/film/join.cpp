@@ -1,5 +1,7 @@
 #include "app/film/join.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -77,6 +79,19 @@ void append(std::string& all, const std::string& more) {
     all += all.empty() ? more : more.substr(more.find('\n') + 1);
 }
 
+// What the whole film is.
+std::string transcript_head(const std::vector<Scene>& scenes,
+                            const std::vector<JoinedPart>& parts) {
+    const JoinedPart& last = parts.back();
+    const double seconds = double(last.first + last.frames) / last.film.fps;
+    std::string text =
+        fmt::format("A silent film of {}, in {} parts:\n", clock_text(seconds), parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += fmt::format("\n{}  {}", clock_text(double(parts[i].first) / last.film.fps),
+                            scenes[i].title);
+    return text + "\n";
+}
+
 void append(FilmText& all, const FilmText& more) {
     append(all.captions, more.captions);
     append(all.chapters, more.chapters);
@@ -86,10 +101,14 @@ void append(FilmText& all, const FilmText& more) {
 
 // Of a film that holds the parts up to the last, with what makes it again.
 std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
-                                          const FilmOptions& options, const JoinedPart& last) {
+                                          const FilmOptions& options,
+                                          const std::vector<JoinedPart>& parts) {
     std::vector<std::string> titles;
+    std::vector<FilmChapter> chapters;
     FilmPlan all;
     for (const Scene& scene : scenes) {
+        const JoinedPart& part = parts[titles.size()];
+        chapters.push_back({part.first, part.first + part.frames, scene.title});
         titles.push_back(scene.title);
         all.scene.source.text += (titles.size() > 1 ? "---\n" : "") + scene.source.text;
         all.scene.description += (titles.size() > 1 ? "\n" : "") + scene.description;
@@ -98,8 +117,8 @@ std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
     all.scene.seed = scenes.front().seed;
     all.scene.source.overrides = scenes.front().source.overrides;
     all.scene.film = scenes.front().film;
-    all.span = {0, last.first + last.frames};
-    return film_writer(all, options);
+    all.span = {0, parts.back().first + parts.back().frames};
+    return film_writer(all, options, std::move(chapters));
 }
 
 }  // namespace
@@ -123,11 +142,12 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const FilmOptions& 
     std::unique_ptr<FilmWriter> writer;
     RenderReport report;
     FilmText text;
+    text.transcript = transcript_head(scenes, parts);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         FilmOptions own = options;
         own.joined_at = static_cast<double>(parts[i].first) / scenes[i].film.fps;
         const FilmPlan plan = prepare(scenes[i], own, progress);
-        if (!writer) writer = writer_of_all(scenes, options, parts.back());
+        if (!writer) writer = writer_of_all(scenes, options, parts);
         const auto part = writer_of_part(*writer, parts[i]);
         draw_frames(plan, options.threads, *part, progress, report);
         append(text, plan.text);

@@ -69,7 +69,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
     report.collisions.ties += collisions.ties;
 }
 
-std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options) {
+std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options,
+                                        std::vector<FilmChapter> chapters) {
     const Scene& scene = plan.scene;
     const Film& film = scene.film;
     return film_writer(options.output,
@@ -81,7 +82,8 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                         .behind = to_pixel(page_color(film)),
                         .metadata = {{"title", scene.title},
                                      {"description", scene.description},
-                                     {"comment", recipe(scene, options)}}},
+                                     {"comment", recipe(scene, options)}},
+                        .chapters = std::move(chapters)},
                        plan.frames());
 }
 

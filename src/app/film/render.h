@@ -43,7 +43,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
                  RenderReport& report);
 
 /// What writes the film of a plan, whose metadata hold all that makes it again. Throws SystemError.
-std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options);
+std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options,
+                                        std::vector<FilmChapter> chapters = {});
 
 /// Draws the frames of one of `plan.segments` alone, for `writer`; join() adds it to the film.
 std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, FilmWriter& writer);

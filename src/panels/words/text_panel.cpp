@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array steps{2.0, 1.7, 1.45, 1.2, 1.0};  // units
 constexpr double line_height = 1.4, paragraph_gap = 0.5;
-constexpr double formula_gap = 0.3;   // above and below what is higher than a line
-constexpr double title_height = 2.4;  // units
+constexpr double formula_gap = 0.3, gap_in_line = 0.1;  // above and below formulae
+constexpr double title_height = 2.4;                    // units
 constexpr std::size_t most_lines = 1000;
 
 TextStyle style_of(double size) {
@@ -60,8 +60,9 @@ LineHeight line_height_of(const std::string& line, double size) {
     LineHeight height{size, line_height * size};
     if (line.find('$') == std::string::npos) return height;
     const TextExtent extent = measure_words(line, style_of(size));
-    const double below = std::max(height.all - height.above, extent.descent + formula_gap * size);
-    height.above = std::max(height.above, extent.ascent + formula_gap * size);
+    const double gap = (is_formula_alone(line) ? formula_gap : gap_in_line) * size;
+    const double below = std::max(height.all - height.above, extent.descent + gap);
+    height.above = std::max(height.above, extent.ascent + gap);
     return {height.above, height.above + below};
 }
 

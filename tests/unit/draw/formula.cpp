@@ -18,7 +18,7 @@ TEST_CASE("boxes of formulae are those of pdfLaTeX, with its font") {
     const test::ComputerModern font;
     CHECK(test::pdflatex_boxes.size() > 60);
     for (const test::MeasuredFormula& one : test::pdflatex_boxes) {
-        CAPTURE(one.tex);
+        CAPTURE(std::string(one.tex));
         CAPTURE(one.stands_alone);
         const formula::Box box = formula::box_of(
             formula::parsed(one.tex), font,

@@ -214,8 +214,11 @@ TEST_CASE("captions and alternative texts have the numbers of every run") {
     const FigureRun together = run_of(scene_of(bars + warmer));
     const FigureWords words = words_of(together, together.figures()[0]);
     for (const FigureSide& side : together.figures()[0].sides) {
+        const std::string differs = side.label == "warm"  ? "temperature 4; "
+                                    : side.label == "few" ? "count 20; "
+                                                          : "";
         const std::string words_of_it =
-            fmt::format("{} ({} disks, {} collision", side.label, side.particles,
+            fmt::format("{} ({}{} disks, {} collision", side.label, differs, side.particles,
                         grouped(side.collisions.particle));
         const std::size_t begin = words.caption.find(words_of_it);
         REQUIRE(begin != std::string::npos);

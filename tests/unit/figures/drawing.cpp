@@ -1,7 +1,10 @@
 // Figures: what they show, how large they are, and that they are the same every time.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "draw/text.h"
 #include "figures/figure_drawing.h"
@@ -181,4 +184,30 @@ TEST_CASE("in a figure the name of a disk keeps clear of the disks around it") {
         return 0.0;
     };
     CHECK(std::abs(left_of_name("[20, 17.5]") - left_of_name("[35, 17.5]")) > 20.0);
+}
+
+TEST_CASE("the figures of a scene have alternative texts of their own") {
+    const FigureRun run = run_of(
+        scene_of("  - {name: a, kind: gas, at: 0}\n  - {name: b, kind: gas, at: 10}\n"
+                 "  - {name: c, kind: speed-histogram}\n  - {name: d, kind: temperature}\n"));
+    const std::string description = run.scene().description;
+    int described = 0;
+    std::vector<std::string> all;
+    for (const Figure& figure : run.figures()) {
+        const std::string alt = words_of(run, figure).alt;
+        CHECK(std::ranges::find(all, alt) == all.end());
+        described += alt.find(description) != std::string::npos ? 1 : 0;
+        all.push_back(alt);
+    }
+    CHECK(described == 1);
+    CHECK(all.front().find(description) != std::string::npos);
+}
+
+TEST_CASE("captions may have formulae, alternative texts have them in words") {
+    const FigureRun run =
+        run_of(scene_of("  - {name: a, kind: gas, caption: 'At $kT$, for \\$2', alt: 'The mean is "
+                        "$\\frac12 kT$'}\n"));
+    const FigureWords words = words_of(run, run.figures()[0]);
+    CHECK(words.caption == "At $kT$, for \\$2");
+    CHECK(words.alt == "The mean is 1 over 2, times k times T");
 }

@@ -30,3 +30,12 @@ TEST_CASE("letters that pdfLaTeX cannot set are named, each once") {
     CHECK(beyond_pdflatex("λ") == std::vector<std::string>{"λ"});
     CHECK(beyond_pdflatex(escaped("λ", PageKind::latex)).empty());
 }
+
+TEST_CASE("captions have formulae in the way of each page") {
+    CHECK(escaped_with_formulas("a_b $x_1$ c", PageKind::markdown) == "a\\_b $x_1$ c");
+    CHECK(escaped_with_formulas("$\\frac{a}{b}\\text{ of }π$, & 5", PageKind::latex) ==
+          "\\(\\frac{a}{b}\\mbox{ of }\\pi \\), \\& 5");
+    CHECK(escaped_with_formulas("$x$ < \\$2", PageKind::html) ==
+          "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mi>x</mi></math> &lt; $2");
+    CHECK(beyond_pdflatex(escaped_with_formulas("$λ ≤ ∞$", PageKind::latex)).empty());
+}

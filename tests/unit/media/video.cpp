@@ -27,6 +27,25 @@ TEST_CASE("a film is the same bytes whatever threads encoded its segments, for e
     }
 }
 
+TEST_CASE("ffprobe sees the chapters of a film") {
+    const FilmFolder folder;
+    VideoSettings settings = small_film(Quality::draft);
+    settings.chapters = {{0, 30, "The first"}, {30, 60, "Zweitens: größer"}};
+    write_film(folder.film(), settings);
+    const nlohmann::json chapters = nlohmann::json::parse(output_of(
+        "ffprobe -v error -show_chapters -of json " + folder.film().string()))["chapters"];
+    REQUIRE(chapters.size() == 2);
+    CHECK(chapters[0]["tags"]["title"] == "The first");
+    CHECK(chapters[1]["tags"]["title"] == "Zweitens: größer");
+    CHECK(std::stod(chapters[1]["start_time"].get<std::string>()) == doctest::Approx(1.0));
+    CHECK(std::stod(chapters[1]["end_time"].get<std::string>()) == doctest::Approx(2.0));
+    // They add no stream that players would show.
+    int shown = 0;
+    for (const auto& stream : probe(folder.film())["streams"])
+        shown += stream["codec_type"] == "video" ? 1 : 0;
+    CHECK(shown == 1);
+}
+
 TEST_CASE("ffprobe sees a tagged H.264 film of constant rate") {
     const FilmFolder folder;
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {

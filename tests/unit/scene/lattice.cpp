@@ -26,7 +26,7 @@ std::string refusal(const std::string& text) {
 
 bool can_begin(const Gas& gas) {
     try {
-        Simulation(gas, {.until = 1.0, .events = {}});
+        Simulation(gas, {.until = 1.0, .events = {}, .time_step = {}});
     } catch (const PlacementError&) {
         return false;
     }

@@ -168,7 +168,7 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
     CHECK(figure.sides[2].account.find("\u207B") != std::string::npos);  // a small power of ten
     CHECK(figure.sides[2].account.find("a return error of ") != std::string::npos);
     const FigureWords words = words_of(together, figure);
-    CHECK(words.caption.find("53 bits (260 disks, ") != std::string::npos);
+    CHECK(words.caption.find("53 bits (precision double; 260 disks, ") != std::string::npos);
     CHECK(words.caption.find("Upper estimate of the growth: small distances double ") !=
           std::string::npos);
     for (const auto& format : {pixels, std::optional(VectorFormat::svg)})

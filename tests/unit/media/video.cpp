@@ -41,7 +41,8 @@ TEST_CASE("ffprobe sees the chapters of a film") {
     CHECK(std::stod(chapters[1]["end_time"].get<std::string>()) == doctest::Approx(2.0));
     // They add no stream that players would show.
     int shown = 0;
-    for (const auto& stream : probe(folder.film())["streams"])
+    const nlohmann::json all = probe(folder.film());
+    for (const nlohmann::json& stream : all["streams"])
         shown += stream["codec_type"] == "video" ? 1 : 0;
     CHECK(shown == 1);
 }

@@ -126,5 +126,5 @@ TEST_CASE("a formula makes its line as high as it is, and stands in the middle w
         REQUIRE(found != log.lines.end());
         return found->ink;
     };
-    CHECK(line("$x^2$").x > line("one").x + 3.0 * line("one").width);
+    CHECK(line("$x^2$").x > line("one").x + 1.5 * line("one").width);
 }

@@ -17,6 +17,8 @@
 #include "app/resources.h"
 #include "app/scratch_folder.h"
 #include "media/formats.h"
+#include "panels/registry.h"
+#include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -104,13 +106,39 @@ std::string timings(const RenderReport& report) {
                               report.wall_seconds, frames / report.wall_seconds);
 }
 
+// A scene to be rendered, and what a list of scenes says instead of it.
+struct ListedScene {
+    std::string name;
+    Overrides values = {};
+};
+
+std::string quoted(std::string words) {
+    for (std::size_t at = words.find('\''); at != std::string::npos; at = words.find('\'', at + 2))
+        words.insert(at, 1, '\'');
+    return "'" + words + "'";
+}
+
+// The scenes of a figure set; those that it gives a title begin with a card.
+std::vector<ListedScene> scenes_of(const SetFile& set) {
+    std::vector<ListedScene> scenes;
+    for (const SetScene& scene : set.scenes) {
+        scenes.push_back({scene.path.string()});
+        if (scene.title)
+            scenes.back().values = {"title=" + quoted(*scene.title), "film.title_card=true"};
+    }
+    return scenes;
+}
+
 // All scenes before any work: a mistake in the last one must not cost the hours of the first.
-std::vector<Scene> load_all(const RenderArguments& arguments) {
+std::vector<Scene> load_all(const RenderArguments& arguments,
+                            const std::vector<ListedScene>& listed_scenes) {
     const SceneResources resources = scene_resources();
     Overrides overrides = overrides_of(arguments);
     bool is_first = true;
-    return all_made(arguments.scenes, [&](const std::string& name) {
-        Scene scene = load_scene(name, resources, overrides);
+    return all_made(listed_scenes, [&](const ListedScene& one) {
+        Overrides values = one.values;
+        values.insert(values.end(), overrides.begin(), overrides.end());
+        Scene scene = load_scene(one.name, resources, values);
         if (arguments.join && std::exchange(is_first, false)) {
             const Film& film = scene.film;
             overrides.push_back(
@@ -125,7 +153,9 @@ std::vector<Scene> load_all(const RenderArguments& arguments) {
 void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& scenes) {
     if (arguments.film.from || arguments.film.to)
         throw UsageError("--join: --from and --to apply to one scene; leave them out");
-    if (scenes.size() < 2) throw UsageError("--join makes one film of several scenes; give two");
+    if (scenes.size() < 2)
+        throw UsageError(
+            "--join makes one film of several scenes; give two, or a figure set that lists them");
     for (const Scene& scene : scenes)
         if (scene.film.transparent)
             throw UsageError("--join: scenes fade into their ground, and the ground is none");
@@ -161,12 +191,12 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
     fmt::print("{}", text);
 }
 
-RenderReport render_to_stream(const std::vector<Scene>& scenes, FilmOptions options,
-                              Progress& progress) {
+RenderReport render_to_stream(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                              FilmOptions options, Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
     options.output = folder.path() / options.output;
-    const RenderReport report = scenes.size() > 1 ? render_joined(scenes, options, progress)
+    const RenderReport report = scenes.size() > 1 ? render_joined(scenes, title, options, progress)
                                                   : render(scenes.front(), options, progress);
     stream.copy(options.output);
     return report;
@@ -174,15 +204,17 @@ RenderReport render_to_stream(const std::vector<Scene>& scenes, FilmOptions opti
 
 // Of one scene, or of several joined.
 void render_film(const RenderArguments& arguments, const std::string& name,
-                 const std::vector<Scene>& scenes, const fs::path& output) {
+                 const std::vector<Scene>& scenes, const fs::path& output,
+                 const JoinedTitle& title = {}) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
     options.output = output;
     options.threads = threads_of(arguments);
     const RenderReport report = Output::is_standard_output(arguments.destination.output)
-                                    ? render_to_stream(scenes, options, progress)
-                                : scenes.size() > 1 ? render_joined(scenes, options, progress)
-                                                    : render(scenes.front(), options, progress);
+                                    ? render_to_stream(scenes, title, options, progress)
+                                : scenes.size() > 1
+                                    ? render_joined(scenes, title, options, progress)
+                                    : render(scenes.front(), options, progress);
     print_report(arguments, scenes.front(), report);
     if (!arguments.quiet) say(warning(format_of_film(output), report));
 }
@@ -194,7 +226,16 @@ void render_scenes(RenderArguments& arguments) {
     if (arguments.film.text && Output::is_standard_output(arguments.destination.output))
         throw UsageError(
             "--words: these files go beside the film, which has no file here; name one with -o");
-    const std::vector<Scene> scenes = load_all(arguments);
+    JoinedTitle title;
+    std::vector<ListedScene> listed_scenes;
+    for (const std::string& name : arguments.scenes) listed_scenes.push_back({name});
+    if (arguments.join && arguments.scenes.size() == 1 && is_figure_set(arguments.scenes.front())) {
+        const SetFile set =
+            load_figure_set(arguments.scenes.front(), panel_kinds(), figure_formats());
+        title = {set.title, set.description};
+        listed_scenes = scenes_of(set);
+    }
+    const std::vector<Scene> scenes = load_all(arguments, listed_scenes);
     if (arguments.join) refuse_join(arguments, scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         require_letters(scenes[i]);
@@ -202,7 +243,7 @@ void render_scenes(RenderArguments& arguments) {
         refuse_format(format_of_film(outputs[arguments.join ? 0 : i]), scenes[i]);
     }
     if (arguments.join)
-        return render_film(arguments, arguments.scenes.front(), scenes, outputs.front());
+        return render_film(arguments, arguments.scenes.front(), scenes, outputs.front(), title);
     std::size_t rendered = 0;
     try {
         for (; rendered < scenes.size(); ++rendered)
@@ -235,7 +276,9 @@ Command render_command() {
                   {"--words",
                    "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
                    &its.film.text},
-                  {"--join", "one film of all scenes, each fading into the next", &its.join}},
+                  {"--join",
+                   "one film of all scenes, or of those of a figure set, each fading into the next",
+                   &its.join}},
                  scene_options(its),
                  picture_options(its),
                  {shortcut(its, "--fps", "film.fps", "frames per second"),

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/stopwatch.h"
+#include "draw/text.h"
+#include "panels/layout.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -15,6 +17,7 @@ namespace carom {
 namespace {
 
 constexpr double fade_seconds = 0.3;  // out of one film, and as long into the next
+constexpr double title_seconds = 4.0;
 
 // The frames of a segment, those at the ends of the part covered by its ground.
 class FadingSegment : public FilmSegment {
@@ -54,9 +57,20 @@ class PartWriter : public FilmWriter {
     JoinedPart part_;
 };
 
-std::vector<JoinedPart> parts_of(const std::vector<Scene>& scenes) {
+// That of the title, in the look of the first film.
+JoinedPart title_part(const Film& film) {
+    const int frames = static_cast<int>(std::lround(title_seconds * film.fps));
+    return {.frames = frames,
+            .fading = std::min(static_cast<int>(std::lround(fade_seconds * film.fps)), frames / 2),
+            .comes_in = false,
+            .ground = page_color(film),
+            .film = film};
+}
+
+// From that frame on.
+std::vector<JoinedPart> parts_of(const std::vector<Scene>& scenes, int first) {
     std::vector<JoinedPart> parts;
-    int first = 0;
+    const bool has_title = first > 0;
     for (const Scene& scene : scenes) {
         const Film& film = scene.film;
         const int frames = frame_count(film);
@@ -64,7 +78,7 @@ std::vector<JoinedPart> parts_of(const std::vector<Scene>& scenes) {
         parts.push_back({.first = first,
                          .frames = frames,
                          .fading = std::min(fading, frames / 2),
-                         .comes_in = !parts.empty(),
+                         .comes_in = has_title || !parts.empty(),
                          .goes_out = parts.size() + 1 < scenes.size(),
                          .before = parts.empty() ? page_color(film) : parts.back().ground,
                          .ground = page_color(film),
@@ -80,12 +94,14 @@ void append(std::string& all, const std::string& more) {
 }
 
 // What the whole film is.
-std::string transcript_head(const std::vector<Scene>& scenes,
+std::string transcript_head(const std::vector<Scene>& scenes, const JoinedTitle& title,
                             const std::vector<JoinedPart>& parts) {
     const JoinedPart& last = parts.back();
     const double seconds = double(last.first + last.frames) / last.film.fps;
-    std::string text =
-        fmt::format("A silent film of {}, in {} parts:\n", clock_text(seconds), parts.size());
+    std::string text;
+    if (!title.title.empty()) text = title.title + "\n\n";
+    if (!title.words.empty()) text += title.words + "\n\n";
+    text += fmt::format("A silent film of {}, in {} parts:\n", clock_text(seconds), parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += fmt::format("\n{}  {}", clock_text(double(parts[i].first) / last.film.fps),
                             scenes[i].title);
@@ -101,24 +117,36 @@ void append(FilmText& all, const FilmText& more) {
 
 // Of a film that holds the parts up to the last, with what makes it again.
 std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
-                                          const FilmOptions& options,
+                                          const JoinedTitle& title, const FilmOptions& options,
                                           const std::vector<JoinedPart>& parts) {
     std::vector<std::string> titles;
     std::vector<FilmChapter> chapters;
     FilmPlan all;
     for (const Scene& scene : scenes) {
         const JoinedPart& part = parts[titles.size()];
-        chapters.push_back({part.first, part.first + part.frames, scene.title});
+        const int first = chapters.empty() ? 0 : part.first;  // the title belongs to the first
+        chapters.push_back({first, part.first + part.frames, scene.title});
         titles.push_back(scene.title);
         all.scene.source.text += (titles.size() > 1 ? "---\n" : "") + scene.source.text;
         all.scene.description += (titles.size() > 1 ? "\n" : "") + scene.description;
     }
-    all.scene.title = listed(titles, "and");
+    all.scene.title = title.title.empty() ? listed(titles, "and") : title.title;
+    if (!title.words.empty()) all.scene.description = title.words;
     all.scene.seed = scenes.front().seed;
     all.scene.source.overrides = scenes.front().source.overrides;
     all.scene.film = scenes.front().film;
     all.span = {0, parts.back().first + parts.back().frames};
     return film_writer(all, options, std::move(chapters));
+}
+
+void write_title(FilmWriter& whole, const JoinedPart& part, const JoinedTitle& title) {
+    Canvas card = FramePainter::blank(part.film);
+    draw_title(card, part.film, title);
+    const auto writer = writer_of_part(whole, part);
+    const std::unique_ptr<FilmSegment> segment = writer->segment(0);
+    for (int i = 0; i < part.frames; ++i) segment->add(card);
+    segment->finish();
+    segment->join();
 }
 
 }  // namespace
@@ -135,23 +163,60 @@ std::unique_ptr<FilmWriter> writer_of_part(FilmWriter& whole, const JoinedPart& 
     return std::make_unique<PartWriter>(whole, part);
 }
 
-RenderReport render_joined(const std::vector<Scene>& scenes, const FilmOptions& options,
-                           Progress& progress) {
+void draw_title(Canvas& canvas, const Film& film, const JoinedTitle& title) {
+    canvas.fill_all(page_color(film));
+    const Theme& theme = theme_of(film.theme);
+    const double width = film.size.width, unit = Grid(film.layout, film.size).unit();
+    const TextStyle large{.size = 3.4 * unit,
+                          .weight = 600,
+                          .color = theme.ink,
+                          .align = Align::center,
+                          .tabular = false,
+                          .max_width = 0.84 * width};
+    TextStyle small = large;
+    small.size = 1.6 * unit;
+    small.weight = 400;
+    small.color = theme.muted;
+    constexpr std::size_t most_lines = 6;
+    constexpr double line = 1.35;
+    const auto heading = wrapped(title.title, large, most_lines);
+    const auto rest = wrapped(title.words, small, most_lines);
+    const double height = line * (large.size * static_cast<double>(heading.size()) +
+                                  small.size * static_cast<double>(rest.size()));
+    double y = 0.5 * (film.size.height - height);
+    const auto write = [&](const std::vector<std::string>& lines, const TextStyle& style) {
+        for (const std::string& words : lines) {
+            draw_text(canvas, {0.5 * width, y + style.size}, escape_markup(words), style);
+            y += line * style.size;
+        }
+    };
+    write(heading, large);
+    write(rest, small);
+}
+
+RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                           const FilmOptions& options, Progress& progress) {
     const Stopwatch watch;
-    const std::vector<JoinedPart> parts = parts_of(scenes);
+    const JoinedPart card = title_part(scenes.front().film);
+    const bool has_card = !title.title.empty();
+    const std::vector<JoinedPart> parts = parts_of(scenes, has_card ? card.frames : 0);
     std::unique_ptr<FilmWriter> writer;
     RenderReport report;
     FilmText text;
-    text.transcript = transcript_head(scenes, parts);
+    text.transcript = transcript_head(scenes, title, parts);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         FilmOptions own = options;
         own.joined_at = static_cast<double>(parts[i].first) / scenes[i].film.fps;
         const FilmPlan plan = prepare(scenes[i], own, progress);
-        if (!writer) writer = writer_of_all(scenes, options, parts);
+        if (!writer) {
+            writer = writer_of_all(scenes, title, options, parts);
+            if (has_card) write_title(*writer, card, title);
+        }
         const auto part = writer_of_part(*writer, parts[i]);
         draw_frames(plan, options.threads, *part, progress, report);
         append(text, plan.text);
     }
+    if (has_card) report.frames += card.frames;
     throw_if_interrupted();
     report.path = options.output;
     report.simulate_seconds = watch.cpu();

@@ -27,9 +27,17 @@ double cover_of(const JoinedPart& part, int frame);
 /// What writes a part into the whole, which it refers to. It is not committed.
 std::unique_ptr<FilmWriter> writer_of_part(FilmWriter& whole, const JoinedPart& part);
 
+/// What a joined film begins with; without a title it begins with its first scene.
+struct JoinedTitle {
+    std::string title, words;
+};
+
 /// Renders the films of several scenes, which have one size and rate, as one film, whole or not at
-/// all: its title is theirs, its chapters are their titles. Throws as render() does.
-RenderReport render_joined(const std::vector<Scene>& scenes, const FilmOptions& options,
-                           Progress& progress);
+/// all: its title is its own or theirs, its chapters are their titles. Throws as render() does.
+RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                           const FilmOptions& options, Progress& progress);
+
+/// A card of a joined film: its title over its words.
+void draw_title(Canvas& canvas, const Film& film, const JoinedTitle& title);
 
 }  // namespace carom

@@ -3,10 +3,14 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "app/film/film_text.h"
+#include "draw/text.h"
+#include "support/files.h"
+#include "support/process.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -83,4 +87,46 @@ TEST_CASE("the words of a film in another count from its beginning there, under 
     CHECK(text.captions == "WEBVTT\n\n00:00:30.000 --> 00:00:38.000\nWords\n");
     CHECK(text.chapters == "WEBVTT\n\n00:00:30.000 --> 00:00:38.000\nA second gas\n");
     CHECK(text.transcript.find("\n0:30  ") != std::string::npos);
+}
+
+TEST_CASE("the title of a joined film stands in the middle of its card, whole") {
+    Film film;
+    film.size = {640, 360};
+    Canvas card = FramePainter::blank(film);
+    TextLog log;
+    draw_title(card, film, {"A course on gases", "From one fast disk to a curve"});
+    REQUIRE(log.lines.size() == 2);
+    for (const DrawnLine& line : log.lines) {
+        CHECK_FALSE(line.is_cut);
+        CHECK(std::abs(line.ink.x + 0.5 * line.ink.width - 320.0) < 4.0);
+        CHECK(line.ink.y > 60.0);
+        CHECK(line.ink.bottom() < 300.0);
+    }
+    CHECK(log.lines[0].size > log.lines[1].size);
+}
+
+TEST_CASE("a joined film has a card, chapters, and a transcript with its length") {
+    const auto scene = [](const std::string& title) {
+        return test::scene_from("title: " + title +
+                                "\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
+                                "run: {until: 2}\nfilm: {seconds: 2, fps: 5, size: [160, 96]}\n");
+    };
+    const test::TemporaryFolder folder;
+    FilmOptions options;
+    options.output = folder.path() / "course.mp4";
+    options.text = true;
+    Progress progress(Progress::Form::silent, "");
+    const RenderReport report = render_joined({scene("One"), scene("Two")},
+                                              {"A course", "In two parts"}, options, progress);
+    CHECK(report.frames == 20 + 10 + 10);
+    CHECK(test::contents(folder.path() / "course.transcript.txt")
+              .starts_with("A course\n\nIn two parts\n\nA silent film of 0:08, in 2 parts:\n\n"
+                           "0:04  One\n0:06  Two\n"));
+    if (!test::is_installed("ffprobe")) return;
+    const std::string chapters = test::run({"ffprobe", "-v", "error", "-show_entries",
+                                            "chapter=start_time,end_time:chapter_tags=title", "-of",
+                                            "csv=p=0", (folder.path() / "course.mp4").string()},
+                                           folder.path())
+                                     .out;
+    CHECK(chapters == "0.000000,6.000000,One\n6.000000,8.000000,Two\n");
 }

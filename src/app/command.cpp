@@ -43,11 +43,17 @@ std::vector<Option> work_options(SceneOptions& options) {
             {"--timings", "print the time of each stage", &options.timings}};
 }
 
+Option language_option(SceneOptions& options) {
+    return shortcut(options, "--language", "film.language",
+                    "language of carom's own words: en, de, fr or es");
+}
+
 std::vector<Option> picture_options(SceneOptions& options) {
     return {
         shortcut(options, "--template", "film.template",
                  "another layout: the name of a template, or a file"),
         shortcut(options, "--theme", "film.theme", "colours: light, dark or print"),
+        language_option(options),
         shortcut(options, "--ground", "film.ground", "background: theme, or none for transparent"),
         shortcut(options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT"),
     };

@@ -64,7 +64,10 @@ std::vector<Option> scene_options(SceneOptions& options);
 /// --threads and --timings.
 std::vector<Option> work_options(SceneOptions& options);
 
-/// --template, --theme, --ground and --size.
+/// --language.
+Option language_option(SceneOptions& options);
+
+/// --template, --theme, --language, --ground and --size.
 std::vector<Option> picture_options(SceneOptions& options);
 
 /// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.

@@ -108,19 +108,26 @@ bool fits(const std::vector<TickMark>& marks, const Scale& scale, const TextStyl
     return true;
 }
 
+std::vector<TickMark> localised(Language language, std::vector<TickMark> marks) {
+    for (TickMark& mark : marks) mark.label = localised(language, std::move(mark.label));
+    return marks;
+}
+
 std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style) {
     for (int most = 5; most > 2; --most) {
-        std::vector<TickMark> marks = ticks(scale.low, scale.high, most, style.whole);
+        std::vector<TickMark> marks =
+            localised(style.language, ticks(scale.low, scale.high, most, style.whole));
         if (fits(marks, scale, style.label)) return marks;
     }
-    return ticks(scale.low, scale.high, 2, style.whole);
+    return localised(style.language, ticks(scale.low, scale.high, 2, style.whole));
 }
 
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
     const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
     const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
-    return style.decades ? decade_ticks(scale.low, scale.high, most)
-                         : ticks(scale.low, scale.high, most, style.whole);
+    return localised(style.language, style.decades
+                                         ? decade_ticks(scale.low, scale.high, most)
+                                         : ticks(scale.low, scale.high, most, style.whole));
 }
 
 // How many multiples of a step there are from `first` to `last`.

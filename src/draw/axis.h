@@ -7,6 +7,7 @@
 
 #include "draw/canvas.h"
 #include "draw/text.h"
+#include "util/language.h"
 
 namespace carom {
 
@@ -44,6 +45,7 @@ struct AxisStyle {
     Color line;
     bool whole = false;    ///< ticks of linear axes at whole numbers only
     bool decades = false;  ///< of a vertical axis: its scale maps decimal logarithms
+    Language language = Language::english;  ///< of the numbers
 };
 
 /// The height that an x axis with a title takes below its area, and the width that a y axis takes

@@ -47,14 +47,15 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     return sheet;
 }
 
-void draw_times(Canvas& canvas, const DrawContext& dc, double time) {
+void draw_times(Canvas& canvas, const DrawContext& dc, Language language, double time) {
     TextStyle style = label_style(dc);
     style.align = Align::center;
     draw_text(canvas, {dc.area.x + dc.area.width / 2, dc.area.bottom() + 1.6 * dc.unit},
-              "<i>t</i> = " + plain_number(time), style);
+              "<i>t</i> = " + plain_number(language, time), style);
 }
 
-void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure) {
+void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure,
+              Language language) {
     const double u = whole.unit;
     const bool several = figure.moments.size() > 1;
     DrawContext dc = whole;
@@ -66,7 +67,7 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
         figure.panel->draw(canvas, dc, *moment.state);
         if (several)
             draw_times(canvas, {figure.panel->frame_in(dc.area, u), u, dc.theme, dc.disks},
-                       moment.time);
+                       language, moment.time);
         dc.area.x += dc.area.width + strip_gap * u;
     }
     const Rect box = figure.panel->frame_in(first.area, u);
@@ -110,7 +111,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
         {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
     canvas.fill_all(dc.theme.page);
     if (is_gas(spec))
-        draw_gas(canvas, dc, sheet, figure);
+        draw_gas(canvas, dc, sheet, figure, run.scene().film.language);
     else
         draw_plot(canvas, dc, sheet, figure);
     return canvas;

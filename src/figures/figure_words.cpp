@@ -4,25 +4,32 @@
 
 #include <algorithm>
 
+#include "panels/registry.h"
+#include "scene/describe.h"
 #include "util/formula/formula.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
+// "Speed histogram", "The gas": how a caption names what it shows.
 std::string kind_words(const Scene& scene, const FigureSpec& spec) {
-    if (spec.panel.title) return *spec.panel.title;
-    if (spec.panel.kind == "gas")
-        return scene.gas.box.dimension == 2 ? "The gas" : "The beads on their wire";
-    std::string words = spec.panel.kind;
-    std::ranges::replace(words, '-', ' ');
-    return capitalised(words);
+    const Language language = scene.film.language;
+    if (spec.panel.kind == "gas" && !spec.panel.title)
+        return scene.gas.box.dimension == 2 ? say(language, "The gas")
+                                            : say(language, "The beads on their wire");
+    return capitalised(name_of_panel(language, spec.panel));
 }
 
-std::string time_words(const FigureSpec& spec) {
+// "Speed histogram at time 20", "Entropy from time 6 to 12".
+std::string kind_and_time(const Scene& scene, const FigureSpec& spec) {
+    const Language language = scene.film.language;
+    const std::string kind = kind_words(scene, spec);
+    const std::string times = shown_times(language, spec);
     const bool over = spec.panel.over && spec.panel.over->since == Over::Since::window;
-    return fmt::format("{} {}{}", over ? "from" : "at", spec.times.size() > 1 ? "times " : "time ",
-                       shown_times(spec));
+    if (over) return say(language, "{} from time {}", kind, times);
+    return spec.times.size() > 1 ? say(language, "{} at times {}", kind, times)
+                                 : say(language, "{} at time {}", kind, times);
 }
 
 bool have_one_time(const Figure& figure) {
@@ -39,17 +46,22 @@ std::string unbroken(std::string words) {
     return words;
 }
 
-// "Speed histogram at time 20 of 3 runs", "Entropy of 2 runs, each to its end".
+// "Speed histogram at time 20 of 3 runs", "Entropy of 2 runs, each at its end".
 std::string comparison_words(const Scene& scene, const Figure& figure) {
-    const std::string kind = kind_words(scene, *figure.spec);
+    const Language language = scene.film.language;
     const std::size_t runs = figure.sides.size();
     if (have_one_time(figure))
-        return fmt::format("{} {} of {} runs", kind, time_words(*figure.spec), runs);
-    return fmt::format("{} of {} runs, each at its end", kind, runs);
+        return say(language, "{} of {} runs", kind_and_time(scene, *figure.spec), runs);
+    return say(language, "{} of {} runs, each at its end", kind_words(scene, *figure.spec), runs);
+}
+
+std::string collisions_counted(Language language, long long count) {
+    return counted(language, count, Phrase{"{} collision between them"},
+                   Phrase{"{} collisions between them"});
 }
 
 // "gas.0.radius=0.35" as "radius of disks: 0.35".
-std::string words_of_value(const std::string& value, const Gas& gas) {
+std::string words_of_value(Language language, const std::string& value, const Gas& gas) {
     const std::size_t sign = value.find('=');
     const std::string path = value.substr(0, sign), number = value.substr(sign + 1);
     const std::size_t dot = path.rfind('.');
@@ -57,69 +69,74 @@ std::string words_of_value(const std::string& value, const Gas& gas) {
     std::ranges::replace(words, '_', ' ');
     for (std::size_t k = 0; k < gas.species.size(); ++k)
         if (gas.species.size() > 1 && path.starts_with(fmt::format("gas.{}.", k)))
-            words += " of " + gas.species[k].name;
+            words = say(language, "{} of {}", words, gas.species[k].name);
     return words + " " + number;
 }
 
 // How a run that is compared differs from the scene, or from the others by its scene; empty where
 // its label says it.
-std::string difference(const FigureSpec& spec, const ComparedRun& run) {
+std::string difference(Language language, const FigureSpec& spec, const ComparedRun& run) {
     std::vector<std::string> differences;
     const bool have_one_scene = std::ranges::all_of(spec.compare, [&](const ComparedRun& other) {
         return other.scene->source.path == run.scene->source.path;
     });
     if (!have_one_scene && run.label != run.scene->title)
-        differences.push_back("“" + run.scene->title + "”");
+        differences.push_back(say(language, "“{}”", run.scene->title));
     for (const std::string& value : run.values)
         if (run.label.find(value.substr(value.find('=') + 1)) == std::string::npos &&
             !value.starts_with("seed="))
-            differences.push_back(words_of_value(value, run.scene->gas));
+            differences.push_back(words_of_value(language, value, run.scene->gas));
     return differences.empty() ? "" : fmt::format("{}; ", fmt::join(differences, ", "));
 }
 
 std::string caption_of_runs(const Scene& scene, const Figure& figure) {
+    const Language language = scene.film.language;
     std::vector<std::string> runs;
     for (std::size_t k = 0; k < figure.sides.size(); ++k) {
         const FigureSide& side = figure.sides[k];
         const Scene& its = *figure.spec->compare[k].scene;
-        std::string words =
-            fmt::format("{} ({}{}, {} between them, {}", side.label,
-                        difference(*figure.spec, figure.spec->compare[k]),
-                        counted(side.particles, its.gas.box.dimension == 2 ? "disk" : "bead"),
-                        counted(side.collisions.particle, "collision"), side.account);
-        if (!have_one_time(figure)) words += " at time " + plain_number(side.time);
-        runs.push_back(words + ")");
+        std::vector<std::string> facts{
+            particles_counted(language, side.particles, its.gas.box.dimension),
+            collisions_counted(language, side.collisions.particle), side.account};
+        if (!have_one_time(figure))
+            facts.push_back(say(language, "at time {}", plain_number(language, side.time)));
+        runs.push_back(fmt::format("{} ({}{})", side.label,
+                                   difference(language, *figure.spec, figure.spec->compare[k]),
+                                   fmt::join(facts, ", ")));
     }
-    return fmt::format("{} {}: {}; reduced units.", sentence(scene.title),
-                       comparison_words(scene, figure), listed(runs));
+    return fmt::format("{} {}", sentence(scene.title),
+                       say(language, "{}: {}; reduced units.", comparison_words(scene, figure),
+                           listed(language, runs)));
 }
 
 std::string alt_of_runs(const Scene& scene, const Figure& figure) {
+    const Language language = scene.film.language;
     std::vector<std::string> runs;
     for (const FigureSide& side : figure.sides) runs.push_back(side.label + ", " + side.account);
-    return fmt::format("{} in one panel: {}.", comparison_words(scene, figure),
-                       fmt::join(runs, "; "));
+    return say(language, "{} in one panel: {}.", comparison_words(scene, figure),
+               fmt::format("{}", fmt::join(runs, "; ")));
 }
 
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
     if (!figure.sides.empty()) return caption_of_runs(scene, figure);
-    const char* things = scene.gas.box.dimension == 2 ? "disks" : "beads";
+    const Language language = scene.film.language;
     const std::string account = figure.panel->account(*figure.moments.back().state);
-    if (figure.spec->panel.seeds > 1)
-        return fmt::format(
-            "{} {} {}: mean of {} independent runs of {} {} each, with its standard error; reduced "
-            "units.{}{}",
-            sentence(scene.title), kind_words(scene, *figure.spec), time_words(*figure.spec),
-            figure.spec->panel.seeds, grouped(particles), things, account.empty() ? "" : " ",
-            account);
+    const std::string count = particles_counted(language, particles, scene.gas.box.dimension);
+    const std::string title = sentence(scene.title);
+    if (figure.spec->panel.seeds > 1) {
+        const std::string caption =
+            say(language,
+                "{}: mean of {} independent runs of {} each, with its standard error; reduced "
+                "units.",
+                kind_and_time(scene, *figure.spec), figure.spec->panel.seeds, count);
+        return fmt::format("{} {}{}{}", title, caption, account.empty() ? "" : " ", account);
+    }
     if (!account.empty())
-        return fmt::format("{} {} {}", sentence(scene.title),
-                           sentence(kind_words(scene, *figure.spec)), account);
-    const std::int64_t collisions = figure.moments.back().collisions.particle;
-    return fmt::format("{} {} {}: {} {}, {} {} between them by then; reduced units.",
-                       sentence(scene.title), kind_words(scene, *figure.spec),
-                       time_words(*figure.spec), grouped(particles), things, grouped(collisions),
-                       collisions == 1 ? "collision" : "collisions");
+        return fmt::format("{} {} {}", title, sentence(kind_words(scene, *figure.spec)), account);
+    return fmt::format(
+        "{} {}", title,
+        say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, *figure.spec),
+            count, collisions_counted(language, figure.moments.back().collisions.particle)));
 }
 
 std::string account_of(const Figure& figure) {
@@ -132,26 +149,28 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
     const std::string account = account_of(figure);
     const std::string kind = kind_words(scene, *figure.spec);
     if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
-    const std::string what = fmt::format("{} {}", kind, time_words(*figure.spec));
+    const std::string what = kind_and_time(scene, *figure.spec);
     if (!account.empty()) return what + ". " + account;
     const auto first = std::ranges::find_if(run.figures(), [](const Figure& one) {
         return one.sides.empty() && account_of(one).empty();
     });
     if (&*first == &figure) return what + ". " + scene.description;
-    return fmt::format("{} of “{}”, after {}.", what, scene.title,
-                       counted(figure.moments.back().collisions.particle, "collision"));
+    const Language language = scene.film.language;
+    return say(language, "{} of “{}”, {}.", what, scene.title,
+               counted(language, figure.moments.back().collisions.particle,
+                       Phrase{"after {} collision"}, Phrase{"after {} collisions"}));
 }
 
 }  // namespace
 
-std::string shown_times(const FigureSpec& spec) {
+std::string shown_times(Language language, const FigureSpec& spec) {
     const auto& over = spec.panel.over;
     if (over && over->since == Over::Since::window)
-        return fmt::format("{} to {}", plain_number(spec.times.back() - over->window),
-                           plain_number(spec.times.back()));
+        return say(language, "{} to {}", plain_number(language, spec.times.back() - over->window),
+                   plain_number(language, spec.times.back()));
     std::vector<std::string> times;
-    for (const double time : spec.times) times.push_back(plain_number(time));
-    return listed(times);
+    for (const double time : spec.times) times.push_back(plain_number(language, time));
+    return listed(language, times);
 }
 
 FigureWords words_of(const FigureRun& run, const Figure& figure) {

@@ -14,7 +14,7 @@ struct FigureWords {
 };
 
 /// The simulated times that a figure shows: 12, 6 to 12, "0, 1 and 4".
-std::string shown_times(const FigureSpec& spec);
+std::string shown_times(Language language, const FigureSpec& spec);
 
 FigureWords words_of(const FigureRun& run, const Figure& figure);
 

@@ -59,6 +59,17 @@ std::optional<Tag> next_tag(const string& text, std::size_t from) {
     return tag;
 }
 
+// Words of the program, which begin with an underscore.
+std::optional<Phrase> phrase_of(const string& name) {
+    if (!name.starts_with('_')) return std::nullopt;
+    return Phrase{string_view(name).substr(1)};
+}
+
+bool is_known(Phrase phrase) {
+    return std::ranges::any_of(phrases::all(),
+                               [&](const phrases::Row& row) { return row[0] == phrase.english; });
+}
+
 /// A template in parts: text, a placeholder, or a stretch between two tags.
 struct Part {
     char sign = 't';  ///< t: text
@@ -86,6 +97,7 @@ class Parser {
     }
 
     void check(const Tag& tag, const Scopes& scopes) {
+        if (const auto phrase = phrase_of(tag.name); phrase && is_known(*phrase)) return;
         const std::vector<string> names = names_in(scopes);
         const bool lists =
             tag.sign == ' ' && !tag.name.empty() && placeholders().contains(tag.name);
@@ -146,7 +158,7 @@ class Parser {
 
 class Filler {
   public:
-    explicit Filler(PageKind kind) : kind_(kind) {}
+    Filler(PageKind kind, Language language) : kind_(kind), language_(language) {}
 
     string fill(const std::vector<Part>& parts, const std::vector<const PageFields*>& scopes) {
         string text;
@@ -164,6 +176,7 @@ class Filler {
   private:
     std::optional<string> value(const string& name,
                                 const std::vector<const PageFields*>& scopes) const {
+        if (const auto phrase = phrase_of(name)) return escaped(say(language_, *phrase), kind_);
         for (const PageFields* scope : scopes) {
             if (const auto words = scope->words.find(name); words != scope->words.end())
                 return escaped(words->second, kind_);
@@ -194,6 +207,7 @@ class Filler {
     }
 
     PageKind kind_;
+    Language language_;
 };
 
 // As the words that are filled in.
@@ -212,7 +226,7 @@ void require_utf8(const Source& page, Errors& errors) {
 
 const std::map<string, std::vector<string>>& placeholders() {
     static const std::map<string, std::vector<string>> names{
-        {"", {"title", "description", "carom", "sections", "figures", "films"}},
+        {"", {"title", "description", "language", "carom", "sections", "figures", "films"}},
         {"sections", {"title", "subtitle", "description", "scene", "seed", "figures", "films"}},
         {"figures",
          {"name", "number", "caption", "alt", "kind", "time", "title", "scene", "seed", "width",
@@ -228,7 +242,7 @@ string filled_page(const Source& page, PageKind kind, const PageFields& fields) 
     require_utf8(page, errors);
     const std::vector<Part> parts = Parser(page, errors).parse();
     errors.throw_if_any();
-    return Filler(kind).fill(parts, {&fields});
+    return Filler(kind, fields.language).fill(parts, {&fields});
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 
 #include "figures/escaping.h"
 #include "scene/yaml/node.h"
+#include "util/language.h"
 
 namespace carom {
 
@@ -18,11 +19,13 @@ struct PageFields {
     std::map<std::string, std::string> formulated = {};  ///< words with formulae
     std::map<std::string, std::string> files = {};
     std::map<std::string, std::vector<PageFields>> lists = {};
+    Language language = Language::english;  ///< of the page itself, for words of the program
 };
 
 /// Fills a template. `{{name}}` is a text; `{{#name}}…{{/name}}` stays for each item of a list, or
 /// if there is such a text; `{{^name}}…{{/name}}` if there is none; `{{! words}}` is left out. A
-/// line that holds nothing but one of the last four leaves none. Throws SceneError with the places
+/// line that holds nothing but one of the last four leaves none. `{{_Figure}}` is a word of the
+/// program in the language of the page. Throws SceneError with the places
 /// of names that mean nothing and of what is not closed.
 std::string filled_page(const Source& page, PageKind kind, const PageFields& fields);
 

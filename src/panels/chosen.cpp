@@ -39,9 +39,22 @@ std::optional<double> asked_trail(const PanelContext& context, Eigen::Index part
     return among ? std::optional(trails.seconds) : std::nullopt;
 }
 
+namespace {
+
+std::string name_in(Language language, const Scene& scene, const Chosen& chosen) {
+    if (chosen.particle) return say(language, "particle {}", *chosen.particle);
+    if (chosen.species) return scene.gas.species[*chosen.species].name;
+    return say(language, "all");
+}
+
+}  // namespace
+
 std::string name_of(const Scene& scene, const Chosen& chosen) {
-    if (chosen.particle) return fmt::format("particle {}", *chosen.particle);
-    return chosen.species ? scene.gas.species[*chosen.species].name : "all";
+    return name_in(scene.film.language, scene, chosen);
+}
+
+std::string column_name_of(const Scene& scene, const Chosen& chosen) {
+    return name_in(Language::english, scene, chosen);
 }
 
 namespace {
@@ -71,19 +84,53 @@ plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& ch
     return choice_role(context, chosen[place], place);
 }
 
-plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
-                    plot::Sample sample, const std::string& last) {
-    if (chosen.size() == 1) return escape_markup(name_of(context.scene, chosen.front()));
-    const bool numbers =
-        std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
-    plot::Text words(numbers ? "particles " : "");
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-        if (k > 0) words += k + 1 == chosen.size() ? last : ", ";
-        const std::string name =
-            numbers ? std::to_string(*chosen[k].particle) : name_of(context.scene, chosen[k]);
-        words += plot::named(name, choice_role(context, chosen[k], k), sample, k);
+plot::Text joined(Language language, const std::vector<plot::Text>& texts, Joint joint) {
+    const std::string last = " " + say(language, "and") + " ";
+    plot::Text all;
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        if (k > 0) all += k + 1 < texts.size() || joint == Joint::commas ? ", " : last;
+        all += texts[k];
     }
-    return words;
+    return all;
+}
+
+namespace {
+
+bool are_numbers(const std::vector<Chosen>& chosen) {
+    return std::ranges::all_of(chosen, [](const Chosen& one) { return one.particle.has_value(); });
+}
+
+// Of particles their numbers only.
+plot::Text bare_names(const PanelContext& context, const std::vector<Chosen>& chosen,
+                      plot::Sample sample, Joint joint) {
+    std::vector<plot::Text> names;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        const std::string name = are_numbers(chosen) ? std::to_string(*chosen[k].particle)
+                                                     : name_of(context.scene, chosen[k]);
+        names.push_back(chosen.size() == 1
+                            ? plot::Text(escape_markup(name))
+                            : plot::named(name, choice_role(context, chosen[k], k), sample, k));
+    }
+    return joined(context.language(), names, joint);
+}
+
+}  // namespace
+
+plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
+                    plot::Sample sample, Joint joint) {
+    if (chosen.size() == 1) return escape_markup(name_of(context.scene, chosen.front()));
+    const plot::Text names = bare_names(context, chosen, sample, joint);
+    return are_numbers(chosen) ? plot::text_of(context.language(), Phrase{"particles {}"}, {names})
+                               : names;
+}
+
+plot::Text shown_of(const PanelContext& context, const plot::Text& what,
+                    const std::vector<Chosen>& chosen, plot::Sample sample) {
+    const Phrase phrase = !are_numbers(chosen) ? Phrase{"{} of {}"}
+                          : chosen.size() == 1 ? Phrase{"{} of particle {}"}
+                                               : Phrase{"{} of particles {}"};
+    return plot::text_of(context.language(), phrase,
+                         {what, bare_names(context, chosen, sample, Joint::last_by_and)});
 }
 
 std::string single_name(const PanelContext& context, Eigen::Index particle) {

@@ -22,8 +22,9 @@ std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
 /// the film; nothing where it does not say.
 std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle);
 
-/// "all", the species' name, "particle 3".
+/// "all", the species' name, "particle 3"; in English for a table.
 std::string name_of(const Scene& scene, const Chosen& chosen);
+std::string column_name_of(const Scene& scene, const Chosen& chosen);
 
 /// The label of a particle that is the only one of its species, or the species' name; empty for
 /// others.
@@ -43,9 +44,17 @@ plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::s
 plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& chosen,
                       std::size_t place);
 
-/// Names in their colours: "light and heavy", the last joined by `last`; uncoloured where there is
-/// one.
+/// Texts as one: "light and heavy", or with commas only.
+enum class Joint { last_by_and, commas };
+plot::Text joined(Language language, const std::vector<plot::Text>& texts,
+                  Joint joint = Joint::last_by_and);
+
+/// Names in their colours: "light and heavy", "particles 3 and 7"; uncoloured where there is one.
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
-                    plot::Sample sample, const std::string& last = " and ");
+                    plot::Sample sample, Joint joint = Joint::last_by_and);
+
+/// "Temperature of light and heavy": what is shown, of those chosen.
+plot::Text shown_of(const PanelContext& context, const plot::Text& what,
+                    const std::vector<Chosen>& chosen, plot::Sample sample);
 
 }  // namespace carom

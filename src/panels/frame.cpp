@@ -22,7 +22,7 @@ namespace {
 std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Particles& particles,
                                                   const Sample& start) {
     const bool changes = std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
-        return !words_of_surface_event(event, scene.gas).empty();
+        return !words_of_surface_event(Language::english, event, scene.gas).empty();
     });
     return changes ? std::nullopt : equilibrium(scene.gas.box, particles, start);
 }
@@ -380,7 +380,7 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
         }))
         return;
     const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
-    const std::string words = slow_words(tick.slow);
+    const std::string words = localised(scene_.film.language, slow_words(tick.slow));
     TextStyle style{.size = 1.5 * unit_,
                     .weight = 600,
                     .color = with_alpha(theme_.highlight, tick.slow.share),
@@ -422,7 +422,7 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
     const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
-    const std::string words = "velocities reversed";
+    const std::string words = say(scene_.film.language, "velocities reversed");
     const TextStyle style{.size = 2.2 * unit_,
                           .weight = 600,
                           .color = with_alpha(theme_.ink, alpha),

@@ -30,6 +30,7 @@ struct PanelContext {
     int frames;                                        ///< of the film
     const std::optional<EquilibriumGas>& equilibrium;  ///< of all particles; none: draw no curve
     bool in_film = true;  ///< so that there is a present, and names fade after a while
+    Language language() const { return scene.film.language; }  ///< of the program's own words
 };
 
 /// The gas at one frame, and what happened since the frame before.

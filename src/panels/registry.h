@@ -16,6 +16,9 @@ struct PanelKind;  // scene/panel_kind.h
 /// program.
 std::span<const PanelKind> panel_kinds();
 
+/// The title that a scene gives a panel, or what its kind is called in a language.
+std::string name_of_panel(Language language, const PanelSpec& spec);
+
 /// Makes a panel of `spec.kind`. An unknown kind is a programmer's error: the scene has been
 /// validated.
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec);

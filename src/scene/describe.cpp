@@ -15,25 +15,26 @@
 namespace carom {
 namespace {
 
-std::string start_of(const Species& species) {
+std::string start_of(Language language, const Species& species) {
     if (const auto* speed = std::get_if<Speed>(&species.velocity)) {
         if (const auto* one = std::get_if<double>(&speed->value))
-            return fmt::format("at speed {}", *one);
-        return "at different speeds";
+            return say(language, "at speed {}", *one);
+        return say(language, "at different speeds");
     }
     if (const auto* temperature = std::get_if<Temperature>(&species.velocity))
-        return (temperature->is_exact ? "at temperature "
-                                      : "with velocities sampled at temperature ") +
-               fmt::format("{}", temperature->value);
-    return std::holds_alternative<AtRest>(species.velocity) ? "at rest" : "with given velocities";
+        return temperature->is_exact
+                   ? say(language, "at temperature {}", temperature->value)
+                   : say(language, "with velocities sampled at temperature {}", temperature->value);
+    return std::holds_alternative<AtRest>(species.velocity)
+               ? say(language, "at rest")
+               : say(language, "with given velocities");
 }
 
-std::string species_words(const Species& species, int dimension, bool several) {
-    const std::string noun =
-        std::string(dimension == 1 ? "bead" : "disk") + (species.count == 1 ? "" : "s");
-    return several
-               ? fmt::format("{} {} ({}, {})", species.count, noun, species.name, start_of(species))
-               : fmt::format("{} {}, {},", species.count, noun, start_of(species));
+std::string species_words(Language language, const Species& species, int dimension, bool several) {
+    const std::string noun = particles_counted(language, species.count, dimension);
+    const std::string start = start_of(language, species);
+    return several ? say(language, "{} ({}, {})", noun, species.name, start)
+                   : say(language, "{}, {},", noun, start);
 }
 
 // Where the particles are, and what becomes of those that leave through a periodic side.
@@ -41,267 +42,312 @@ struct BoxWords {
     std::string where, passage;
 };
 
-BoxWords words_of(const Box& box) {
+BoxWords words_of(Language language, const Box& box) {
     const bool across = box.is_periodic(0), up = box.is_periodic(1);
     const bool walls_act = std::ranges::any_of(box.surfaces.sides, [](const Behaviour& side) {
         return !std::holds_alternative<Reflecting>(side);
     });
+    const double width = box.size[0], height = box.size[1];
     if (box.dimension == 1) {
-        const std::string wire = fmt::format("on a wire of length {}", box.size[0]);
-        if (!across) return {wire + " between two walls", ""};
-        return {wire + " whose ends are joined",
-                " What leaves at the right end enters at the left, and the other way round."};
+        if (!across) return {say(language, "on a wire of length {} between two walls", width), ""};
+        return {say(language, "on a wire of length {} whose ends are joined", width),
+                say(language,
+                    "What leaves at the right end enters at the left, and the other way round.")};
     }
     if (walls_act && !across && !up)
-        return {fmt::format("in a box of {} by {}", box.size[0], box.size[1]), ""};
-    const std::string size = fmt::format("box of {} by {}", box.size[0], box.size[1]);
+        return {say(language, "in a box of {} by {}", width, height), ""};
     if (across && up)
-        return {"in a periodic " + size, " What leaves on one side enters on the opposite side."};
+        return {say(language, "in a periodic box of {} by {}", width, height),
+                say(language, "What leaves on one side enters on the opposite side.")};
     if (across)
-        return {fmt::format("in a {} with solid walls below and above,", size),
-                " What leaves on the left enters on the right, and the other way round."};
+        return {
+            say(language, "in a box of {} by {} with solid walls below and above,", width, height),
+            say(language, "What leaves on the left enters on the right, and the other way round.")};
     if (up)
-        return {fmt::format("in a {} with solid walls on the left and right,", size),
-                " What leaves at the top enters at the bottom, and the other way round."};
-    return {fmt::format("in a {} with solid walls", size), ""};
+        return {
+            say(language, "in a box of {} by {} with solid walls on the left and right,", width,
+                height),
+            say(language, "What leaves at the top enters at the bottom, and the other way round.")};
+    return {say(language, "in a box of {} by {} with solid walls", width, height), ""};
 }
 
-std::string words_of(const Membrane& membrane, const Gas& gas, int axis) {
+// "particles slower than 2"; empty where it lets none through.
+std::string passing_words(Language language, const Membrane::Speeds& speeds) {
+    if (std::isinf(speeds.faster_than)) return "";
+    const bool from = speeds.faster_than > 0.0, to = std::isfinite(speeds.slower_than);
+    if (from && to)
+        return say(language, "particles faster than {} and slower than {}", speeds.faster_than,
+                   speeds.slower_than);
+    if (from) return say(language, "particles faster than {}", speeds.faster_than);
+    return to ? say(language, "particles slower than {}", speeds.slower_than)
+              : say(language, "particles");
+}
+
+std::string words_of(Language language, const Membrane& membrane, const Gas& gas, int axis) {
     std::vector<std::string> passes;
     for (const std::int32_t s : membrane.species)
         passes.push_back(gas.species.at(static_cast<std::size_t>(s)).name);
-    if (!passes.empty()) return fmt::format("lets {} through", listed(passes));
-    const auto add = [&](const Membrane::Speeds& speeds, const char* where) {
-        if (std::isinf(speeds.faster_than)) return;
-        std::string which;
-        if (speeds.faster_than > 0.0) which = fmt::format(" faster than {}", speeds.faster_than);
-        if (std::isfinite(speeds.slower_than))
-            which +=
-                fmt::format("{} slower than {}", which.empty() ? "" : " and", speeds.slower_than);
-        passes.push_back(fmt::format("particles{} {}", which, where));
+    const auto add = [&](const Membrane::Speeds& speeds, Phrase where) {
+        const std::string who = passing_words(language, speeds);
+        if (!who.empty()) passes.push_back(say(language, "{} {}", who, say(language, where)));
     };
-    add(membrane.upward, axis == 0 ? "to the right" : "upwards");
-    add(membrane.downward, axis == 0 ? "to the left" : "downwards");
-    return fmt::format("lets {} through", listed(passes));
+    if (membrane.species.empty()) {
+        add(membrane.upward, axis == 0 ? Phrase{"to the right"} : Phrase{"upwards"});
+        add(membrane.downward, axis == 0 ? Phrase{"to the left"} : Phrase{"downwards"});
+    }
+    return say(language, "lets {} through", listed(language, passes));
 }
 
-std::string words_of(const Partition& partition, const std::string& subject, const Gas& gas) {
-    std::string text =
-        fmt::format("{} at {} = {} ", subject, partition.axis == 0 ? "x" : "y", partition.at);
-    text += std::holds_alternative<Reflecting>(partition.behaviour)
-                ? "divides the box"
-                : words_of(partition.behaviour, gas, partition.axis);
+std::string words_of(Language language, const Partition& partition, const std::string& subject,
+                     const Gas& gas) {
+    const std::string what = std::holds_alternative<Reflecting>(partition.behaviour)
+                                 ? say(language, "divides the box")
+                                 : words_of(language, partition.behaviour, gas, partition.axis);
+    const char* axis = partition.axis == 0 ? "x" : "y";
+    std::string text = say(language, "{} at {} = {} {}", subject, axis, partition.at, what);
     const auto gaps = static_cast<long long>(partition.gaps.size());
-    if (gaps > 0) text += " and has " + counted(gaps, "gap");
-    if (partition.is_open) text += "; it is open at the start";
+    if (gaps > 0)
+        text += " " + counted(language, gaps, Phrase{"and has {} gap"}, Phrase{"and has {} gaps"});
+    if (partition.is_open) text += say(language, "; it is open at the start");
     return text;
 }
 
-std::string words_of(const std::vector<Obstacle>& obstacles) {
+std::string words_of(Language language, const std::vector<Obstacle>& obstacles) {
     constexpr std::size_t most_named = 6;
-    if (obstacles.size() > most_named)
-        return fmt::format("{} obstacles stand in the box", obstacles.size());
+    const auto count = static_cast<long long>(obstacles.size());
+    const std::string text = counted(language, count, Phrase{"{} obstacle stands in the box"},
+                                     Phrase{"{} obstacles stand in the box"});
+    if (obstacles.size() > most_named) return text;
     std::vector<std::string> names;
     for (const Obstacle& one : obstacles) names.push_back(one.name);
-    return fmt::format("{} in the box: {}",
-                       obstacles.size() == 1 ? "An obstacle stands" : "Obstacles stand",
-                       listed(names));
+    return say(language, "{}: {}", text, listed(language, names));
 }
 
-std::string words_of_gravity(const Eigen::Array2d& g, int dimension) {
+std::string words_of_gravity(Language language, const Eigen::Array2d& g, int dimension) {
     const double size = std::hypot(g[0], g[1]);
     if (dimension == 1 || g[1] == 0.0)
-        return fmt::format("pulls to the {} with acceleration {}", g[0] > 0.0 ? "right" : "left",
-                           size);
+        return g[0] > 0.0 ? say(language, "Gravity pulls to the right with acceleration {}", size)
+                          : say(language, "Gravity pulls to the left with acceleration {}", size);
     if (g[0] == 0.0)
-        return fmt::format("pulls {} with acceleration {}", g[1] > 0.0 ? "up" : "down", size);
-    return fmt::format("pulls with acceleration ({}, {})", plain_number(g[0]), plain_number(g[1]));
+        return g[1] > 0.0 ? say(language, "Gravity pulls up with acceleration {}", size)
+                          : say(language, "Gravity pulls down with acceleration {}", size);
+    return say(language, "Gravity pulls with acceleration ({}; {})", plain_number(language, g[0]),
+               plain_number(language, g[1]));
 }
 
 }  // namespace
 
-std::string name_of_surface(std::int32_t surface, const Gas& gas) {
-    constexpr std::array walls{"left", "right", "lower", "upper"};
+std::string particles_counted(Language language, long long count, int dimension) {
+    return dimension == 1 ? counted(language, count, Phrase{"{} bead"}, Phrase{"{} beads"})
+                          : counted(language, count, Phrase{"{} disk"}, Phrase{"{} disks"});
+}
+
+std::string name_of_surface(Language language, std::int32_t surface, const Gas& gas) {
+    constexpr std::array walls{Phrase{"The left wall"}, Phrase{"The right wall"},
+                               Phrase{"The lower wall"}, Phrase{"The upper wall"}};
+    constexpr std::array ends{Phrase{"The left end"}, Phrase{"The right end"}};
     const auto k = static_cast<std::size_t>(surface);
-    if (k < walls.size())
-        return fmt::format("The {} {}", walls[k], gas.box.dimension == 1 ? "end" : "wall");
-    const char* kind = gas.box.surfaces.partition(surface) != nullptr ? "partition" : "obstacle";
-    return fmt::format("The {} “{}”", kind, gas.box.surfaces.names().at(k));
+    if (gas.box.dimension == 1 && k < ends.size()) return say(language, ends.at(k));
+    if (k < walls.size()) return say(language, walls.at(k));
+    const std::string name = gas.box.surfaces.names().at(k);
+    return gas.box.surfaces.partition(surface) != nullptr
+               ? say(language, "The partition “{}”", name)
+               : say(language, "The obstacle “{}”", name);
 }
 
-std::string words_of(const Behaviour& behaviour, const Gas& gas, int axis) {
+std::string words_of(Language language, const Behaviour& behaviour, const Gas& gas, int axis) {
     if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return fmt::format("is a heat bath of temperature {}", bath->temperature);
-    if (const auto* driven = std::get_if<Driven>(&behaviour))
-        return fmt::format(
-            "moves at velocity {}{}", plain_number(driven->velocity),
-            std::isinf(driven->until) ? "" : fmt::format(" until time {}", driven->until));
+        return say(language, "is a heat bath of temperature {}", bath->temperature);
+    if (const auto* driven = std::get_if<Driven>(&behaviour)) {
+        const std::string velocity = plain_number(language, driven->velocity);
+        return std::isinf(driven->until)
+                   ? say(language, "moves at velocity {}", velocity)
+                   : say(language, "moves at velocity {} until time {}", velocity, driven->until);
+    }
     if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return fmt::format(
-            "is a piston of mass {}{}", piston->mass,
-            piston->force == 0.0 ? "" : ", pushed by a force of " + plain_number(piston->force));
+        return piston->force == 0.0
+                   ? say(language, "is a piston of mass {}", piston->mass)
+                   : say(language, "is a piston of mass {}, pushed by a force of {}", piston->mass,
+                         plain_number(language, piston->force));
     if (const auto* membrane = std::get_if<Membrane>(&behaviour))
-        return words_of(*membrane, gas, axis);
-    return "is solid";
+        return words_of(language, *membrane, gas, axis);
+    return say(language, "is solid");
 }
 
-std::string words_of(const Perturbation& nudge) {
+std::string words_of(Language language, const Perturbation& nudge) {
     const auto length = [&](std::size_t axis) {
         return parse_number(nudge.by[axis]).value_or(0.0);
     };
-    return fmt::format("Particle {} is moved by {}", nudge.particle,
-                       three_digits(std::hypot(length(0), length(1))));
+    return say(language, "Particle {} is moved by {}", nudge.particle,
+               three_digits(language, std::hypot(length(0), length(1))));
 }
 
-std::vector<std::string> words_of_surfaces(const Gas& gas) {
+std::vector<std::string> words_of_surfaces(Language language, const Gas& gas) {
     const Surfaces& surfaces = gas.box.surfaces;
     std::vector<std::string> sentences;
     std::int32_t surface = 0;
     for (const Behaviour& side : surfaces.sides) {
         if (!std::holds_alternative<Reflecting>(side))
-            sentences.push_back(name_of_surface(surface, gas) + " " +
-                                words_of(side, gas, surfaces.axis_of(surface)));
+            sentences.push_back(say(language, "{} {}", name_of_surface(language, surface, gas),
+                                    words_of(language, side, gas, surfaces.axis_of(surface))));
         ++surface;
     }
     for (const Partition& one : surfaces.partitions)
-        sentences.push_back(words_of(one, name_of_surface(surface++, gas), gas));
-    if (!surfaces.obstacles.empty()) sentences.push_back(words_of(surfaces.obstacles));
+        sentences.push_back(
+            words_of(language, one, name_of_surface(language, surface++, gas), gas));
+    if (!surfaces.obstacles.empty()) sentences.push_back(words_of(language, surfaces.obstacles));
     if ((surfaces.gravity != 0.0).any())
-        sentences.push_back("Gravity " + words_of_gravity(surfaces.gravity, gas.box.dimension));
+        sentences.push_back(words_of_gravity(language, surfaces.gravity, gas.box.dimension));
     return sentences;
 }
 
 namespace {
 
-std::string change_words(const Behaviour& behaviour) {
+std::string change_words(Language language, const Behaviour& behaviour) {
     if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return "becomes a heat bath of temperature " + plain_number(bath->temperature);
+        return say(language, "becomes a heat bath of temperature {}", bath->temperature);
     if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return "becomes a piston of mass " + plain_number(piston->mass);
+        return say(language, "becomes a piston of mass {}", piston->mass);
     if (const auto* driven = std::get_if<Driven>(&behaviour))
-        return "moves at " + plain_number(driven->velocity);
-    return std::holds_alternative<Membrane>(behaviour) ? "becomes a membrane" : "only reflects";
+        return say(language, "moves at velocity {}", plain_number(language, driven->velocity));
+    return std::holds_alternative<Membrane>(behaviour) ? say(language, "becomes a membrane")
+                                                       : say(language, "only reflects");
 }
 
-std::string heat_words(const Heat& heat, const Gas& gas) {
+std::string heat_words(Language language, const Heat& heat, const Gas& gas) {
     const std::string whom =
-        heat.species ? "“" + gas.species[static_cast<std::size_t>(*heat.species)].name + "”"
-                     : "The gas";
+        heat.species
+            ? say(language, "“{}”", gas.species[static_cast<std::size_t>(*heat.species)].name)
+            : say(language, "The gas");
     if (const auto* to = std::get_if<Temperature>(&heat.amount))
-        return fmt::format("{} is brought to temperature {}", whom, plain_number(to->value));
+        return say(language, "{} is brought to temperature {}", whom, to->value);
     const double energy = std::get<double>(heat.amount);
-    return fmt::format("{} is {} by an energy of {}", whom, energy < 0.0 ? "cooled" : "heated",
-                       plain_number(std::abs(energy)));
+    const std::string amount = plain_number(language, std::abs(energy));
+    return energy < 0.0 ? say(language, "{} loses the energy {}", whom, amount)
+                        : say(language, "{} receives the energy {}", whom, amount);
 }
 
 }  // namespace
 
-std::string words_of_surface_event(const RunEvent& event, const Gas& gas) {
+std::string words_of_surface_event(Language language, const RunEvent& event, const Gas& gas) {
     const auto with = [&](std::int32_t surface, const std::string& what) {
-        return name_of_surface(surface, gas) + " " + what;
+        return say(language, "{} {}", name_of_surface(language, surface, gas), what);
     };
     if (const auto* set = std::get_if<SetOpen>(&event.action))
-        return with(set->surface, set->is_open ? "opens" : "closes");
+        return with(set->surface, set->is_open ? say(language, "opens") : say(language, "closes"));
     if (const auto* move = std::get_if<MoveSurface>(&event.action))
         return with(move->surface, move->velocity == 0.0
-                                       ? "stands still from now on"
-                                       : "moves at " + plain_number(move->velocity));
+                                       ? say(language, "stands still from now on")
+                                       : say(language, "moves at velocity {}",
+                                             plain_number(language, move->velocity)));
     if (const auto* hold = std::get_if<HoldPiston>(&event.action))
-        return with(hold->surface, "is held");
+        return with(hold->surface, say(language, "is held"));
     if (const auto* release = std::get_if<ReleasePiston>(&event.action))
-        return with(release->surface, "is released");
+        return with(release->surface, say(language, "is released"));
     if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-        return with(change->surface, change_words(change->behaviour));
-    if (const auto* heat = std::get_if<Heat>(&event.action)) return heat_words(*heat, gas);
+        return with(change->surface, change_words(language, change->behaviour));
+    if (const auto* heat = std::get_if<Heat>(&event.action))
+        return heat_words(language, *heat, gas);
     return "";
 }
 
 namespace {
 
-std::string words_of(const MirroredEvent& mirrored, const Run& run, const Gas& gas) {
+std::string words_of(Language language, const MirroredEvent& mirrored, const Run& run,
+                     const Gas& gas) {
     const RunEvent& event = run.events.at(mirrored.event);
-    if (!mirrored.is_undone) return words_of_surface_event(event, gas);
-    if (const auto* move = std::get_if<MoveSurface>(&event.action))
-        return name_of_surface(move->surface, gas) + " does again what it did before";
+    if (!mirrored.is_undone) return words_of_surface_event(language, event, gas);
+    const auto again = [&](std::int32_t surface) {
+        return say(language, "{} does again what it did before",
+                   name_of_surface(language, surface, gas));
+    };
+    if (const auto* move = std::get_if<MoveSurface>(&event.action)) return again(move->surface);
     if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-        return name_of_surface(change->surface, gas) + " does again what it did before";
+        return again(change->surface);
     if (const std::optional<RunEvent> opposite = opposite_of(event))
-        return words_of_surface_event(*opposite, gas);
+        return words_of_surface_event(language, *opposite, gas);
     return std::holds_alternative<Heat>(event.action)
-               ? "The gas loses the energy that it was given, or gets back what it lost"
+               ? say(language,
+                     "The gas loses the energy that it was given, or gets back what it lost")
                : "";
 }
 
 // Empty where the gas goes on the way it came.
-std::string words_of(const WayBack& way, const Run& run) {
+std::string words_of(Language language, const WayBack& way, const Run& run) {
     if (!way.event || way.end >= run.until) return "";
     const RunEvent& event = run.events.at(*way.event);
-    if (event.at >= way.begin) return "The gas leaves the way it came";
-    return fmt::format("The gas leaves the way it came, as what happened at time {} is not undone",
-                       event.at);
+    if (event.at >= way.begin) return say(language, "The gas leaves the way it came");
+    return say(language,
+               "The gas leaves the way it came, as what happened at time {} is not undone",
+               event.at);
 }
 
 }  // namespace
 
-std::vector<Happening> happenings(const Run& run, const Gas& gas) {
+std::vector<Happening> happenings(Language language, const Run& run, const Gas& gas) {
     std::vector<Happening> all;
     for (const RunEvent& event : run.events)
-        all.push_back(
-            {event.at, fmt::format("time {}", event.at), words_of_surface_event(event, gas)});
+        all.push_back({event.at, say(language, "time {}", event.at),
+                       words_of_surface_event(language, event, gas)});
     for (const MirroredEvent& mirrored : mirrored_events(run))
-        all.push_back({mirrored.at, fmt::format("time {}, on the way back", mirrored.at),
-                       words_of(mirrored, run, gas)});
+        all.push_back({mirrored.at, say(language, "time {}, on the way back", mirrored.at),
+                       words_of(language, mirrored, run, gas)});
     for (const WayBack& way : ways_back(run.events))
-        all.push_back({way.end, "time " + plain_number(way.end), words_of(way, run)});
+        all.push_back({way.end, say(language, "time {}", plain_number(language, way.end)),
+                       words_of(language, way, run)});
     std::erase_if(all, [](const Happening& one) { return one.words.empty(); });
     return all;
 }
 
-std::string words_of_events(const Run& run, const Gas& gas) {
+std::string words_of_events(Language language, const Run& run, const Gas& gas) {
     constexpr std::size_t most_told = 3, most_of_surfaces = 8;
-    std::string text;
-    std::vector<std::string> times;
-    for (const double time : reversal_times(run)) times.push_back(fmt::format("{}", time));
+    std::vector<std::string> times, sentences, nudges;
+    for (const double time : reversal_times(run))
+        times.push_back(localised(language, fmt::format("{}", time)));
     if (!times.empty())
-        text += fmt::format(" At time {} all velocities are reversed.", listed(times));
-    std::vector<std::string> nudges;
+        sentences.push_back(
+            say(language, "At time {} all velocities are reversed.", listed(language, times)));
     for (const RunEvent& event : run.events)
         if (const auto* nudge = std::get_if<Perturbation>(&event.action))
-            nudges.push_back(fmt::format(" {} at time {}.", words_of(*nudge), event.at));
+            nudges.push_back(say(language, "{} at time {}.", words_of(language, *nudge), event.at));
     if (nudges.size() > most_told)
-        text += fmt::format(" {} times a particle is moved by a small amount.", nudges.size());
-    else
-        for (const std::string& one : nudges) text += one;
-    const std::vector<Happening> changes = happenings(run, gas);
+        nudges = {say(language, "{} times a particle is moved by a small amount.", nudges.size())};
+    sentences.insert(sentences.end(), nudges.begin(), nudges.end());
+    const std::vector<Happening> changes = happenings(language, run, gas);
     if (changes.size() > most_of_surfaces)
-        text += fmt::format(" {} times a wall, a partition or the heat of the gas is changed.",
-                            changes.size());
+        sentences.push_back(say(language,
+                                "{} times a wall, a partition or the heat of the gas is changed.",
+                                changes.size()));
     else
         for (const Happening& one : changes)
-            text += fmt::format(" At {}: {}.", one.when, one.words);
-    return text.empty() ? text : text.substr(1);
+            sentences.push_back(say(language, "At {}: {}.", one.when, one.words));
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 std::string describe(const Scene& scene) {
+    const Language language = scene.film.language;
     const Gas& gas = scene.gas;
     std::vector<std::string> groups;
     for (const Species& species : gas.species)
-        groups.push_back(species_words(species, gas.box.dimension, gas.species.size() > 1));
+        groups.push_back(
+            species_words(language, species, gas.box.dimension, gas.species.size() > 1));
     const bool alone = gas.species.size() == 1 && gas.species[0].count == 1;
-    const auto [where, passage] = words_of(gas.box);
-    const std::string text =
-        fmt::format("{} {} {} and {} elastically.", listed(groups), alone ? "starts" : "start",
-                    where, alone ? "collides" : "collide") +
-        passage;
+    const auto [where, passage] = words_of(language, gas.box);
+    const std::string all_groups = listed(language, groups);
+    std::vector<std::string> sentences{
+        alone ? say(language, "{} starts {} and collides elastically.", all_groups, where)
+              : say(language, "{} start {} and collide elastically.", all_groups, where)};
+    if (!passage.empty()) sentences.push_back(passage);
     constexpr std::size_t most_told = 10;
-    std::string all = text;
-    const std::vector<std::string> surfaces = words_of_surfaces(gas);
+    const std::vector<std::string> surfaces = words_of_surfaces(language, gas);
     for (std::size_t k = 0; k < std::min(most_told, surfaces.size()); ++k)
-        all += " " + surfaces[k] + ".";
+        sentences.push_back(surfaces[k] + ".");
     if (surfaces.size() > most_told)
-        all += fmt::format(" There are {} more walls and partitions.", surfaces.size() - most_told);
-    const std::string events = words_of_events(scene.run, gas);
-    return events.empty() ? all : all + " " + events;
+        sentences.push_back(
+            say(language, "There are {} more walls and partitions.", surfaces.size() - most_told));
+    const std::string events = words_of_events(language, scene.run, gas);
+    if (!events.empty()) sentences.push_back(events);
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace carom

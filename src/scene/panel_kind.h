@@ -41,6 +41,7 @@ enum class Ability {
 /// One kind of panel.
 struct PanelKind {
     std::string name;  ///< as scenes write it
+    Phrase words;      ///< as captions and transcripts do
     std::unique_ptr<Panel> (*make)(const PanelContext&, const PanelSpec&) = nullptr;
     std::set<Ability> abilities = {};
 

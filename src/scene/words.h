@@ -56,6 +56,13 @@ inline constexpr auto enum_words<Monitor> =
                                       {Monitor::return_distance, "return-distance"}});
 
 template <>
+inline constexpr auto enum_words<Language> =
+    std::to_array<EnumWord<Language>>({{Language::english, "en"},
+                                       {Language::german, "de"},
+                                       {Language::french, "fr"},
+                                       {Language::spanish, "es"}});
+
+template <>
 inline constexpr auto enum_words<Component> = std::to_array<EnumWord<Component>>(
     {{Component::x, "x"}, {Component::y, "y"}, {Component::both, "both"}});
 

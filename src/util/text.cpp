@@ -142,6 +142,10 @@ std::string sentence(const std::string& words) {
 
 std::string capitalised(std::string words) {
     words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    const bool is_latin = words.size() > 1 && words[0] == '\xC3';  // à to þ, but ÷
+    const auto second = static_cast<unsigned char>(words.size() > 1 ? words[1] : 0);
+    if (is_latin && second >= 0xA0 && second <= 0xBE && second != 0xB7)
+        words[1] = static_cast<char>(second - 0x20);
     return words;
 }
 

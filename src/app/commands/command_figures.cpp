@@ -136,7 +136,8 @@ Command figures_command() {
               {"--films", "also render the films of the scenes, which pages then show",
                &its.options.films}},
              scene_options(its),
-             {{"--threads", "cores to use; the result is the same for any number", &its.threads}}}),
+             {language_option(its),
+              {"--threads", "cores to use; the result is the same for any number", &its.threads}}}),
         [arguments] { make_all(*arguments); }};
 }
 

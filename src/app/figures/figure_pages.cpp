@@ -14,6 +14,7 @@
 #include "media/base64.h"
 #include "media/formats.h"
 #include "scene/limits.h"
+#include "scene/words.h"
 #include "scene/yaml/file_text.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
@@ -59,7 +60,7 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
                     {"number", std::to_string(number)},
                     {"alt", figure.alt},
                     {"kind", figure.spec->panel.kind},
-                    {"time", shown_times(*figure.spec)},
+                    {"time", shown_times(figure.part->scene.film.language, *figure.spec)},
                     {"title", figure.part->title},
                     {"scene", as_utf8(figure.part->stem)},
                     {"seed", std::to_string(figure.part->scene.seed)},
@@ -145,7 +146,11 @@ PageTemplate page_template(const std::string& asked) {
 std::string page_text(const FigureSet& set, const PageTemplate& page,
                       std::span<const SetFigure> figures, std::span<const SetFilm> films) {
     PageFields all;
-    all.words = {{"title", set.title}, {"description", set.description}, {"carom", CAROM_VERSION}};
+    all.language = set.parts.front().scene.film.language;
+    all.words = {{"title", set.title},
+                 {"description", set.description},
+                 {"language", std::string(word_of(all.language))},
+                 {"carom", CAROM_VERSION}};
     std::vector<PageFields>&all_figures = all.lists["figures"], &all_films = all.lists["films"];
     std::vector<PageFields> sections;
     for (const SetPart& part : set.parts) {

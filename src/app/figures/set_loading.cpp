@@ -114,7 +114,7 @@ std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
                                       : part_of(path, set, *piece.comparison, overrides);
     });
     const auto first = std::ranges::find(parts, true, &SetPart::compares);
-    if (first != parts.end()) first->title = "Side by side";
+    if (first != parts.end()) first->title = say(first->scene.film.language, "Comparison");
     return parts;
 }
 

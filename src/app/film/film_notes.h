@@ -18,7 +18,4 @@ struct FilmNote {
 /// Of panels, spotlights, callouts and the camera, each in the scene's order.
 std::vector<FilmNote> film_notes(const Scene& scene);
 
-/// A panel by its title, or else by its kind.
-std::string name_of(const PanelSpec& panel);
-
 }  // namespace carom

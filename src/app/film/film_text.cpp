@@ -9,6 +9,7 @@
 
 #include "app/film/film_notes.h"
 #include "app/progress.h"
+#include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
 #include "scene/describe.h"
@@ -79,10 +80,12 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     };
     for (const RunEvent& event : scene.run.events)
         if (const auto* moved = std::get_if<Perturbation>(&event.action))
-            add(event.at, words_of(*moved));
+            add(event.at, words_of(scene.film.language, *moved));
     for (const Pause& pause : scene.film.pauses)
-        add(pause.at, fmt::format("The film stands still for {:.3g} seconds", pause.seconds));
-    for (const Happening& one : happenings(scene.run, scene.gas)) add(one.at, one.words);
+        add(pause.at, say(scene.film.language, "The film pauses for {} seconds",
+                          plain_number(scene.film.language, pause.seconds)));
+    for (const Happening& one : happenings(scene.film.language, scene.run, scene.gas))
+        add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
         at(card->frame).end_card = formula::spoken_text(scene.film.end_card);
@@ -102,42 +105,51 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     return found;
 }
 
+std::string time_of(const Moment& moment, const Scene& scene) {
+    const Language language = scene.film.language;
+    return say(language, "Time {}", three_digits(language, folded_time(scene.run, moment.time)));
+}
+
 // "Time 6 of 12, 207 collisions so far. Mean speed 1.40, mean energy 2.24: ..."
 std::string numbers_of(const Moment& moment, const Scene& scene) {
-    std::string text = "Time " + three_digits(folded_time(scene.run, moment.time));
-    if (scene.run.events.empty()) text += " of " + three_digits(scene.run.until);
-    text += fmt::format(", {} {} between particles so far.", moment.collisions,
-                        moment.collisions == 1 ? "collision" : "collisions");
+    const Language language = scene.film.language;
+    std::string text = time_of(moment, scene);
+    if (scene.run.events.empty())
+        text = say(language, "{} of {}", text, three_digits(language, scene.run.until));
+    text = say(language, "{}, {} so far.", text,
+               counted(language, moment.collisions, Phrase{"{} collision between particles"},
+                       Phrase{"{} collisions between particles"}));
     if (!moment.surfaces.empty()) text += " " + moment.surfaces;
     if (!std::isfinite(moment.mean_energy)) return text;
-    text += fmt::format(" Mean speed {}, mean energy {}", three_digits(moment.mean_speed),
-                        three_digits(moment.mean_energy));
+    text += " " + say(language, "Mean speed {}, mean energy {}",
+                      three_digits(language, moment.mean_speed),
+                      three_digits(language, moment.mean_energy));
     std::vector<std::string> shares;
     for (std::size_t k = 0; k < moment.species_energy.size(); ++k)
         shares.push_back(fmt::format("{} {}", scene.gas.species[k].name,
-                                     three_digits(moment.species_energy[k])));
-    if (shares.size() > 1) text += " (" + listed(shares) + ")";
-    return text + fmt::format("; {:.0f} % slow, {:.0f} % medium and {:.0f} % fast.",
-                              100.0 * moment.shares[0], 100.0 * moment.shares[1],
-                              100.0 * moment.shares[2]);
+                                     three_digits(language, moment.species_energy[k])));
+    if (shares.size() > 1) text += " (" + listed(language, shares) + ")";
+    const auto percent = [&](std::size_t k) { return std::lround(100.0 * moment.shares.at(k)); };
+    return say(language, "{}; {} % slow, {} % medium and {} % fast.", text, percent(0), percent(1),
+               percent(2));
 }
 
-std::string coloring(const Scene& scene) {
+Phrase coloring(const Scene& scene) {
     switch (scene.film.color_by) {
         case ColorBy::species:
-            return "the colour of a particle tells its species";
+            return Phrase{"The colour of a particle shows its species."};
         case ColorBy::speed_class:
-            return "the colour of a particle tells whether it is slow, medium or fast";
+            return Phrase{"The colour of a particle shows whether it is slow, medium or fast."};
         case ColorBy::mass:
-            return "the colour of a particle tells its mass";
+            return Phrase{"The colour of a particle shows its mass."};
         case ColorBy::direction:
-            return "the colour of a particle tells the direction of its motion";
+            return Phrase{"The colour of a particle shows the direction of its motion."};
         case ColorBy::energy:
-            return "the colour of a particle tells its energy";
+            return Phrase{"The colour of a particle shows its energy."};
         case ColorBy::speed:
             break;
     }
-    return "the colour of a particle tells its speed";
+    return Phrase{"The colour of a particle shows its speed."};
 }
 
 std::string on_one_line(std::string words) {
@@ -147,31 +159,36 @@ std::string on_one_line(std::string words) {
 
 // What is beside the gas.
 std::string picture_text(const Scene& scene) {
+    const Language language = scene.film.language;
     std::vector<std::string> panels;
-    for (const PanelSpec& panel : scene.film.panels) panels.push_back(name_of(panel));
-    std::string text = "In the picture, " + coloring(scene) + ".";
-    if (!panels.empty()) text += " Beside the particles: " + listed(panels) + ".";
+    for (const PanelSpec& panel : scene.film.panels)
+        panels.push_back(name_of_panel(language, panel));
+    std::string text = say(language, coloring(scene));
+    if (!panels.empty())
+        text += " " + say(language, "Beside the particles: {}.", listed(language, panels));
     for (const PanelSpec& panel : scene.film.panels)
         if (panel.kind == "text")
-            text += fmt::format(" The panel “{}” says: “{}”", name_of(panel),
-                                on_one_line(formula::spoken_text(panel.words)));
+            text += " " + say(language, "The panel “{}” says: “{}”", name_of_panel(language, panel),
+                              on_one_line(formula::spoken_text(panel.words)));
     const bool is_described = scene.description == describe(scene);
-    for (const std::string& words : words_of_surfaces(scene.gas))
+    for (const std::string& words : words_of_surfaces(language, scene.gas))
         if (!is_described) text += " " + words + ".";
     return text;
 }
 
 // What is seen or happens at a moment, for a description.
-std::string happening(const Moment& moment) {
+std::string happening(Language language, const Moment& moment) {
     std::string text;
-    if (moment.ends) text += "The film ends. ";
-    if (moment.reversed) text += "All velocities are reversed. ";
+    if (moment.ends) text += say(language, "The film ends.") + " ";
+    if (moment.reversed) text += say(language, "All velocities are reversed.") + " ";
     for (const std::string& event : moment.events) text += event + ". ";
     for (const std::string& note : moment.notes) text += note + ". ";
     if (!moment.mark.empty())
-        text += fmt::format("The places of all particles stay in sight as outlines: “{}”. ",
-                            moment.mark);
-    if (!moment.end_card.empty()) text += fmt::format("The last words: “{}”. ", moment.end_card);
+        text += say(language, "The positions of all particles stay visible as outlines: “{}”.",
+                    moment.mark) +
+                " ";
+    if (!moment.end_card.empty())
+        text += say(language, "The last words: “{}”.", moment.end_card) + " ";
     return text;
 }
 
@@ -180,11 +197,11 @@ std::string heading(const Moment& moment, const Scene& scene) {
     if (!moment.caption.empty()) return moment.caption;
     if (!moment.end_card.empty()) return moment.end_card;
     if (moment.is_title) return scene.title;
-    if (moment.reversed) return "Velocities reversed";
+    if (moment.reversed) return say(scene.film.language, "Velocities reversed");
     if (!moment.events.empty()) return moment.events.front();
     if (!moment.mark.empty()) return moment.mark;
-    if (moment.time == 0.0) return "The start";
-    return "Time " + three_digits(folded_time(scene.run, moment.time));
+    if (moment.time == 0.0) return say(scene.film.language, "The start");
+    return time_of(moment, scene);
 }
 
 std::string description_of(const Moment& moment, const Scene& scene, const FrameSpan& span) {
@@ -194,7 +211,7 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
         if (!scene.subtitle.empty()) text += sentence(scene.subtitle) + " ";
         text += sentence(scene.description) + " " + picture_text(scene) + " ";
     }
-    text += happening(moment);
+    text += happening(scene.film.language, moment);
     if (!moment.end_card.empty()) return text;
     return text + numbers_of(moment, scene);
 }
@@ -205,15 +222,16 @@ std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments
     const double length = static_cast<double>(span.frames()) / scene.film.fps;
     std::string text = scene.title + "\n";
     if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
+    const Language language = scene.film.language;
     const std::string span_text =
-        joined_at ? fmt::format("From {} to {}.", clock_text(before), clock_text(before + length))
-                  : fmt::format("A silent film of {}.", clock_text(length));
+        joined_at ? say(language, "From {} to {}.", clock_text(before), clock_text(before + length))
+                  : say(language, "A silent film of {}.", clock_text(length));
     text += fmt::format("\n{}\n\n{}\n{}\n", span_text, sentence(scene.description),
                         picture_text(scene));
     for (const Moment& moment : moments) {
         text += fmt::format("\n{}  ", clock_text(before + seconds_at(moment.frame, scene, span)));
-        text += happening(moment);
-        if (!moment.caption.empty()) text += fmt::format("“{}” ", moment.caption);
+        text += happening(scene.film.language, moment);
+        if (!moment.caption.empty()) text += say(scene.film.language, "“{}”", moment.caption) + " ";
         if (moment.end_card.empty()) text += numbers_of(moment, scene);
         while (text.ends_with(' ')) text.pop_back();
         text += "\n";
@@ -275,7 +293,8 @@ void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceRes
     const Eigen::ArrayXd energy = kinetic_energies(particles_, sample);
     moment.collisions = advanced.counts.particle;
     constexpr bool only_changes = true;
-    moment.surfaces = words_at_present(scene_.gas, advanced.surfaces, only_changes);
+    moment.surfaces =
+        words_at_present(scene_.film.language, scene_.gas, advanced.surfaces, only_changes);
     moment.mean_speed = speed.mean();
     moment.mean_energy = mean_over_finite_masses(particles_, energy);
     moment.shares = class_shares(speed, moment.mean_speed);

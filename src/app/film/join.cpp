@@ -101,7 +101,9 @@ std::string transcript_head(const std::vector<Scene>& scenes, const JoinedTitle&
     std::string text;
     if (!title.title.empty()) text = title.title + "\n\n";
     if (!title.words.empty()) text += title.words + "\n\n";
-    text += fmt::format("A silent film of {}, in {} parts:\n", clock_text(seconds), parts.size());
+    text += say(scenes.front().film.language,
+                "A silent film of {}, in {} parts:", clock_text(seconds), parts.size()) +
+            "\n";
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += fmt::format("\n{}  {}", clock_text(double(parts[i].first) / last.film.fps),
                             scenes[i].title);
@@ -130,7 +132,8 @@ std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
         all.scene.source.text += (titles.size() > 1 ? "---\n" : "") + scene.source.text;
         all.scene.description += (titles.size() > 1 ? "\n" : "") + scene.description;
     }
-    all.scene.title = title.title.empty() ? listed(titles, "and") : title.title;
+    all.scene.title =
+        title.title.empty() ? listed(scenes.front().film.language, titles) : title.title;
     if (!title.words.empty()) all.scene.description = title.words;
     all.scene.seed = scenes.front().seed;
     all.scene.source.overrides = scenes.front().source.overrides;

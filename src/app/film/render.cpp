@@ -24,9 +24,9 @@ std::string recipe(const Scene& scene, const FilmOptions& options) {
 
 Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) {
     if (!format.vector) return FramePainter::blank(scene.film);
-    return Canvas(
-        {scene.film.size.width, scene.film.size.height}, *format.vector,
-        {scene.title, fmt::format("The frame at time {:.4g}. {}", time, scene.description)});
+    return Canvas({scene.film.size.width, scene.film.size.height}, *format.vector,
+                  {scene.title, say(scene.film.language, "The frame at time {}. {}",
+                                    plain_number(scene.film.language, time), scene.description)});
 }
 
 RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWriter& writer,

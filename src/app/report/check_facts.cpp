@@ -114,7 +114,7 @@ Facts rows_of(const char* label, const std::vector<std::string>& lines) {
 
 Facts event_rows(const Scene& scene) {
     std::vector<std::string> lines;
-    for (const Happening& one : happenings(scene.run, scene.gas))
+    for (const Happening& one : happenings(Language::english, scene.run, scene.gas))
         lines.push_back(one.when + ": " + one.words);
     return rows_of("events", lines);
 }
@@ -199,7 +199,7 @@ std::string figure_words(const Scene& scene, const FigureSpec& spec) {
         spec.compare.empty() ? spec.panel.kind
                              : fmt::format("{} of {} runs", spec.panel.kind, spec.compare.size());
     return fmt::format("{}: {} {} time {}, {:.3g} by {:.3g} cm", spec.name, kind,
-                       over ? "over" : "at", shown_times(spec), width, height);
+                       over ? "over" : "at", shown_times(Language::english, spec), width, height);
 }
 
 Json figure_value(const Scene& scene, const FigureSpec& spec) {
@@ -280,7 +280,7 @@ Facts facts_of(const Scene& scene, bool has_film, int cores) {
           {"seed", scene.seed},
           {"dimension", box.dimension},
           box_fact(box)},
-         rows_of("surfaces", words_of_surfaces(scene.gas)),
+         rows_of("surfaces", words_of_surfaces(Language::english, scene.gas)),
          {{"particles", particles},
           species(scene.gas, particles),
           {"packing_fraction", packing, "packing",

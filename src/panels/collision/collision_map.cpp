@@ -49,24 +49,30 @@ Stroke of_momentum() {
 }
 
 // Three digits, without zeros at the end.
-std::string few_digits(double value) {
-    return plain_number(std::stod(fmt::format("{:.3g}", off_the_tie(value))));
+std::string few_digits(Language language, double value) {
+    return plain_number(language, std::stod(fmt::format("{:.3g}", off_the_tie(value))));
 }
 
 // Two momenta that cancel but for round-off are none.
-std::string momentum_words(const PairMotion& motion) {
+std::string momentum_words(Language language, const PairMotion& motion) {
     const double least = 1e-12 * (motion.before / motion.inverse_mass).abs().maxCoeff();
-    return few_digits(std::abs(motion.momentum()) < least ? 0.0 : motion.momentum());
+    return few_digits(language, std::abs(motion.momentum()) < least ? 0.0 : motion.momentum());
 }
 
 // The numbers of a vector; those that are 0 but for round-off are 0.
-std::string numbers(const Vector& velocity, const char* between) {
+std::vector<std::string> numbers(Language language, const Vector& velocity) {
     const double least = 1e-9 * velocity.abs().maxCoeff();
-    const auto words = [&](double v) { return few_digits(std::abs(v) < least ? 0.0 : v); };
-    return words(velocity[0]) + between + words(velocity[1]);
+    const auto words = [&](double v) {
+        return few_digits(language, std::abs(v) < least ? 0.0 : v);
+    };
+    return {words(velocity[0]), words(velocity[1])};
 }
 
-std::string in_brackets(const Vector& velocity) { return "(" + numbers(velocity, ", ") + ")"; }
+// A comma between numbers that have commas would be one too many.
+std::string in_brackets(Language language, const Vector& velocity) {
+    const char* between = language == Language::english ? ", " : "; ";
+    return fmt::format("({})", fmt::join(numbers(language, velocity), between));
+}
 
 class CollisionMapPanel : public PlotPanel {
   public:
@@ -95,6 +101,10 @@ class CollisionMapPanel : public PlotPanel {
     Note key(std::size_t steps) const;
     Note key_of_walk(std::size_t steps) const;
     Note key_of_collision() const;
+    std::string energy_words() const {
+        return say(context_.language(), "energy {}",
+                   few_digits(context_.language(), motion_.energy()));
+    }
     std::vector<Column> columns(const std::vector<Vector>& velocities) const;
     Line line(const std::vector<Vector>& through, Stroke stroke, int depth) const;
     Points points(const std::vector<Vector>& at, const plot::Mark& mark) const;
@@ -199,27 +209,35 @@ Axis CollisionMapPanel::axis(std::size_t k) const {
 
 std::vector<Text> CollisionMapPanel::titles() const {
     if (spec_.title) return {escape_markup(*spec_.title)};
-    const Text of = met_ ? names_of(context_, *met_)
-                         : Text(fmt::format("masses {} and {}", mass_text(motion_.inverse_mass[0]),
-                                            mass_text(motion_.inverse_mass[1])));
-    const Text words = "Velocities of " + of;
+    const Language language = context_.language();
+    const Text of =
+        met_ ? names_of(context_, *met_)
+             : Text(say(language, "masses {} and {}", mass_text(language, motion_.inverse_mass[0]),
+                        mass_text(language, motion_.inverse_mass[1])));
+    const Text words = text_of(language, Phrase{"Velocities of {}"}, {of});
     if (is_walk())
-        return {words + ", collision by collision", "Velocities, collision by collision",
-                "Velocities"};
-    return {words + " in their collision", words, "Velocities in a collision"};
+        return {text_of(language, Phrase{"{}, collision by collision"}, {words}),
+                say(language, "Velocities, collision by collision"), say(language, "Velocities")};
+    return {text_of(language, Phrase{"{} in their collision"}, {words}), words,
+            say(language, "Velocities in a collision")};
 }
 
 Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
     const Counts counts = counts_of(steps), all = counts_of(walk_.size());
-    const auto with_each_other = [](const Counts& of) {
-        return "with each other: " + grouped(of.pair);
+    const Language language = context_.language();
+    const auto with_each_other = [&](const Counts& of) {
+        return say(language, "with each other: {}", grouped(of.pair));
     };
-    const auto with_a_wall = [](const Counts& of) { return "with a wall: " + grouped(of.wall); };
+    const auto with_a_wall = [&](const Counts& of) {
+        return say(language, "with a wall: {}", grouped(of.wall));
+    };
     return {
         .entries =
-            {{.words = {"start"}, .mark = hollow},
-             {.words = {spec_.at ? "at time " + plain_number(*spec_.at) : "present"}, .mark = full},
-             {.sample = of_energy, .words = {"energy " + few_digits(motion_.energy())}},
+            {{.words = {say(language, "start")}, .mark = hollow},
+             {.words = {spec_.at ? say(language, "at time {}", plain_number(language, *spec_.at))
+                                 : say(language, "present")},
+              .mark = full},
+             {.sample = of_energy, .words = {energy_words()}},
              {.sample = of_steps,
               .words = {with_each_other(counts)},
               .longest = with_each_other(all)},
@@ -230,13 +248,15 @@ Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
 
 Note CollisionMapPanel::key_of_collision() const {
     const std::array v{subscripted("v", 0), subscripted("v", 1)};
-    std::string energy = "energy " + few_digits(motion_.energy());
-    std::string momentum = "momentum " + momentum_words(motion_);
+    const Language language = context_.language();
+    std::string energy = energy_words();
+    std::string momentum = say(language, "momentum {}", momentum_words(language, motion_));
     if (motion_.has_infinite_mass()) {
         const std::size_t wall = motion_.inverse_mass[0] > 0.0 ? 1 : 0;
         const double velocity = motion_.before[static_cast<Eigen::Index>(wall)];
-        energy = "no ellipse: |" + v[0] + " − " + v[1] + "| = " + few_digits(motion_.speed_apart());
-        momentum = v[wall] + " = " + few_digits(velocity) + ", mass ∞";
+        energy = say(language, "no ellipse: |{} − {}| = {}", v[0], v[1],
+                     few_digits(language, motion_.speed_apart()));
+        momentum = say(language, "{} = {}, mass ∞", v[wall], few_digits(language, velocity));
     }
     const Vector stays = factor_ / factor_[0];
     Vector turns = factor_ * motion_.turning();
@@ -244,15 +264,18 @@ Note CollisionMapPanel::key_of_collision() const {
     const auto sample = [](double from, double to, const Role& role, const Role& edge) {
         return Arrow{{}, {from, 0.0}, {to, 0.0}, role, edge};
     };
-    return {.entries = {{.words = {"before " + in_brackets(motion_.before)}, .mark = hollow},
-                        {.words = {"after " + in_brackets(motion_.after)}, .mark = full},
-                        {.sample = of_energy, .words = {energy}},
-                        {.sample = of_momentum(), .words = {momentum}},
-                        {.sample = of_equal,
-                         .words = {in_brackets(stays) + " stays"},
-                         .arrows = {sample(0.0, 0.6, muted, page)}},
-                        {.words = {in_brackets(turns) + " turns round"},
-                         .arrows = {sample(0.5, 0.0, page, ink), sample(0.5, 1.0, ink, page)}}}};
+    return {
+        .entries = {{.words = {say(language, "before {}", in_brackets(language, motion_.before))},
+                     .mark = hollow},
+                    {.words = {say(language, "after {}", in_brackets(language, motion_.after))},
+                     .mark = full},
+                    {.sample = of_energy, .words = {energy}},
+                    {.sample = of_momentum(), .words = {momentum}},
+                    {.sample = of_equal,
+                     .words = {say(language, "{} is kept", in_brackets(language, stays))},
+                     .arrows = {sample(0.0, 0.6, muted, page)}},
+                    {.words = {say(language, "{} is reversed", in_brackets(language, turns))},
+                     .arrows = {sample(0.5, 0.0, page, ink), sample(0.5, 1.0, ink, page)}}}};
 }
 
 Note CollisionMapPanel::key(std::size_t steps) const {
@@ -356,7 +379,11 @@ void CollisionMapPanel::add_collision() {
 }
 
 void CollisionMapPanel::make_plot() {
-    whole_ = {.titles = titles(), .x = axis(0), .y = axis(1), .has_equal_scales = true};
+    whole_ = {.language = context_.language(),
+              .titles = titles(),
+              .x = axis(0),
+              .y = axis(1),
+              .has_equal_scales = true};
     whole_.columns = {"step (number)", column_name("time", reduced::time), column_of(0),
                       column_of(1)};
     whole_.notes = {key(walk_.size())};
@@ -410,27 +437,35 @@ void CollisionMapPanel::add_walk(Plot& plot, std::size_t steps) const {
 }
 
 std::string CollisionMapPanel::account_of(std::size_t steps) const {
+    const Language language = context_.language();
     const auto mass = [&](Eigen::Index k) {
-        return motion_.inverse_mass[k] > 0.0 ? "mass " + mass_text(motion_.inverse_mass[k])
-                                             : std::string("infinite mass");
+        return motion_.inverse_mass[k] > 0.0
+                   ? say(language, "mass {}", mass_text(language, motion_.inverse_mass[k]))
+                   : say(language, "infinite mass");
     };
-    const std::string pair = fmt::format("Beads of {} and {}", mass(0), mass(1));
+    const auto both = [&](const Vector& velocity) {
+        return listed(language, numbers(language, velocity));
+    };
+    const std::string pair = say(language, "Beads of {} and {}", mass(0), mass(1));
     if (is_walk()) {
         const Counts counts = counts_of(steps);
-        return fmt::format(
-            "{} at energy {}: {} collisions with one another and {} with a wall, from velocities "
-            "{} to {}.",
-            pair, few_digits(motion_.energy()), grouped(counts.pair), grouped(counts.wall),
-            numbers(walk_.front().velocity, " and "), numbers(walk_[steps - 1].velocity, " and "));
+        return say(language, "{} at energy {}: {} and {}, from velocities {} to {}.", pair,
+                   few_digits(language, motion_.energy()),
+                   carom::counted(language, counts.pair, Phrase{"{} collision with one another"},
+                                  Phrase{"{} collisions with one another"}),
+                   carom::counted(language, counts.wall, Phrase{"{} with a wall"},
+                                  Phrase{"{} with a wall"}),
+                   both(walk_.front().velocity), both(walk_[steps - 1].velocity));
     }
     const std::string kept =
         motion_.has_infinite_mass()
-            ? fmt::format("the infinite mass goes on as before, and their relative speed stays {}",
-                          few_digits(motion_.speed_apart()))
-            : fmt::format("energy {} and momentum {} stay", few_digits(motion_.energy()),
-                          momentum_words(motion_));
-    return fmt::format("{} with velocities {} before their collision and {} after it: {}.", pair,
-                       numbers(motion_.before, " and "), numbers(motion_.after, " and "), kept);
+            ? say(language,
+                  "the infinite mass keeps its velocity, and the relative speed {} is conserved",
+                  few_digits(language, motion_.speed_apart()))
+            : say(language, "energy {} and momentum {} are conserved",
+                  few_digits(language, motion_.energy()), momentum_words(language, motion_));
+    return say(language, "{}, with velocities {} before their collision and {} after it: {}.", pair,
+               both(motion_.before), both(motion_.after), kept);
 }
 
 Plot CollisionMapPanel::plot(const PanelState* state) const {

@@ -22,7 +22,7 @@ struct ContactState : PanelState {
 
 constexpr double ahead = 1.25, beyond = 1.75;  // of the time between the roots, that are shown
 constexpr int curve_points = 200;
-constexpr const char* passing = "if they passed through each other";
+constexpr std::string_view passing = Phrase{"if they passed through each other"}.english;
 const Stroke level_stroke{.width = 0.08};
 const std::string time_column = column_name("time", reduced::time);
 const std::string square_column = column_name("squared distance", "length^2");
@@ -109,10 +109,13 @@ void ContactTimePanel::add_lines(Plot& plot) const {
     const auto parabola = [this](double time) { return collision_.free_square(time); };
     const auto truth = [this](double time) { return collision_.square(time); };
     const double from = std::max(first_, collision_.since), met = collision_.time;
-    if (!are_points_) plot.notes = {{.entries = {{dashed, {passing, "if they did not touch"}}}}};
+    if (!are_points_)
+        plot.notes = {{.entries = {{dashed,
+                                    {say(context_.language(), Phrase{passing}),
+                                     say(context_.language(), "if they did not touch")}}}}};
     if (from > first_)
         plot.layers.push_back(line("without the collision before", parabola, first_, from, dashed));
-    Line through = line(passing, parabola, met, last_, dashed);
+    Line through = line(passing.data(), parabola, met, last_, dashed);
     through.depth = 1;
     plot.layers.push_back(line("before", truth, from, met, solid));
     solid.fade = 0.35;
@@ -178,7 +181,8 @@ void ContactTimePanel::add_labels(Plot& plot) const {
     const auto add = [&](const std::string& words, std::vector<Anchor> anchors) {
         plot.layers.emplace_back(label(words, std::move(anchors)));
     };
-    add("contact at " + three_digits(contact.x),
+    const Language language = context_.language();
+    add(say(language, "contact at {}", three_digits(language, contact.x)),
         {{.at = contact, .offset = {0.0, -1.0}, .align = Align::center, .step = {0.0, -0.5}},
          at_top(contact.x, {0.0, 1.1}, Align::center),
          at_top(contact.x + aside, {0.0, 1.1}, Align::center),
@@ -186,12 +190,12 @@ void ContactTimePanel::add_labels(Plot& plot) const {
          at_top(contact.x, {0.6, 1.1}, Align::left),
          at_top(contact.x, {0.6, 2.1}, Align::left)});
     if (contact_ > 0.0)
-        add("σ² = " + three_digits(contact_), {at_left(-0.5),
-                                               at_left(1.2),
-                                               {.at = contact, .offset = {0.7, -0.5}},
-                                               at_right(0.0, true, -note_height, true)});
+        add("σ² = " + three_digits(language, contact_), {at_left(-0.5),
+                                                         at_left(1.2),
+                                                         {.at = contact, .offset = {0.7, -0.5}},
+                                                         at_right(0.0, true, -note_height, true)});
     if (are_points_) return;
-    add("they would separate at " + three_digits(other.x),
+    add(say(language, "they would separate at {}", three_digits(language, other.x)),
         {at_right(contact_, false, 1.3),
          at_right(0.0, true, 1.1),
          at_right(0.0, true, 2.1),
@@ -210,9 +214,13 @@ void ContactTimePanel::add_present(Plot& plot, double now) const {
 }
 
 Plot ContactTimePanel::plot(const PanelState* state) const {
-    const Text title = "Squared distance r²";
-    Plot plot{.titles = {title + " of " + names_of(context_, collision_), title},
-              .x = {.title = "time", .low = first_, .high = last_},
+    const Language language = context_.language();
+    const Text title = say(language, "Squared distance r²");
+    Plot plot{.language = language,
+              .titles = {text_of(language, Phrase{"Squared distance r² of {}"},
+                                 {names_of(context_, collision_)}),
+                         title},
+              .x = {.title = say(language, "time"), .low = first_, .high = last_},
               .y = {.high = top_}};
     if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
     plot.columns = {time_column, square_column};

@@ -132,7 +132,7 @@ plot::Text names_of(const PanelContext& context, const PairCollision& pair) {
         return plot::named(std::to_string(pair.particle[k]), role_of(context, pair, k),
                            plot::Sample::disk);
     };
-    return "particles " + name(0) + " and " + name(1);
+    return plot::text_of(context.language(), Phrase{"particles {} and {}"}, {name(0), name(1)});
 }
 
 }  // namespace carom

@@ -231,7 +231,7 @@ double key_height(const DrawContext& dc) {
     const double rows = dc.area.width < least_of_one_row * dc.unit && has_law(dc) ? 2.0 : 1.0;
     return (rows + (has_law(dc) ? 1.0 : 0.0)) * row_height;
 }
-constexpr std::array names{"before", "contact", "after"};
+constexpr std::array names{Phrase{"before"}, Phrase{"contact"}, Phrase{"after"}};
 
 // The middle third of what the stages show belongs to the contact.
 std::shared_ptr<const PanelState> SingleCollisionPanel::state(const FrameInput& input) {
@@ -279,12 +279,13 @@ ArrowStyle SingleCollisionPanel::change_style(const DrawContext& dc) const {
 }
 
 void SingleCollisionPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    const Language language = context_.language();
     const std::string of = plot::markup_of(names_of(context_, met_), dc.theme);
-    const std::string at = " at time " + three_digits(met_.time);
+    const std::string at = three_digits(language, met_.time);
     const std::string title =
         spec_.title ? escape_markup(*spec_.title)
-                    : fitting_title(dc, {"The collision of " + of + at, "Collision of " + of + at,
-                                         "Collision of " + of, capitalised(of)});
+                    : fitting_title(dc, {say(language, "Collision of {} at time {}", of, at),
+                                         say(language, "Collision of {}", of), capitalised(of)});
     draw_panel_title(canvas, dc, title);
     for (std::size_t i = 0; i < 3; ++i) draw_stage(canvas, dc, i);
     draw_key(canvas, dc);
@@ -337,7 +338,8 @@ std::array<plot::Text, 2> SingleCollisionPanel::amounts(std::size_t index) const
     std::array<plot::Text, 2> texts;
     for (std::size_t k = 0; k < 2; ++k) {
         const Vector v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
-        texts[k] = plot::named(three_digits(length(v)), role_of(context_, met_, k));
+        texts[k] =
+            plot::named(three_digits(context_.language(), length(v)), role_of(context_, met_, k));
     }
     return texts;
 }
@@ -358,12 +360,16 @@ void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
         draw_text(canvas, {middle, y}, plot::markup_of(second, dc.theme), style);
         return;
     }
-    using Words = std::array<const char*, 3>;
-    for (const char* words : index == 1 ? Words{"changes ", "|Δ<i>v</i>| ", "Δ "}
-                                        : Words{"speeds ", "|<i>v</i>| ", ""}) {
+    const Language language = context_.language();
+    const std::array<std::string, 3> all =
+        index == 1
+            ? std::array<std::string, 3>{say(language, "changes") + " ", "|Δ<i>v</i>| ", "Δ "}
+            : std::array<std::string, 3>{say(language, "speeds") + " ", "|<i>v</i>| ", ""};
+    const char* between = language == Language::english ? ", " : "; ";
+    for (const std::string& words : all) {
         const std::string text =
-            plot::markup_of(plot::Text(words) + first + ", " + second, dc.theme);
-        const bool is_last = *words == '\0' || std::string_view(words) == "Δ ";
+            plot::markup_of(plot::Text(words) + first + between + second, dc.theme);
+        const bool is_last = &words == &all.back();
         if (!is_last && measure_text(text, style).width > stage.area.width) continue;
         draw_text(canvas, {middle, y}, text, style);
         return;
@@ -375,10 +381,18 @@ void SingleCollisionPanel::draw_key(Canvas& canvas, const DrawContext& dc) const
     const double u = dc.unit;
     double x = dc.area.x;
     double baseline = dc.area.bottom() - (key_height(dc) - 1.15) * u;
-    const std::array<std::pair<ArrowStyle, const char*>, 3> key{
-        {{style(dc, dc.theme.ink), "velocity"},
-         {change_style(dc), "its change"},
-         {style(dc, dc.theme.muted), "centre of mass"}}};
+    const Language language = context_.language();
+    std::array<std::pair<ArrowStyle, std::string>, 3> key{
+        {{style(dc, dc.theme.ink), say(language, "velocity")},
+         {change_style(dc), say(language, "its change")},
+         {style(dc, dc.theme.muted), say(language, "centre of mass")}}};
+    double row = 0.0;
+    for (const auto& [drawn, words] : key)
+        row += 2.8 * u + measure_text(words, label_style(dc)).width;
+    if (row > dc.area.width && !has_law(dc)) {  // nor room for another row
+        key[0].second = "<i>v</i>";
+        key[1].second = "Δ<i>v</i>";
+    }
     for (const auto& [drawn, words] : key) {
         if (x + 1.9 * u + measure_text(words, label_style(dc)).width > dc.area.right()) {
             if (!has_law(dc)) break;  // nor room for another row
@@ -395,10 +409,11 @@ void SingleCollisionPanel::draw_key(Canvas& canvas, const DrawContext& dc) const
     const std::size_t movable = inverse[0] > 0.0 ? 0 : 1;
     const double momentum =
         length(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
-    const std::string given = "momentum " + three_digits(momentum);
+    const std::string given = three_digits(language, momentum);
     const std::array<std::string, 3> laws{
-        given + " passes from one to the other, along the line of centres",
-        given + " passes along the line of centres", given + " passes"};
+        say(language, "momentum {} is transferred along the line of centres", given),
+        say(language, "momentum {} along the line of centres", given),
+        say(language, "momentum transfer {}", given)};
     TextStyle style = label_style(dc);
     for (const std::string& law : laws) {
         const bool is_last = &law == &laws.back();
@@ -420,7 +435,7 @@ void SingleCollisionPanel::draw(Canvas& canvas, const DrawContext& dc,
         if (i == present) style.color = dc.theme.ink, style.weight = 600;
         const Rect& area = all.stage[i].area;
         const Point at{area.x + area.width / 2, area.y + 1.0 * dc.unit};
-        const double width = draw_text(canvas, at, names[i], style).width;
+        const double width = draw_text(canvas, at, say(context_.language(), names[i]), style).width;
         if (i == present)
             canvas.stroke_line({at.x - width / 2, at.y + 0.35 * dc.unit},
                                {at.x + width / 2, at.y + 0.35 * dc.unit}, 0.12 * dc.unit,
@@ -437,12 +452,13 @@ Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
     const std::array<Pose, 3> all = poses(cause);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 2; ++k)
-            table.rows.push_back({"particle", names[i], std::int64_t{met_.particle[k]},
-                                  all[i].center[k][0], all[i].center[k][1], cause.radius[k],
+            table.rows.push_back({"particle", std::string(names[i].english),
+                                  std::int64_t{met_.particle[k]}, all[i].center[k][0],
+                                  all[i].center[k][1], cause.radius[k],
                                   i == 1 ? "change of velocity" : "velocity", all[i].arrow[k][0],
                                   all[i].arrow[k][1]});
         table.rows.push_back({"centre of mass",
-                              names[i],
+                              std::string(names[i].english),
                               {},
                               0.0,
                               0.0,

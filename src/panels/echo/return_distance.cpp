@@ -51,13 +51,14 @@ EchoRuns compare(std::vector<EchoRuns> records, const std::vector<std::string>& 
 /// What a line shows of each step. Logarithms are -infinity for 0, and finite also where the value
 /// is too small for a double.
 struct Distance {
-    const char *name, *short_name;
+    Phrase name, short_name;
     double ReturnDistance::*value;
     double ReturnDistance::*log10;
 };
-constexpr Distance largest{"largest", "largest", &ReturnDistance::largest,
+constexpr Distance largest{Phrase{"largest"}, Phrase{"largest"}, &ReturnDistance::largest,
                            &ReturnDistance::log10_largest};
-constexpr Distance root_mean_square{"root mean square", "r.m.s.", &ReturnDistance::root_mean_square,
+constexpr Distance root_mean_square{Phrase{"root mean square"}, Phrase{"rms"},
+                                    &ReturnDistance::root_mean_square,
                                     &ReturnDistance::log10_root_mean_square};
 
 class ReturnDistancePanel : public RecordPanel<EchoRuns> {
@@ -84,7 +85,8 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     std::string account_of(const Echo& run, std::size_t shown) const;
 
     Stroke stroke(const Distance& distance, std::size_t run) const;
-    Line line(const char* part, const char* of, const Steps& steps, const Distance& distance) const;
+    Line line(const char* part, const std::string& of, const Steps& steps,
+              const Distance& distance) const;
     void add_distance(Plot& plot, std::size_t run, const Distance& distance,
                       std::size_t shown) const;
     void add_law(Plot& plot, std::size_t run, std::size_t shown) const;
@@ -174,19 +176,20 @@ std::shared_ptr<const PanelState> ReturnDistancePanel::state(const FrameInput& i
 
 // Whether, and when, the echo of the last reversal has left the way out.
 std::string ReturnDistancePanel::account_of(const Echo& run, std::size_t shown) const {
+    const Language language = context_.language();
     const Step* last = nullptr;
     for (std::size_t k = 0; k < shown; ++k) {
         const Step& step = run.steps[k];
         if (step.reversal != run.steps[shown - 1].reversal || !step.is_known) continue;
         last = &step;
         if (run.radius > 0.0 && step.apart.log10_largest > std::log10(run.radius))
-            return fmt::format("one radius off after {} collisions of each",
-                               three_digits(step.collisions));
+            return say(language, "off by one radius after {} collisions per particle",
+                       three_digits(language, step.collisions));
     }
-    if (last == nullptr) return "not yet reversed";
-    return fmt::format("a return error of {} after {} collisions of each",
-                       three_digits_of_power(last->apart.log10_largest),
-                       three_digits(last->collisions));
+    if (last == nullptr) return say(language, "not yet reversed");
+    return say(language, "return error {} after {} collisions per particle",
+               three_digits_of_power(language, last->apart.log10_largest),
+               three_digits(language, last->collisions));
 }
 
 Stroke ReturnDistancePanel::stroke(const Distance& distance, std::size_t run) const {
@@ -206,7 +209,7 @@ const std::string log_column = "log10 of distance";
 const std::string reversal_column = "reversal (number)";
 
 // Pieces end with each reversal, and where the distance is exactly 0.
-Line ReturnDistancePanel::line(const char* part, const char* of, const Steps& steps,
+Line ReturnDistancePanel::line(const char* part, const std::string& of, const Steps& steps,
                                const Distance& distance) const {
     std::vector<double> reversal, since, collisions, value, log;
     std::vector<int> pieces;
@@ -242,7 +245,7 @@ void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distan
     const Steps& steps = record_.runs[run].steps;
     std::size_t present = shown;
     while (present > 0 && steps[present - 1].reversal == steps[shown - 1].reversal) --present;
-    Line line = this->line("line", distance.name, steps, distance);
+    Line line = this->line("line", std::string(distance.name.english), steps, distance);
     if (compares()) line.run = run;
     line.depth = distance.name == largest.name ? static_cast<int>(run) : 1;
     const auto add = [&](Shown part, double fade) {
@@ -306,7 +309,11 @@ void ReturnDistancePanel::add_level(Plot& plot) const {
     level.more = {column(distance_column, {first.radius})};
     level.still = true;
     Label name;
-    name.words = {first.all_alike ? "one radius" : "mean radius"};
+    const bool is_plane = context_.scene.gas.box.dimension == 2;
+    const Phrase radius = !first.all_alike ? Phrase{"mean radius"}
+                          : is_plane       ? Phrase{"one disk radius"}
+                                           : Phrase{"one bead radius"};
+    name.words = {say(context_.language(), radius)};
     name.anchors = {{.at = {1.0, power},
                      .x_is_share = true,
                      .offset = {-0.4, 1.2},
@@ -329,7 +336,7 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
     marker.value = along(*there);
     marker.still = true;
     Label name;
-    name.words = {"exact return", "return"};
+    name.words = {say(context_.language(), "exact return"), say(context_.language(), "return")};
     name.anchors = {{.at = {marker.value, 1.0},
                      .y_is_share = true,
                      .offset = {-0.4, -0.5},
@@ -342,8 +349,9 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
 void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     Label label;
-    const std::string time = "<i>t</i> = " + three_digits(run.reversals.front());
-    label.words = {"starts at " + time, "from " + time};
+    const Language language = context_.language();
+    const std::string time = "<i>t</i> = " + three_digits(language, run.reversals.front());
+    label.words = {say(language, "starts at {}", time), say(language, "from {}", time)};
     for (const Point at : {Point{0.5, 0.5}, {0.5, 0.75}, {0.5, 0.25}, {0.6, 0.5}})
         label.anchors.push_back({.at = at,
                                  .x_is_share = true,
@@ -356,21 +364,26 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
 // With the bits of the run's numbers, which are why it returns or does not. The growth law is the
 // same for all runs, or there is none to name.
 void ReturnDistancePanel::add_words(Plot& plot) const {
-    const std::string title = "Return error";
+    const Language language = context_.language();
+    const std::string title = say(language, "Return error");
     const int bits = context_.scene.run.bits.value_or(bits_of_double);
-    plot.titles = {fmt::format("{} ({}-bit arithmetic)", title, bits),
-                   fmt::format("{}, {} bits", title, bits), title};
+    plot.titles = {say(language, "Return error ({}-bit arithmetic)", bits),
+                   say(language, "Return error, {} bits", bits), title};
     if (compares()) plot.titles = {title};
     if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
     Note lines;
     if (compares())
-        lines.entries = {{{}, {"the largest of all particles", "the largest"}}};
+        lines.entries = {
+            {{}, {say(language, "the largest of all particles"), say(language, "the largest")}}};
     else
         for (const Distance& distance : {largest, root_mean_square})
-            lines.entries.push_back({stroke(distance, 0), {distance.name, distance.short_name}});
+            lines.entries.push_back(
+                {stroke(distance, 0),
+                 {say(language, distance.name), say(language, distance.short_name)}});
     if (has_law())
-        lines.entries.push_back({Stroke{.role = {Role::Of::accent}, .width = law_width},
-                                 {"upper estimate of growth", "upper estimate"}});
+        lines.entries.push_back(
+            {Stroke{.role = {Role::Of::accent}, .width = law_width},
+             {say(language, "upper estimate of growth"), say(language, "upper estimate")}});
     lines.wraps = true;
     plot.notes = {std::move(lines)};
     std::vector<std::string> names;
@@ -379,20 +392,22 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
     const std::optional<double>& lost = record_.runs.front().bits;
     if (has_law() &&
         std::ranges::all_of(record_.runs, [&](const Echo& run) { return run.bits == lost; }))
-        plot.finding = fmt::format(
-            "Upper estimate of the growth: small distances double {} times with each collision of "
-            "a "
-            "particle.",
-            three_digits(*lost));
+        plot.finding =
+            say(language,
+                "Upper estimate of the growth: small distances double {} times with each "
+                "collision of a particle.",
+                three_digits(language, *lost));
 }
 
 Plot ReturnDistancePanel::plot(const PanelState* state) const {
+    const Language language = context_.language();
     Plot plot{
-        .x = {.title = "since the reversal", .high = last_},
+        .language = language,
+        .x = {.title = say(language, "time since the reversal"), .high = last_},
         .y = {.low = low_, .high = high_, .kind = Axis::Kind::powers, .has_zero_place = true}};
     if (spec_.against_collisions) {
-        plot.x.title = "collisions of each since the reversal";
-        plot.x.short_title = "collisions of each";
+        plot.x.title = say(language, "collisions per particle since the reversal");
+        plot.x.short_title = say(language, "collisions per particle");
     }
     plot.columns = {reversal_column, since_column, distance_column, collisions_column, log_column};
     add_words(plot);
@@ -411,8 +426,8 @@ Plot ReturnDistancePanel::plot(const PanelState* state) const {
     add_end(plot);
     if (state && !has_begun && !record_.runs.front().reversals.empty()) add_start(plot);
     if (has_begun && !compares())
-        plot.account = fmt::format("At the last the largest is {}.",
-                                   account_of(record_.runs.front(), shown[0]));
+        plot.account = say(language, "Of the particle farthest away: {}.",
+                           account_of(record_.runs.front(), shown[0]));
     return plot;
 }
 

@@ -37,13 +37,15 @@ void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
     }
     TextStyle style = label_style(dc);
     style.max_width = dc.area.width;
-    draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, escape_markup(scale.title), style);
+    const std::string title = escape_markup(scale.title);
+    const bool fits = scale.symbol.empty() || measure_text(title, style).width < dc.area.width;
+    draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, fits ? title : scale.symbol, style);
     const Scale up{0.0, scale.top, bar.bottom(), bar.y};
     for (const TickMark& mark : marks_of(scale))
         draw_text(canvas,
                   {bar.right() + 0.4 * u,
                    std::clamp(up(mark.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
-                  mark.label, label_style(dc));
+                  localised(scale.language, mark.label), label_style(dc));
 }
 
 }  // namespace carom

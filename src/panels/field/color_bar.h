@@ -11,9 +11,11 @@ namespace carom {
 
 /// What a scale of colours means, from 0 on.
 struct ColorScale {
-    std::string title;         ///< plain words
-    double top = 1.0;          ///< the value of the last colour
-    bool is_exceeded = false;  ///< whether there are values above, of the same colour
+    std::string title;                      ///< plain words
+    double top = 1.0;                       ///< the value of the last colour
+    bool is_exceeded = false;               ///< whether there are values above, of the same colour
+    std::string symbol = {};                ///< markup, instead where they have no room
+    Language language = Language::english;  ///< of the numbers
 
     Color color(const ColorMap& map, double value) const { return map.at(value / top); }
     void archive(auto& archive) { archive(top, is_exceeded); }

@@ -15,22 +15,28 @@ constexpr double rim = 0.95;              // of the radius, that letters may rea
 
 }  // namespace
 
-std::string mass_text(double inverse_mass) {
+std::string mass_text(Language language, double inverse_mass) {
     if (!(inverse_mass > 0.0)) return "∞";
     const double mass = 1.0 / inverse_mass, whole = std::round(mass);
     if (mass < 1e6 && std::abs(mass - whole) < 1e-6 * mass) return fmt::format("{:.0f}", whole);
-    return mass < 1000.0 ? fmt::format("{:.3g}", mass) : three_digits(mass);
+    return mass < 1000.0 ? localised(language, fmt::format("{:.3g}", mass))
+                         : three_digits(language, mass);
 }
 
 std::string shorter_number(const std::string& words) {
-    const std::size_t point = words.find('.');
-    const bool plain = words.find_first_not_of("0123456789.") == std::string::npos;
+    const std::size_t point = words.find_first_of(".,");
+    const bool plain = words.find_first_not_of("0123456789.,") == std::string::npos;
     if (!plain || point == std::string::npos || point + 2 >= words.size()) return words;
-    return fmt::format("{:.{}f}", std::stod(words), words.size() - point - 2);
+    std::string number = words;
+    number[point] = '.';
+    number = fmt::format("{:.{}f}", std::stod(number), words.size() - point - 2);
+    if (point < number.size()) number[point] = words[point];
+    return number;
 }
 
 std::string words_on(const PanelContext& context, Eigen::Index particle, Labels labels) {
-    if (labels == Labels::mass) return mass_text(context.particles.inverse_mass[particle]);
+    if (labels == Labels::mass)
+        return mass_text(context.language(), context.particles.inverse_mass[particle]);
     return labels == Labels::index ? std::to_string(particle) : "";
 }
 

@@ -9,7 +9,7 @@
 namespace carom {
 
 /// The mass of a particle in few digits; "∞" for an infinite one.
-std::string mass_text(double inverse_mass);
+std::string mass_text(Language language, double inverse_mass);
 
 /// A number with a decimal point, shorter by a digit; as it is if that is not possible.
 std::string shorter_number(const std::string& words);

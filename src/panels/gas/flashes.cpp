@@ -104,9 +104,10 @@ std::vector<Flash> Flashes::at(const Tick& tick) const {
 std::vector<std::string> Flashes::remarks() const {
     const auto shown = static_cast<std::int64_t>(dense_.starts.size());
     if (shown == contacts_) return {};
+    const Language language = scene_.film.language;
     const std::string some =
-        fmt::format("{} of {} collisions flash", grouped(shown), grouped(contacts_));
-    return {some + ", three a second at most", some};
+        say(language, "{} of {} collisions flash", grouped(shown), grouped(contacts_));
+    return {say(language, "{}, at most three per second", some), some};
 }
 
 void draw_flash(Canvas& canvas, const DrawContext& dc, Point at, double share) {

@@ -25,14 +25,14 @@ constexpr std::uint16_t scale_shades = 256;
 constexpr std::uint16_t infinite_shade = scale_shades, resting_shade = scale_shades + 1,
                         first_species = scale_shades + 2;
 
-std::string scale_title(ColorBy color_by) {
+std::pair<Phrase, const char*> scale_title(ColorBy color_by) {
     switch (color_by) {
         case ColorBy::energy:
-            return "energy";
+            return {Phrase{"energy"}, "<i>E</i>"};
         case ColorBy::mass:
-            return "mass";
+            return {Phrase{"mass"}, "<i>m</i>"};
         default:
-            return "speed";
+            return {Phrase{"speed"}, "<i>v</i>"};
     }
 }
 
@@ -96,7 +96,10 @@ GasColors::GasColors(const PanelContext& context)
     : context_(context),
       tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
                       (context.particles.inverse_mass == 0.0).any()) {
-    scale_.title = scale_title(context.scene.film.color_by);
+    const auto [title, symbol] = scale_title(context.scene.film.color_by);
+    scale_.title = say(context.language(), title);
+    scale_.symbol = symbol;
+    scale_.language = context.language();
 }
 
 double GasColors::value(Eigen::Index i, double speed) const {
@@ -190,13 +193,17 @@ struct GasColors::Entry {
 // The colours with a name each; species only where the film or their own colour tells them apart.
 std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     const std::vector<Color> colors = of_shades(theme);
+    const Language language = context_.language();
     const ColorBy by = context_.scene.film.color_by;
     std::vector<Entry> all;
     if (by == ColorBy::speed_class)
-        all = {{colors[0], "slow"}, {colors[1], "medium"}, {colors[2], "fast"}};
+        all = {{colors[0], say(language, "slow")},
+               {colors[1], say(language, "medium")},
+               {colors[2], say(language, "fast")}};
     if (by == ColorBy::direction && context_.scene.gas.box.dimension == 1)
-        all = {{colors[0], "to the right"}, {colors[scale_shades / 2], "to the left"}};
-    if (tells_infinite()) all.push_back({colors[infinite_shade], "infinite", true});
+        all = {{colors[0], say(language, "to the right")},
+               {colors[scale_shades / 2], say(language, "to the left")}};
+    if (tells_infinite()) all.push_back({colors[infinite_shade], say(language, "infinite"), true});
     for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
         if (by == ColorBy::species || has_own_color(k))
             all.push_back({colors[first_species + k], context_.scene.gas.species[k].name});
@@ -221,8 +228,11 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
     }
     y = draw_entries(canvas, dc, y);
     if (by != ColorBy::speed_class) return;
-    for (const char* line : {"below ½,", "above 1½", "of the", "mean"}) {
-        draw_text(canvas, {dc.area.x, y}, line, label_style(dc));
+    TextStyle style = label_style(dc);
+    style.max_width = dc.area.width;
+    const std::string classes = say(context_.language(), "below ½, above 1½ of the mean");
+    for (const std::string& line : wrapped(classes, style, 5)) {
+        draw_text(canvas, {dc.area.x, y}, escape_markup(line), style);
         y += 1.5 * u;
     }
 }
@@ -232,7 +242,8 @@ void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
     const double u = dc.unit, radius = 2.2 * u;
     const Point center{dc.area.x + radius + 0.4 * u, dc.area.y + 1.5 * u + radius};
     const ColorMap map = scale_colors(context_.scene, dc.theme);
-    draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u}, "direction", label_style(dc));
+    draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u}, say(context_.language(), "direction"),
+              label_style(dc));
     constexpr int steps = 96;
     const auto at = [&](double turns, double distance) -> Point {
         const double angle = 2.0 * std::numbers::pi * turns;
@@ -273,8 +284,8 @@ double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) 
         const double end = y + offset.y + 1.4 * u * static_cast<double>(lines.size() - 1);
         const double last = k + 1 == all.size() ? 0.0 : 1.8 * u;  // room for how many more
         if (k > 1 && end + last > dc.area.bottom()) {
-            draw_text(canvas, {dc.area.x, y}, fmt::format("and {} more", all.size() - k),
-                      label_style(dc));
+            draw_text(canvas, {dc.area.x, y},
+                      say(context_.language(), "and {} more", all.size() - k), label_style(dc));
             break;
         }
         const Point swatch{dc.area.x + 0.5 * u, y - 0.35 * u};

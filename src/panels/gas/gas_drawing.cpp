@@ -174,7 +174,8 @@ void GasPanel::Drawing::draw_where_it_is() const {
     const Point corner = whole.pixel({map.low[0], map.low[1] + frame.height / map.scale});
     const Rect part{(corner.x - frame.x) / frame.width, (corner.y - frame.y) / frame.height,
                     1.0 / zoom, 1.0 / zoom};
-    draw_where(canvas, dc, frame, part, frame.height / frame.width, map.scale, share);
+    draw_where(canvas, dc, frame, part, frame.height / frame.width, map.scale, share,
+               panel.context_.language());
 }
 
 // The words stand still; where the camera moves they keep clear of where it shows the particle.
@@ -296,12 +297,14 @@ void GasPanel::Drawing::draw_remarks() const {
     const double smallest = radius.minCoeff();
     if (!(smallest * scale < least_radius)) return;
     const double largest = (radius * scale < least_radius).select(radius, smallest).maxCoeff();
-    std::vector<std::string> words{"disks drawn larger than their radius of " +
-                                   three_digits(smallest)};
-    if (largest > smallest)
-        words = {"disks drawn larger than their radii of " + three_digits(smallest) + " to " +
-                 three_digits(largest)};
-    words.emplace_back("disks drawn larger than they are");
+    const Language language = panel.context_.language();
+    const std::string low = three_digits(language, smallest),
+                      high = three_digits(language, largest);
+    std::vector<std::string> words{
+        largest > smallest
+            ? say(language, "Disks enlarged for visibility; radii {} to {}", low, high)
+            : say(language, "Disks enlarged for visibility; radius {}", low)};
+    words.push_back(say(language, "Disks enlarged for visibility"));
     draw_remark(canvas, dc, {frame.right(), foot}, frame.width, words);
 }
 

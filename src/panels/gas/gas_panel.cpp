@@ -135,7 +135,8 @@ Rect GasPanel::frame_in(const Rect& area, double unit) const {
 double GasPanel::scale_in(const DrawContext& own) const { return map_in(own).scale; }
 
 std::string GasPanel::account(const PanelState& state) const {
-    return words_at_present(context_.scene.gas, static_cast<const State&>(state).surfaces);
+    return words_at_present(context_.language(), context_.scene.gas,
+                            static_cast<const State&>(state).surfaces);
 }
 
 std::string GasPanel::label(Eigen::Index particle, const State& state) const {

@@ -36,7 +36,7 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
 }
 
 void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, const Rect& part,
-                double shape, double scale, double share) {
+                double shape, double scale, double share, Language language) {
     const double u = dc.unit, most = 6.0 * u;
     const double width = shape > 1.0 ? most / shape : most, height = width * shape;
     const double least = 0.5 * u;  // a line has a map too
@@ -65,7 +65,7 @@ void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, cons
     TextStyle style = label_style(dc);
     style.color = ink;
     style.align = Align::center;
-    draw_text(canvas, {left + 0.5 * bar, y - 0.6 * u}, plain_number(length), style);
+    draw_text(canvas, {left + 0.5 * bar, y - 0.6 * u}, plain_number(language, length), style);
 }
 
 bool ParticlePanel::is_filled(Eigen::Index particle) const {

@@ -103,7 +103,10 @@ Rect VelocityArrows::draw_key(Canvas& canvas, const DrawContext& dc, double scal
     const double y = dc.area.bottom() - 0.6 * u;
     draw_arrow(canvas, {dc.area.x, y}, {dc.area.x + speed * reach_ * scale, y},
                style(dc, scale, dc.theme.page));
-    draw_text(canvas, {dc.area.x, y - 0.9 * u}, "speed " + plain_number(speed), label_style(dc));
+    const std::string number = plain_number(context_.language(), speed);
+    std::string words = say(context_.language(), "speed {}", number);
+    if (measure_text(words, label_style(dc)).width > dc.area.width) words = "<i>v</i> = " + number;
+    draw_text(canvas, {dc.area.x, y - 0.9 * u}, words, label_style(dc));
     above.height = std::max(u, above.height - key_height * u);
     return above;
 }

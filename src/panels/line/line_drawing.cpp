@@ -89,7 +89,9 @@ void LinePanel::Drawing::draw_ground() const {
     if (!panel.ends_.is_plain())
         panel.ends_.draw_gravity(canvas, dc, {v.plot.x + v.plot.width / 2, dc.area.y + 0.9 * u});
     canvas.stroke_line({v.plot.x, v.line_y}, {v.plot.right(), v.line_y}, 0.12 * u, dc.theme.wall);
-    draw_y_axis(canvas, v.plot, v.time, axis_style(dc));
+    AxisStyle axis = axis_style(dc);
+    axis.language = context.language();
+    draw_y_axis(canvas, v.plot, v.time, axis);
     draw_captions();
 }
 
@@ -128,17 +130,20 @@ void LinePanel::Drawing::draw_acting_ends() const {
 
 // What the axis is, what the lines are, and that beads are not as large as they look.
 void LinePanel::Drawing::draw_captions() const {
-    const double baseline = v.plot.y - 0.8 * u, left = v.plot.x + 1.6 * u;
+    const Language language = context.language();
+    const double baseline = v.plot.y - 0.8 * u;
     TextStyle words = label_style(dc);
-    draw_text(canvas, {dc.area.x, baseline}, "time ago", words);
+    const double axis =
+        draw_text(canvas, {dc.area.x, baseline}, say(language, "time before now"), words).width;
+    const double left = std::max(v.plot.x + 1.6 * u, dc.area.x + axis + 1.2 * u);
     const std::size_t lines = panel.lines_->count();
     const std::string what = lines == static_cast<std::size_t>(count())
-                                 ? "where each bead was"
-                                 : fmt::format("where {} of the beads were", lines);
+                                 ? say(language, "world lines")
+                                 : say(language, "world lines of {} beads", lines);
     const double end = left + draw_text(canvas, {left, baseline}, what, words).width;
     const bool larger = map.length() > context.scene.gas.box.size[0];
     words.align = Align::right;
-    const std::string remark = "beads drawn larger than they are";
+    const std::string remark = say(language, "beads enlarged for visibility");
     if (larger && end + u + measure_text(remark, words).width < v.plot.right())
         draw_text(canvas, {v.plot.right(), baseline}, remark, words);
 }
@@ -252,16 +257,17 @@ void LinePanel::Drawing::draw_line(std::size_t line, std::optional<Color> one, d
 }
 
 void LinePanel::Drawing::draw_reversals() const {
+    const std::string word = say(context.language(), "reversed");
     TextStyle style = label_style(dc);
     style.align = Align::right;
     for (const double time : now.reversals) {
         const double y = v.time(now.time - time);
         canvas.stroke_line({v.plot.x, y}, {v.plot.right(), y}, 0.1 * u, dc.theme.muted);
-        const double width = measure_text("reversed", style).width + u;
+        const double width = measure_text(word, style).width + u;
         // Under the line: there the word is whole as soon as the line is seen.
         canvas.fill({v.plot.right() - width, y + 0.05 * u, width, 1.35 * u},
                     with_alpha(dc.theme.ground, plate_alpha));
-        draw_text(canvas, {v.plot.right() - 0.5 * u, y + 1.05 * u}, "reversed", style);
+        draw_text(canvas, {v.plot.right() - 0.5 * u, y + 1.05 * u}, word, style);
     }
 }
 

@@ -63,7 +63,7 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
         const double middle = x + out * (is_imposed ? 2.0 : 1.6) * u;
         draw_surface_arrow(canvas, dc, {middle - length / 2, y}, {length, 0.0});
     }
-    const std::string words = mark_of_surface(scene_.gas, behaviour, 0);
+    const std::string words = mark_of_surface(scene_.film.language, scene_.gas, behaviour, 0);
     if (words.empty()) return;
     TextStyle style = label_style(dc);
     style.color = dc.theme.ink;

@@ -111,7 +111,7 @@ std::string LinePanel::account(const PanelState& state) const {
     for (const LineEnds::End& end : static_cast<const State&>(state).ends)
         states.push_back(end.state);
     if (!states.empty()) states.resize(4);
-    return words_at_present(context_.scene.gas, states);
+    return words_at_present(context_.language(), context_.scene.gas, states);
 }
 
 // Masses that differ are shown unasked.

@@ -175,9 +175,9 @@ void draw_casings(Canvas& canvas, const Frame& frame, const Plot& plot, const Ba
 
 }  // namespace
 
-std::string count_words(double count) {
+std::string count_words(Language language, double count) {
     return count == std::round(count) && count < 1e9 ? grouped(std::llround(count))
-                                                     : three_digits(count);
+                                                     : three_digits(language, count);
 }
 
 std::vector<const Bars*> bars_of(const Plot& plot) {

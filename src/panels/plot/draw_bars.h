@@ -15,6 +15,6 @@ std::vector<const Bars*> bars_of(const Plot& plot);
 void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot);
 
 /// A count, or a mean of counts, which is no whole number.
-std::string count_words(double count);
+std::string count_words(Language language, double count);
 
 }  // namespace carom::plot

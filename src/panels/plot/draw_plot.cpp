@@ -238,8 +238,9 @@ std::string title_of(const Plot& plot, const DrawContext& dc) {
     return fitting_title(dc, titles);
 }
 
-AxisStyle style_of(const Axis& axis, const DrawContext& dc) {
+AxisStyle style_of(const Plot& plot, const Axis& axis, const DrawContext& dc) {
     AxisStyle style = axis_style(dc);
+    style.language = plot.language;
     style.whole = axis.is_whole;
     style.decades = axis.kind != Axis::Kind::linear;
     return style;
@@ -303,7 +304,7 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
         return scale_of(plot.y, area.bottom() - floor, area.y, equal_scale(area));
     };
     const double space =
-        y_axis_space(scale_up(area_of(plot, dc, place, 0.0).rect), style_of(plot.y, dc));
+        y_axis_space(scale_up(area_of(plot, dc, place, 0.0).rect), style_of(plot, plot.y, dc));
     const auto [area, is_key_beside] =
         area_of(plot, dc, place, std::max(0.0, space - least_left * u));
     placer = LabelPlacer(area);
@@ -336,7 +337,7 @@ void draw_zero_place(Canvas& canvas, const Frame& frame) {
 
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
-    const AxisStyle style = style_of(plot.x, dc);
+    const AxisStyle style = style_of(plot, plot.x, dc);
     std::string title = markup_of(plot.x.title, dc.theme);
     if (!plot.x.short_title.empty() &&
         measure_text(title, style.title).width > frame.area.right() - dc.area.x)
@@ -344,7 +345,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     draw_x_axis(canvas, frame.area, frame.x_scale, title, style);
     Rect above = frame.area;
     above.height = frame.y_scale.from - frame.area.y;
-    draw_y_axis(canvas, above, frame.y_scale, style_of(plot.y, dc));
+    draw_y_axis(canvas, above, frame.y_scale, style_of(plot, plot.y, dc));
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
     if (!plot.y.title.empty())
         draw_text(canvas, {frame.area.x + 0.4 * dc.unit, frame.area.y - 0.35 * dc.unit},

@@ -27,6 +27,20 @@ Text& Text::operator+=(const Text& more) {
 
 Text operator+(Text first, const Text& second) { return first += second; }
 
+Text text_of(Language language, Phrase phrase, const std::vector<Text>& texts) {
+    Text filled;
+    std::string_view words = phrases::translated(language, phrase.english);
+    for (std::size_t next = 0, open = words.find('{'); open != std::string_view::npos;
+         open = words.find('{')) {
+        const std::size_t close = words.find('}', open);
+        const std::string_view place = words.substr(open + 1, close - open - 1);
+        filled += std::string(words.substr(0, open));
+        filled += texts.at(place.empty() ? next++ : static_cast<std::size_t>(place[0] - '0'));
+        words.remove_prefix(close + 1);
+    }
+    return filled += std::string(words);
+}
+
 Text named(const std::string& name, const Role& role, Sample sample, std::size_t line) {
     Text text;
     text.pieces.push_back({escape_markup(name), role, sample, line});

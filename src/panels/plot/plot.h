@@ -19,6 +19,7 @@
 #include "draw/geometry.h"
 #include "draw/style.h"
 #include "draw/text.h"
+#include "util/language.h"
 
 namespace carom::plot {
 
@@ -86,6 +87,9 @@ struct Text {
     bool empty() const { return pieces.empty(); }
 };
 Text operator+(Text first, const Text& second);
+
+/// Words of the program in a language, filled with texts: {} takes the next one, {0} the first.
+Text text_of(Language language, Phrase phrase, const std::vector<Text>& texts);
 
 /// A plain name in its colour.
 Text named(const std::string& name, const Role& role, Sample sample = Sample::none,
@@ -281,8 +285,9 @@ struct Axis {
 
 /// A plot, complete and immutable. Copies share its data.
 struct Plot {
-    std::vector<Text> titles = {};       ///< from the longest on
-    std::vector<Text> wide_titles = {};  ///< tried before those, at full size only
+    Language language = Language::english;  ///< of its numbers
+    std::vector<Text> titles = {};          ///< from the longest on
+    std::vector<Text> wide_titles = {};     ///< tried before those, at full size only
     Axis x = {}, y = {};
     bool has_equal_scales = false;  ///< then the axes show at least what they say
     std::vector<AnyLayer> layers = {};

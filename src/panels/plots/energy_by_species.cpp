@@ -2,6 +2,7 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -21,11 +22,17 @@ std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& ene
 std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spec) {
     if (spec.title) return {escape_markup(*spec.title)};
     const std::size_t count = context.scene.gas.species.size();
-    if (count == 1) return {"Mean energy"};
+    const Language language = context.language();
+    const std::string title = say(language, "Mean energy");
+    if (count == 1) return {title};
     std::vector<Chosen> all;
     for (std::size_t k = 0; k < count; ++k) all.push_back({.species = k});
-    return {"Mean energy: " + names_of(context, all, plot::Sample::line),
-            "Energy: " + names_of(context, all, plot::Sample::line, ", "), "Mean energy"};
+    const auto named = [&](const std::string& what, Joint joint) {
+        return plot::text_of(language, Phrase{"{}: {}"},
+                             {what, names_of(context, all, plot::Sample::line, joint)});
+    };
+    return {named(title, Joint::last_by_and),
+            named(capitalised(say(language, "energy")), Joint::commas), title};
 }
 
 }  // namespace
@@ -36,12 +43,14 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         .lines = {},
         .titles = titles(context, spec),
         .spreads = true,
-        .quantity = "mean energy",
+        .quantity = Phrase{"mean energy"},
         .unit = reduced::energy};
     const std::vector<Species>& species = context.scene.gas.species;
-    subject.last_title_has_no_names = species.size() > 1 && !spec.title;
-    for (std::size_t k = 0; k < species.size(); ++k)
+    for (std::size_t k = 0; k < species.size(); ++k) {
         subject.lines.push_back({species[k].name, species_role(context, k)});
+        if (species.size() > 1 && !spec.title)
+            subject.names_under_last_title.push_back(species[k].name);
+    }
     if (context.equilibrium && species.size() > 1)
         subject.reference = [context]() -> std::optional<ReferenceLevel> {
             return ReferenceLevel{"equipartition", mean_energy(*context.equilibrium)};

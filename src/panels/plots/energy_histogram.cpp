@@ -6,9 +6,8 @@
 namespace carom {
 
 std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec) {
-    HistogramSubject subject{.title = "Particles by energy",
-                             .quantity = "energy",
-                             .beyond = "higher",
+    HistogramSubject subject{.title = Phrase{"Energy distribution"},
+                             .quantity = Phrase{"energy"},
                              .values = [](const FrameInput& o) { return o.energy; },
                              .density = energy_density,
                              .unit = reduced::energy,

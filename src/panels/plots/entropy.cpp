@@ -10,6 +10,7 @@
 namespace carom {
 
 std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
     const auto entropy = std::make_shared<std::optional<VelocityEntropy>>();
     SeriesSubject subject{
         .measure = [context, entropy](const FrameInput& o) -> std::vector<double> {
@@ -22,10 +23,10 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
         },
         .lines = {{"all"}},
         .titles = {spec.title ? escape_markup(*spec.title)
-                              : std::string("Entropy of the velocities, −<i>H</i>")},
-        .notes = {"−Σ <i>p</i> ln <i>p</i> over cells of velocity; 0 if all move alike",
-                  "−Σ <i>p</i> ln <i>p</i> over cells of velocity"},
-        .quantity = "entropy",
+                              : say(language, "Entropy of the velocities, −<i>H</i>")},
+        .notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells; 0 if all move alike"),
+                  say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells")},
+        .quantity = Phrase{"entropy"},
         .unit = "1"};
     if (context.equilibrium)
         subject.reference = [context, entropy]() -> std::optional<ReferenceLevel> {

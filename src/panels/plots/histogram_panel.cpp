@@ -3,8 +3,6 @@
 // histogram_test.cpp.
 #include "panels/plots/histogram_panel.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -38,16 +36,16 @@ std::optional<double> window_of(const PanelSpec& spec) {
 }
 
 // "now", "at time 20", "time 18 to 20".
-std::string time_words(const PanelSpec& spec) {
+std::string time_words(Language language, const PanelSpec& spec) {
     const std::optional<double> back = window_of(spec);
     if (!spec.at) {
-        if (!back) return "so far";
-        return *back > 0.0 ? fmt::format("last {:g}", *back) : "now";
+        if (!back) return say(language, "so far");
+        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
     }
-    const std::string at = plain_number(*spec.at);
-    if (!back) return "until time " + at;
-    if (*back == 0.0) return "at time " + at;
-    return fmt::format("time {} to {}", plain_number(*spec.at - *back), at);
+    const std::string at = plain_number(language, *spec.at);
+    if (!back) return say(language, "until time {}", at);
+    if (*back == 0.0) return say(language, "at time {}", at);
+    return say(language, "time {} to {}", plain_number(language, *spec.at - *back), at);
 }
 
 std::vector<HistogramCounts> counts_of(
@@ -77,11 +75,11 @@ std::size_t HistogramState::bytes() const {
 HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spec,
                                HistogramSubject subject)
     : context_(context), spec_(spec), subject_(std::move(subject)) {
-    record_.time = time_words(spec);
+    record_.time = time_words(context.language(), spec);
     record_.pools.resize(1);
     for (const Chosen& chosen : choices(spec)) {
         const Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
-        HistogramSeries series{.name = name_of(context.scene, chosen),
+        HistogramSeries series{.name = column_name_of(context.scene, chosen),
                                .particles = static_cast<double>(choice.members.size())};
         const bool all = !chosen.species && !chosen.particle;
         if (context.equilibrium)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/chosen.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/histogram_record.h"
 #include "stats/goodness.h"
@@ -16,9 +17,8 @@ namespace carom {
 
 /// What a histogram shows.
 struct HistogramSubject {
-    std::string title;     ///< "Particles by speed"
-    std::string quantity;  ///< "speed": the axis title
-    std::string beyond;    ///< "faster": what lies beyond the end of the axis
+    Phrase title;     ///< "Speed distribution"
+    Phrase quantity;  ///< "speed": the axis title
     std::function<Eigen::ArrayXXd(const FrameInput&)>
         values;  ///< a row for each particle: one number, or several that count alike
     std::function<double(const EquilibriumGas& gas, double value)> density =
@@ -111,7 +111,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::string mean_words(std::size_t k, double mean) const;
     std::vector<plot::BarNotes::Name> mean_names(const HistogramCounts* now) const;
     plot::BarNotes bar_notes(const HistogramCounts* now) const;
-    plot::Text names_of_choices(const std::string& last) const;
+    plot::Text names_of_choices(Joint joint) const;
+    std::string name_of_series(std::size_t k) const;
     plot::Note note_of_short_title() const;
     void add_titles();
     void make_plot();

@@ -52,12 +52,13 @@ HistogramCurve normal_curve(const Bins& bins, const MeanHistogram& now, double v
 }
 
 // From the fewest of a run to the most.
-std::string range_of(const std::vector<MeanHistogram>& now, double MeanHistogram::*beyond,
-                     const std::string& unit) {
+std::string range_of(Language language, const std::vector<MeanHistogram>& now,
+                     double MeanHistogram::*beyond, const std::string& unit) {
     const auto [fewest, most] = std::ranges::minmax(now, {}, beyond);
     if (!(most.*beyond > 0.0)) return "";
-    const std::string low = count_words(fewest.*beyond), high = count_words(most.*beyond);
-    return (low == high ? high : low + " to " + high) + unit;
+    const std::string low = count_words(language, fewest.*beyond),
+                      high = count_words(language, most.*beyond);
+    return (low == high ? high : say(language, "{} to {}", low, high)) + unit;
 }
 
 }  // namespace
@@ -129,12 +130,18 @@ plot::Stroke HistogramPanel::fit_stroke(std::size_t k) const {
 plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) const {
     Note note{.changes = true, .is_over_plot = true};
     if (now == nullptr) return note;
-    const std::string whose = count() == 1 ? "normal curve" : axes_.series[k].name;
+    const Language language = context_.language();
+    const std::string whose = count() == 1 ? say(language, "normal curve") : name_of_series(k);
     const std::string numbers =
-        fmt::format("mean {}, deviation {}", mean_words(k, now->mean),
-                    steady_number(now->deviation, {0.0, axes_.bins.high - axes_.bins.low}));
+        say(language, "mean {}, standard deviation {}", mean_words(k, now->mean),
+            steady_number(language, now->deviation, {0.0, axes_.bins.high - axes_.bins.low}));
+    const std::string short_numbers =
+        say(language, "mean {}, s.d. {}", mean_words(k, now->mean),
+            steady_number(language, now->deviation, {0.0, axes_.bins.high - axes_.bins.low}));
     const Role& role = roles_[k].fit;
-    KeyEntry entry{.words = {named(whose + ": " + numbers, role), named(numbers, role)}};
+    KeyEntry entry{.words = {named(say(language, "{}: {}", whose, numbers), role),
+                             named(say(language, "{}: {}", whose, short_numbers), role),
+                             named(short_numbers, role)}};
     if (const Stroke stroke = fit_stroke(k); !stroke.dashes.empty() || !stroke.print_dashes.empty())
         entry.sample = stroke;
     note.entries.push_back(std::move(entry));
@@ -167,7 +174,8 @@ plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) c
     for (std::size_t i = 0; i < now.counts.size(); ++i) {
         const bool is_broken =
             state.broken.empty() ? now.counts[i] > axes_.top : state.broken[k][i];
-        bars.broken.push_back(is_broken ? count_words(state.readouts->series[k].counts[i]) : "");
+        bars.broken.push_back(
+            is_broken ? count_words(context_.language(), state.readouts->series[k].counts[i]) : "");
     }
     return bars;
 }
@@ -176,7 +184,8 @@ plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) c
 void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState* state) const {
     const HistogramSeries& series = axes_.series[k];
     const auto add = [&](auto layer) {
-        layer.of = compares() ? name_of(context_.scene, choices_.front().chosen) : series.name;
+        layer.of =
+            compares() ? column_name_of(context_.scene, choices_.front().chosen) : series.name;
         if (compares()) layer.run = k;
         plot.layers.emplace_back(std::move(layer));
     };
@@ -199,12 +208,14 @@ std::string HistogramPanel::mean_words(std::size_t k, double mean) const {
     constexpr double least_of_axis = 0.1;
     const HistogramSeries& series = axes_.series[k];
     const double least = least_of_axis * axes_.bins.high;
-    return steady_number(mean, {std::min(series.lowest_mean, 0.0),
-                                std::max({series.highest_mean, -series.lowest_mean, least})});
+    return steady_number(context_.language(), mean,
+                         {std::min(series.lowest_mean, 0.0),
+                          std::max({series.highest_mean, -series.lowest_mean, least})});
 }
 
 // A picture of one time shows no other that were the present.
 std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCounts* now) const {
+    const Language language = context_.language();
     std::vector<BarNotes::Name> names;
     const auto add = [&](std::size_t k, const std::string& name, const std::string& short_name,
                          double mean, bool is_start) {
@@ -216,13 +227,15 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
         for (std::size_t k = 0; k < count(); ++k) {
             const double mean = now ? now->series[k].mean : 0.0;
             if (count() > 1)
-                add(k, (k == 0 ? "means: " : "") + axes_.series[k].name, axes_.series[k].name, mean,
-                    false);
+                add(k, k == 0 ? say(language, "mean: {}", name_of_series(k)) : name_of_series(k),
+                    name_of_series(k), mean, false);
             else
-                add(k, is_present ? "mean now" : "mean", is_present ? "now" : "mean", mean, false);
+                add(k, say(language, is_present ? Phrase{"mean now"} : Phrase{"mean"}),
+                    say(language, is_present ? Phrase{"now"} : Phrase{"mean"}), mean, false);
         }
     if (marks_mean_start() && count() == 1)
-        add(0, "mean at start", "start", axes_.series.front().mean_start, true);
+        add(0, say(language, "mean at start"), say(language, "start"),
+            axes_.series.front().mean_start, true);
     return names;
 }
 
@@ -232,7 +245,7 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     BarNotes notes{.typical_number = mean_words(0, axes_.series.front().mean_start),
                    .may_be_beside = !fills_the_middle() && !compares(),
                    .is_right = window() != 0.0,  // the mean over a while comes to rest soon
-                   .beyond = subject_.beyond};
+                   .beyond = say(context_.language(), "off scale")};
     notes.are_in_a_row = count() > 1;
     if (!compares()) notes.names = mean_names(now);
     if (spec_.fit && !notes.may_be_beside) notes.names.clear();
@@ -247,25 +260,29 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
         if (now) above += now->series[k].above;
     }
     if (compares()) {
+        const Language language = context_.language();
         const std::string unit = axes_.counts_per_cent() ? " %" : "";
-        if (now) notes.below = range_of(now->series, &MeanHistogram::below, unit);
-        if (now) notes.above = range_of(now->series, &MeanHistogram::above, unit);
+        if (now) notes.below = range_of(language, now->series, &MeanHistogram::below, unit);
+        if (now) notes.above = range_of(language, now->series, &MeanHistogram::above, unit);
         return notes;
     }
     const double least = window() == 0.0 ? 0.0 : told_beyond * values;
-    if (below > 0.0 && below >= least) notes.below = count_words(below);
-    if (above > 0.0 && above >= least) notes.above = count_words(above);
+    if (below > 0.0 && below >= least) notes.below = count_words(context_.language(), below);
+    if (above > 0.0 && above >= least) notes.above = count_words(context_.language(), above);
     return notes;
 }
 
-plot::Text HistogramPanel::names_of_choices(const std::string& last) const {
-    if (count() == 1) return escape_markup(axes_.series.front().name);
-    Text names;
-    for (std::size_t k = 0; k < count(); ++k) {
-        if (k > 0) names += k + 1 == count() ? last : ", ";
-        names += named(axes_.series[k].name, roles_[k].bar, plot::Sample::line, k);
-    }
-    return names;
+// As a picture says it: that of a run, or of a choice of particles.
+std::string HistogramPanel::name_of_series(std::size_t k) const {
+    return compares() ? axes_.series[k].name : name_of(context_.scene, choices_[k].chosen);
+}
+
+plot::Text HistogramPanel::names_of_choices(Joint joint) const {
+    if (count() == 1) return escape_markup(name_of_series(0));
+    std::vector<Text> names;
+    for (std::size_t k = 0; k < count(); ++k)
+        names.push_back(named(name_of_series(k), roles_[k].bar, plot::Sample::line, k));
+    return joined(context_.language(), names, joint);
 }
 
 // What a title has no room for: the names of choices, and that curves are of the equilibrium.
@@ -274,65 +291,77 @@ plot::Note HistogramPanel::note_of_short_title() const {
     if (count() > 1 && !compares())
         for (std::size_t k = 0; k < count(); ++k)
             note.entries.push_back(
-                {*layers_[k].bars.edge, {named(axes_.series[k].name, roles_[k].bar)}});
+                {*layers_[k].bars.edge, {named(name_of_series(k), roles_[k].bar)}});
     if (!axes_.has_curves()) return note;
+    const Language language = context_.language();
     if (count() == 1)
-        note.entries.push_back(
-            {layers_.front().curve.stroke, {named("equilibrium", roles_.front().curve)}});
+        note.entries.push_back({layers_.front().curve.stroke,
+                                {named(say(language, "equilibrium"), roles_.front().curve)}});
     else
-        note.entries.push_back(
-            {{}, {compares() ? "thin lines: equilibrium" : "lines: equilibrium"}});
+        note.entries.push_back({{},
+                                {compares() ? say(language, "thin lines: equilibrium")
+                                            : say(language, "lines: equilibrium")}});
     return note;
 }
 
 // What the words say of the time and of the equilibrium curves.
 void HistogramPanel::add_titles() {
-    const std::string quantity = capitalised(subject_.quantity);
-    const std::string runs = axes_.runs > 1 ? fmt::format(", mean of {} runs", axes_.runs) : "";
-    Text words = escape_markup(spec_.title.value_or(subject_.title)), time = axes_.time + runs;
+    const Language language = context_.language();
+    const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
+        return text_of(language, phrase, {first, second});
+    };
+    const Phrase apart{"{}: {}"}, aside{"{}, {}"};
+    const Text quantity = capitalised(say(language, subject_.quantity));
+    Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
+    Text time = axes_.time;
+    if (axes_.runs > 1)
+        time = both(
+            aside, time,
+            counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
     if (compares()) {
         if (!spec_.title && !spec_.of.empty())
-            words =
-                quantity + " of " + escape_markup(name_of(context_.scene, choices_.front().chosen));
-        const std::string unit = axes_.counts_per_cent() ? ", per cent" : "";
-        time = unit + (axes_.time.empty() ? "" : ": " + axes_.time);
-        whole_.titles = {words + time, quantity + time};
+            words = both(Phrase{"{} of {}"}, words,
+                         escape_markup(name_of(context_.scene, choices_.front().chosen)));
+        const auto ended = [&](Text title) {
+            if (axes_.counts_per_cent()) title = both(aside, title, say(language, "per cent"));
+            return axes_.time.empty() ? title : both(apart, title, axes_.time);
+        };
+        whole_.titles = {ended(words), ended(quantity)};
         if (axes_.has_curves())
-            whole_.titles = {words + time + ", thin lines: in equilibrium",
-                             words + time + ", thin: equilibrium",
-                             quantity + time + ", thin: equilibrium", quantity + time};
+            whole_.titles = {both(aside, ended(words), say(language, "thin lines: equilibrium")),
+                             both(aside, ended(words), say(language, "thin: equilibrium")),
+                             both(aside, ended(quantity), say(language, "thin: equilibrium")),
+                             ended(quantity)};
         return;
     }
-    const bool several = count() > 1;
-    if (!spec_.title && !spec_.of.empty()) words = quantity + " of " + names_of_choices(" and ");
-    if (!several) time = named(axes_.time + runs, {Role::Of::bar});
-    words += ": " + time;
-    if (several) {
-        const Text names = quantity + ": " + names_of_choices(", ") + ", " + time;
+    if (!spec_.title && !spec_.of.empty())
+        words = both(Phrase{"{} of {}"}, words, names_of_choices(Joint::last_by_and));
+    if (count() > 1) {
+        words = both(apart, words, time);
+        const Text names =
+            both(apart, quantity, both(aside, names_of_choices(Joint::commas), time));
         for (const Text& title : {words, names})
-            if (axes_.has_curves())
-                for (const char* ending : {", lines: in equilibrium", ", lines: equilibrium"})
-                    whole_.titles.push_back(title + ending);
-            else
-                whole_.titles.push_back(title);
-        whole_.titles.push_back(spec_.title ? words : quantity + ": " + time);
+            whole_.titles.push_back(axes_.has_curves()
+                                        ? both(aside, title, say(language, "lines: equilibrium"))
+                                        : title);
+        whole_.titles.push_back(spec_.title ? words : both(apart, quantity, time));
         return;
     }
-    const Text shortest = quantity + ": " + time;
-    whole_.titles = {words, shortest};
+    if (time.pieces.size() == 1) time = named(axes_.time, {Role::Of::bar});
+    const Text curve = named(say(language, "equilibrium"), {Role::Of::accent});
+    whole_.titles = {both(apart, words, time), both(apart, quantity, time)};
     if (!axes_.has_curves()) return;
-    const Text curve = ", " + named("equilibrium", {Role::Of::accent});
-    whole_.wide_titles = {words + " and " + named("in equilibrium", {Role::Of::accent}),
-                          words + curve};
-    whole_.titles = {words + curve, shortest + curve, shortest};
+    const Text shown = text_of(language, Phrase{"{} / {}"}, {time, curve});
+    whole_.titles = {both(apart, words, shown), both(apart, quantity, shown),
+                     both(apart, quantity, time)};
 }
 
 std::string HistogramPanel::from_name() const {
-    return column_name(subject_.quantity + " from", subject_.unit);
+    return column_name(std::string(subject_.quantity.english) + " from", subject_.unit);
 }
 
 std::string HistogramPanel::to_name() const {
-    return column_name(subject_.quantity + " to", subject_.unit);
+    return column_name(std::string(subject_.quantity.english) + " to", subject_.unit);
 }
 
 std::string HistogramPanel::value_name() const {
@@ -343,14 +372,20 @@ std::string HistogramPanel::value_name() const {
 std::string HistogramPanel::height_name() const {
     const bool is_of_one = std::ranges::all_of(
         axes_.series, [](const HistogramSeries& series) { return series.values_each == 1.0; });
-    const std::string what = axes_.counts_per_cent() ? "%" : is_of_one ? "particles" : "values";
+    const Language language = context_.language();
     const double width = axes_.bins.width();
     const bool is_plain = width >= 1e-3 && width < 1e5;
-    return what + " per " + (is_plain ? fmt::format("{:.3g}", width) : three_digits(width));
+    const std::string per = is_plain ? localised(language, fmt::format("{:.3g}", width))
+                                     : three_digits(language, width);
+    if (axes_.counts_per_cent()) return say(language, "% per {}", per);
+    return is_of_one ? say(language, "particles per {}", per) : say(language, "values per {}", per);
 }
 
 void HistogramPanel::make_plot() {
-    whole_.x = {.title = subject_.quantity, .low = axes_.bins.low, .high = axes_.bins.high};
+    const Language language = context_.language();
+    whole_.language = language;
+    whole_.x = {
+        .title = say(language, subject_.quantity), .low = axes_.bins.low, .high = axes_.bins.high};
     whole_.y.title = height_name();
     whole_.y.high = axes_.top;
     whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
@@ -375,10 +410,13 @@ Plot HistogramPanel::plot(const PanelState* state) const {
     plot.bar_notes = bar_notes(told);
     for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, shown);
     if (now == nullptr) return plot;
+    const Language language = context_.language();
     for (const MeanHistogram& one : now->series)
         plot.accounts_of_runs.push_back(
-            fmt::format("mean {} {}", subject_.quantity, three_digits(one.mean)) +
-            (subject_.symmetric ? ", deviation " + three_digits(one.deviation) : ""));
+            subject_.symmetric
+                ? say(language, "mean {}, standard deviation {}", three_digits(language, one.mean),
+                      three_digits(language, one.deviation))
+                : say(language, "mean {}", three_digits(language, one.mean)));
     if (spec_.test) plot.finding = test_words(*now);
     return plot;
 }

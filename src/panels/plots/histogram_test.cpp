@@ -1,6 +1,4 @@
 // How well a histogram fits its curve: Pearson's test, with what is conserved taken into account.
-#include <fmt/format.h>
-
 #include "panels/plots/histogram_panel.h"
 #include "util/text.h"
 
@@ -60,17 +58,22 @@ std::optional<ChiSquared> HistogramPanel::test(const PanelState& state, std::siz
 }
 
 std::string HistogramPanel::test_words(const HistogramCounts& now) const {
-    std::string words = "Pearson\u2019s chi-squared test against equilibrium";
+    const Language language = context_.language();
+    std::string results;
     for (std::size_t k = 0; k < count(); ++k) {
         const ChiSquared found = test_of(now, k).value();
-        words += fmt::format(
-            "{}{} \u03C7\u00B2 = {} for {} degrees of freedom, p = {}", k == 0 ? ":" : ";",
-            count() > 1 ? " " + axes_.series[k].name + "," : "", three_digits(found.statistic),
-            three_digits(found.freedom), three_digits(found.p));
+        const std::string result =
+            say(language, "\u03C7\u00B2 = {} for {} degrees of freedom, p = {}",
+                three_digits(language, found.statistic), three_digits(language, found.freedom),
+                three_digits(language, found.p));
+        results += k == 0 ? "" : "; ";
+        results += count() > 1 ? say(language, "{}, {}", name_of_series(k), result) : result;
     }
-    return words +
-           " (bars pooled until 5 are expected in each; what is conserved lowers the degrees of "
-           "freedom).";
+    return say(
+        language,
+        "Pearson\u2019s chi-squared test against equilibrium: {} (bars are pooled until 5 are "
+        "expected in each; conserved quantities lower the degrees of freedom).",
+        results);
 }
 
 }  // namespace carom

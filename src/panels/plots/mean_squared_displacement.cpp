@@ -42,6 +42,7 @@ std::optional<plot::Line> fit_of(const PanelContext& context, const SeriesRun& r
 // The lines that fit, and their coefficients in words.
 void add_fits(const PanelContext& context, const std::vector<Chosen>& chosen, double from,
               const SeriesRecord& record, plot::Plot& whole) {
+    const Language language = context.language();
     const bool compares = record.compares();
     std::vector<std::string> all;
     for (std::size_t k = 0; k < record.runs.size(); ++k)
@@ -49,21 +50,25 @@ void add_fits(const PanelContext& context, const std::vector<Chosen>& chosen, do
             double coefficient = 0.0;
             std::optional<plot::Line> line = fit_of(context, record.runs[k], i, from, coefficient);
             if (!line) continue;
-            line->of = name_of(context.scene, chosen[compares ? record.compared : i]);
+            line->of = column_name_of(context.scene, chosen[compares ? record.compared : i]);
             line->x.name = whole.columns[0];
             line->y.name = whole.columns[1];
             if (compares) line->run = k;
             if (compares) line->stroke = plot::stroke_of_run(k, of_fit.width);
-            const std::string value = three_digits(coefficient);
-            const std::string name = compares ? record.runs[k].name : line->of;
+            const std::string value = three_digits(language, coefficient);
+            const std::string name =
+                compares ? record.runs[k].name : name_of(context.scene, chosen[i]);
             all.push_back(chosen.size() > 1 || compares ? name + " " + value : value);
             whole.layers.emplace_back(std::move(*line));
         }
     if (all.empty()) return;
-    const std::string since = " from time " + three_digits(from) + " on";
-    const std::string found = "<i>D</i> = " + escape_markup(listed(all));
-    whole.notes.push_back({.entries = {{of_fit, {"2<i>dDt</i>" + since + ": " + found, found}}}});
-    whole.account = "The line 2dDt that fits" + since + " has D = " + listed(all) + ".";
+    const std::string since = three_digits(language, from), values = listed(language, all);
+    const std::string found = "<i>D</i> = " + escape_markup(values);
+    whole.notes.push_back(
+        {.entries = {
+             {of_fit, {say(language, "fit 2<i>dDt</i> from time {}: {}", since, found), found}}}});
+    whole.account =
+        say(language, "The line 2dDt fitted from time {} on has D = {}.", since, values);
 }
 
 }  // namespace
@@ -71,7 +76,7 @@ void add_fits(const PanelContext& context, const std::vector<Chosen>& chosen, do
 std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
                                                       const PanelSpec& spec) {
     const double fit_from = spec.fit_from.value_or(0.5 * (spec.from + context.scene.run.until));
-    SeriesSubject subject = subject_of_choices(context, spec, "Mean squared displacement");
+    SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
     subject.measure =
         [of = members(context, choices(spec)),
          moved = Displacements(context.scene.gas.box, spec.from)](const FrameInput& input) mutable {
@@ -81,7 +86,7 @@ std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& contex
             for (const std::vector<Eigen::Index>& list : of) now.push_back(square(list).mean());
             return now;
         };
-    subject.quantity = "mean squared displacement";
+    subject.quantity = Phrase{"mean squared displacement"};
     subject.unit = "length^2";
     subject.needs_collisions = true;
     subject.add = [context, chosen = choices(spec), fit_from](const SeriesRecord& record,

@@ -13,10 +13,10 @@ namespace {
 std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spec,
                                const std::vector<Chosen>& chosen) {
     if (spec.title) return {escape_markup(*spec.title)};
-    const std::string words = "Position and velocity";
+    const std::string words = say(context.language(), "Position and velocity");
     if (spec.of.empty()) return {words};
-    const plot::Text names = names_of(context, chosen, plot::Sample::disk);
-    return {words + " of " + names, names};  // the axes say the rest
+    return {shown_of(context, words, chosen, plot::Sample::disk),
+            names_of(context, chosen, plot::Sample::disk)};  // the axes say the rest
 }
 
 }  // namespace
@@ -24,7 +24,13 @@ std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spe
 std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
-    const std::string along = box.dimension == 1 ? "" : axis == 1 ? " along y" : " along x";
+    const auto along = [&](Phrase alone, Phrase x, Phrase y) {
+        return box.dimension == 1 ? alone : axis == 1 ? y : x;
+    };
+    const Phrase position =
+        along(Phrase{"position"}, Phrase{"position along x"}, Phrase{"position along y"});
+    const Phrase velocity =
+        along(Phrase{"velocity"}, Phrase{"velocity along x"}, Phrase{"velocity along y"});
     const std::vector<Chosen> chosen = choices(spec);
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     std::vector<Flights> flights;  // of the first of each: of several there is no path
@@ -32,8 +38,9 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
         flights.emplace_back(box, axis, std::vector<Eigen::Index>{list.front()});
     PointsSubject subject{
         .titles = titles(context, spec, chosen),
-        .across = "position" + along,
-        .up = "velocity" + along,
+        .language = context.language(),
+        .across = say(context.language(), position),
+        .up = say(context.language(), velocity),
         .width = {0.0, box.size[axis]},
         .widen = [box, axis](PointsSubject& its,
                              const FrameInput& o) { widen_to_sides(its.width, box, axis, o); },
@@ -50,17 +57,18 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
             [flights](const FrameInput& o, std::size_t set) mutable {
                 std::vector<Point> points;
                 for (const Flights::Corner& corner : flights[set].see(o))
-                    for (const double velocity : {corner.before[0], corner.after[0]})
-                        points.push_back({corner.place[0], velocity});
+                    for (const double up : {corner.before[0], corner.after[0]})
+                        points.push_back({corner.place[0], up});
                 return points;
             },
         .breaks_across = 0.5 * box.size[axis],
-        .columns = {column_name("position" + along, reduced::length),
-                    column_name("velocity" + along, reduced::speed)}};
+        .columns = {column_name(std::string(position.english), reduced::length),
+                    column_name(std::string(velocity.english), reduced::speed)}};
     if (std::ranges::none_of(lists, [](const auto& list) { return list.size() == 1; }))
         subject.corners = nullptr;
     for (std::size_t k = 0; k < chosen.size(); ++k)
-        subject.sets.push_back({name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
+        subject.sets.push_back(
+            {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

@@ -77,6 +77,7 @@ void PointsPanel::archive(Archive& archive) {
 
 void PointsPanel::make_plot() {
     whole_ = {
+        .language = subject_.language,
         .titles = subject_.titles,
         .x = {.title = subject_.across, .low = subject_.width.first, .high = subject_.width.second},
         .y = {.title = subject_.up, .low = height_.first, .high = height_.second},

@@ -18,6 +18,7 @@ struct PointsSubject {
         plot::Role role = {.of = plot::Role::Of::bar};
     };
     std::vector<plot::Text> titles;   ///< from the longest on
+    Language language;                ///< of the numbers
     std::string across, up;           ///< the axes' titles
     std::pair<double, double> width;  ///< of the axis across
     std::function<void(PointsSubject&, const FrameInput&)> widen =

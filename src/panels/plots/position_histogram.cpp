@@ -7,12 +7,11 @@ namespace carom {
 std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
-    std::string quantity = "position";
-    if (box.dimension == 2) quantity += axis == 1 ? " along y" : " along x";
     HistogramSubject subject{
-        .title = "P" + quantity.substr(1),
-        .quantity = quantity,
-        .beyond = "",
+        .title = Phrase{"Distribution of positions"},
+        .quantity = box.dimension == 1 ? Phrase{"position"}
+                    : axis == 1        ? Phrase{"position along y"}
+                                       : Phrase{"position along x"},
         .values = [axis](const FrameInput& o) { return o.sample.position.col(axis); },
         .extent = std::pair{0.0, box.size[axis]},
         .position_axis = axis,

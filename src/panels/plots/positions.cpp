@@ -20,12 +20,15 @@ std::string name_on_axis(const PanelContext& context, const Chosen& chosen) {
 std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
-    const std::string along = box.dimension == 1 ? "" : axis == 1 ? ", along y" : ", along x";
+    const Phrase title = box.dimension == 1 ? Phrase{"Positions of two particles"}
+                         : axis == 1        ? Phrase{"Positions of two particles along y"}
+                                            : Phrase{"Positions of two particles along x"};
     const auto first = static_cast<Eigen::Index>(spec.of.at(0).particle.value());
     const auto second = static_cast<Eigen::Index>(spec.of.at(1).particle.value());
     const double length = box.size[axis];
     PointsSubject subject{
-        .titles = {spec.title ? escape_markup(*spec.title) : "Positions of two particles" + along},
+        .titles = {spec.title ? escape_markup(*spec.title) : say(context.language(), title)},
+        .language = context.language(),
         .across = name_on_axis(context, spec.of[0]),
         .up = name_on_axis(context, spec.of[1]),
         .width = {0.0, length},
@@ -52,9 +55,9 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
         .never_equal = box.dimension == 1 && !box.is_periodic(0),  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
-        .columns = {column_name("position of " + name_of(context.scene, spec.of[0]),
+        .columns = {column_name("position of " + column_name_of(context.scene, spec.of[0]),
                                 reduced::length),
-                    column_name("position of " + name_of(context.scene, spec.of[1]),
+                    column_name("position of " + column_name_of(context.scene, spec.of[1]),
                                 reduced::length)}};
     return std::make_unique<PointsPanel>(std::move(subject));
 }

@@ -73,30 +73,31 @@ class Gauge {
 };
 
 // A gas that is parted has no one pressure before the last partition opens.
-std::string time_words(const Over& over, const Box& box) {
+std::string time_words(Language language, const Over& over, const Box& box) {
     if (over.since == Over::Since::start)
         return std::ranges::all_of(box.surfaces.partitions, &Partition::is_open)
-                   ? "mean since the start"
-                   : "mean since the last partition opened";
-    if (over.since == Over::Since::now) return "from frame to frame";
-    return fmt::format("mean over the last {:g}", over.window);
+                   ? say(language, "mean since the start")
+                   : say(language, "mean since the last partition opened");
+    if (over.since == Over::Since::now) return say(language, "from frame to frame");
+    return say(language, "mean over the last {}", over.window);
 }
 
 // On the walls in the bars' colour, by the virial in the one of what should be looked at.
 const plot::Role of_walls{.of = plot::Role::Of::bar};
 const plot::Role of_virial{.of = plot::Role::Of::highlight};
 
-std::vector<plot::Text> titles(const PanelSpec& spec, bool has_walls) {
+std::vector<plot::Text> titles(Language language, const PanelSpec& spec, bool has_walls) {
     if (spec.title) return {escape_markup(*spec.title)};
-    const auto virial = [](const char* words) {
-        return plot::named(words, of_virial, plot::Sample::line, 1);
-    };
-    const auto walls = [](const char* words) {
-        return plot::named(words, of_walls, plot::Sample::line, 0);
-    };
-    if (!has_walls) return {"Pressure " + virial("from collisions")};
-    return {"Pressure " + walls("on the walls") + " and " + virial("from collisions"),
-            "Pressure: " + walls("walls") + ", " + virial("collisions")};
+    const plot::Text virial =
+        plot::named(say(language, "from collisions"), of_virial, plot::Sample::line, 1);
+    const plot::Text walls =
+        plot::named(say(language, "on the walls"), of_walls, plot::Sample::line, 0);
+    if (!has_walls) return {plot::text_of(language, Phrase{"Pressure {}"}, {virial})};
+    return {plot::text_of(language, Phrase{"Pressure {} and {}"}, {walls, virial}),
+            plot::text_of(
+                language, Phrase{"Pressure: {}, {}"},
+                {plot::named(say(language, "walls"), of_walls, plot::Sample::line, 0),
+                 plot::named(say(language, "collisions"), of_virial, plot::Sample::line, 1)})};
 }
 
 }  // namespace
@@ -106,19 +107,21 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
     const Box& box = context.scene.gas.box;
     const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));
     const Gauge gauge(context, over);
+    const Language language = context.language();
     SeriesSubject subject{
         .measure = gauge,
         .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
-        .titles = titles(spec, walls),
-        .notes = {time_words(over, box)},
+        .titles = titles(language, spec, walls),
+        .notes = {time_words(language, over, box)},
         .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
             if (!std::isfinite(*of_points)) return std::nullopt;
             return ReferenceLevel{"ideal gas", *of_points};
         },
-        .quantity = "pressure",
+        .quantity = Phrase{"pressure"},
         .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2",
         .compared = 1,
-        .compared_title = spec.title ? escape_markup(*spec.title) : "Pressure from collisions"};
+        .compared_title =
+            spec.title ? escape_markup(*spec.title) : say(language, "Pressure from collisions")};
     return std::make_unique<SeriesPanel>(context, std::move(subject));
 }
 

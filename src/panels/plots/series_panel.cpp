@@ -35,36 +35,36 @@ plot::Label label_beside(const plot::Axis& axis, double at, const std::string& w
 
 }  // namespace
 
-SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec,
-                                 const std::string& title) {
+SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title) {
     const std::vector<Chosen> chosen = choices(spec);
-    SeriesSubject subject{.titles = {title}};
+    const std::string what = say(context.language(), title);
+    SeriesSubject subject{.titles = {what}};
     if (spec.title)
         subject.titles = {escape_markup(*spec.title)};
     else if (!spec.of.empty())
-        subject.titles = {title + " of " + names_of(context, chosen, plot::Sample::line)};
+        subject.titles = {shown_of(context, what, chosen, plot::Sample::line)};
     for (std::size_t k = 0; k < chosen.size(); ++k)
         subject.lines.push_back(
-            {name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
+            {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     return subject;
 }
 
 namespace {
 
 // What has happened, in a word; empty for what has its own mark, or none.
-std::string series_event_word(const RunEvent& event) {
+Phrase series_event_word(const RunEvent& event) {
     if (const auto* set = std::get_if<SetOpen>(&event.action))
-        return set->is_open ? "opened" : "closed";
+        return set->is_open ? Phrase{"opened"} : Phrase{"closed"};
     if (const auto* heat = std::get_if<Heat>(&event.action)) {
         const double* energy = std::get_if<double>(&heat->amount);
-        return energy != nullptr && *energy < 0.0 ? "cooled" : "heated";
+        return energy != nullptr && *energy < 0.0 ? Phrase{"cooled"} : Phrase{"heated"};
     }
     if (const auto* move = std::get_if<MoveSurface>(&event.action))
-        return move->velocity == 0.0 ? "stopped" : "moved";
-    if (std::holds_alternative<HoldPiston>(event.action)) return "held";
-    if (std::holds_alternative<ReleasePiston>(event.action)) return "released";
-    if (std::holds_alternative<ChangeSurface>(event.action)) return "wall changed";
-    return "";
+        return move->velocity == 0.0 ? Phrase{"stopped"} : Phrase{"moved"};
+    if (std::holds_alternative<HoldPiston>(event.action)) return Phrase{"held"};
+    if (std::holds_alternative<ReleasePiston>(event.action)) return Phrase{"released"};
+    if (std::holds_alternative<ChangeSurface>(event.action)) return Phrase{"wall changed"};
+    return {};
 }
 
 }  // namespace
@@ -86,17 +86,18 @@ void SeriesPanel::finish_record() {
     SeriesRun& run = record_.runs.front();
     if (subject_.reference) run.level = subject_.reference();
     run.turns = reversal_times(context_.scene.run);
-    const auto add = [&](double at, const std::string& word) {
-        if (!word.empty()) run.events.emplace_back(at, word);
+    const auto add = [&](double at, Phrase word) {
+        if (!word.english.empty()) run.events.emplace_back(at, word.english);
     };
     const std::vector<RunEvent>& events = context_.scene.run.events;
     for (const RunEvent& event : events) add(event.at, series_event_word(event));
     for (const MirroredEvent& mirrored : mirrored_events(context_.scene.run)) {
         const RunEvent& event = events[mirrored.event];
         const auto opposite = mirrored.is_undone ? opposite_of(event) : event;
-        add(mirrored.at, opposite                           ? series_event_word(*opposite)
-                         : series_event_word(event).empty() ? ""
-                                                            : "undone");
+        const Phrase own = series_event_word(event);
+        add(mirrored.at, opposite              ? series_event_word(*opposite)
+                         : own.english.empty() ? own
+                                               : Phrase{"undone"});
     }
 }
 
@@ -149,15 +150,16 @@ plot::Axis SeriesPanel::axis_up() const {
 }
 
 // The clock of a film runs back after a reversal; this axis does not.
-std::string SeriesPanel::time_name() const {
+Phrase SeriesPanel::time_name() const {
     const bool turns =
         std::ranges::any_of(record_.runs, [](const SeriesRun& run) { return !run.turns.empty(); });
-    return turns ? "elapsed time" : "time";
+    return turns ? Phrase{"elapsed time"} : Phrase{"time"};
 }
 
 void SeriesPanel::make_axes() {
     whole_ = {};
-    whole_.x = {.title = time_name(), .low = INFINITY, .high = -INFINITY};
+    whole_.language = context_.language();
+    whole_.x = {.title = say(context_.language(), time_name()), .low = INFINITY, .high = -INFINITY};
     for (const SeriesRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, *std::ranges::min_element(run.time));
         whole_.x.high = std::max(whole_.x.high, *std::ranges::max_element(run.time));
@@ -169,18 +171,20 @@ void SeriesPanel::make_axes() {
 
 void SeriesPanel::make_plot() {
     const bool compares = record_.compares();
-    const std::string column = column_name(subject_.quantity, subject_.unit);
+    const std::string column = column_name(std::string(subject_.quantity.english), subject_.unit);
     whole_.titles = subject_.titles;
     if (compares && subject_.compared_title) whole_.titles = {*subject_.compared_title};
-    whole_.columns = {column_name(time_name(), reduced::time), column};
+    whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
-    if (subject_.last_title_has_no_names && !compares) {
+    if (!subject_.names_under_last_title.empty() && !compares) {
         plot::Note names{.wraps = true, .is_of_short_title = true};
-        for (const SeriesSubject::Line& line : subject_.lines)
-            names.entries.push_back(
-                {{},
-                 {plot::named(line.name, line.role, plot::Sample::line, names.entries.size())}});
+        for (const SeriesSubject::Line& line : subject_.lines) {
+            const std::size_t k = names.entries.size();
+            names.entries.push_back({{},
+                                     {plot::named(subject_.names_under_last_title.at(k), line.role,
+                                                  plot::Sample::line, k)}});
+        }
         whole_.notes.push_back(std::move(names));
     }
     if (const std::vector<std::string> words = notes(); !words.empty())
@@ -205,7 +209,8 @@ bool SeriesPanel::has_numbers() const {
 
 // Under the title: what the lines are, and what the mean is of.
 std::vector<std::string> SeriesPanel::notes() const {
-    if (!has_numbers()) return {"not defined for this gas"};
+    const Language language = context_.language();
+    if (!has_numbers()) return {say(language, "not defined for this gas")};
     std::vector<std::string> all = subject_.notes;
     const auto append = [&](const std::vector<std::string>& more) {
         std::vector<std::string> both;
@@ -214,11 +219,13 @@ std::vector<std::string> SeriesPanel::notes() const {
         all = std::move(both);
     };
     if (record_.runs_in_mean > 1) {
-        const std::string mean = fmt::format("mean of {} runs", record_.runs_in_mean);
-        append({mean + " \u00B1 standard error", mean});
+        const std::string mean = counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
+                                         Phrase{"mean of {} runs"});
+        append({say(language, "{} \u00B1 standard error", mean), mean});
     }
     if (record_.compares() && record_.runs.front().level && !record_.common_level())
-        append({"thin: " + record_.runs.front().level->name});
+        append(
+            {say(language, "thin: {}", say(language, Phrase{record_.runs.front().level->name}))});
     return all;
 }
 
@@ -270,7 +277,8 @@ void SeriesPanel::add_levels() {
     if (const std::optional<ReferenceLevel> common = record_.common_level()) {
         plot::Level level = level_of(*common);
         plot::Label label;
-        label.words = {common->name + " " + three_digits(common->value)};
+        label.words = {say(context_.language(), Phrase{common->name}) + " " +
+                       three_digits(context_.language(), common->value)};
         label.anchors = {{.at = {1.0, 0.0},
                           .x_is_share = true,
                           .y_is_share = true,
@@ -298,7 +306,7 @@ void SeriesPanel::add_turns() {
         marker.still = true;
         marker.column = whole_.columns[0];
         marker.value = at;
-        marker.label = label_beside(whole_.x, at, "reversed");
+        marker.label = label_beside(whole_.x, at, say(context_.language(), "reversed"));
         whole_.layers.emplace_back(std::move(marker));
     }
 }
@@ -306,18 +314,21 @@ void SeriesPanel::add_turns() {
 // The same, dashed, where a wall or a partition changes what it does, or the gas is heated.
 void SeriesPanel::add_events() {
     constexpr std::size_t most_named = 6;
-    const std::vector<std::pair<double, std::string>> events = record_.common_events();
-    for (const auto& [at, word] : events) {
+    const auto events = record_.common_events();
+    for (const auto& [at, words] : events) {
         plot::Marker marker;
         marker.part = "event";
-        marker.of = word;
+        marker.of = fmt::format("{}", fmt::join(words, ", "));
         marker.still = true;
         marker.column = whole_.columns[0];
         marker.value = at;
         marker.stroke = {.width = 0.06, .dashes = {0.2, 0.4}};
         marker.is_kept_clear = true;
         if (events.size() <= most_named) {
-            marker.label = label_beside(whole_.x, at, word);
+            std::vector<std::string> said;
+            for (const std::string& word : words)
+                said.push_back(say(context_.language(), Phrase{word}));
+            marker.label = label_beside(whole_.x, at, fmt::format("{}", fmt::join(said, ", ")));
             plot::Anchor other_side = marker.label->anchors[0];
             other_side.offset.x = -other_side.offset.x;
             other_side.align = other_side.align == Align::left ? Align::right : Align::left;
@@ -341,8 +352,10 @@ std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) co
         const std::vector<double>& line = record_.runs[k].lines.front();
         std::size_t last = now.shown.at(k);
         while (last > 0 && !std::isfinite(line[last - 1])) --last;
-        accounts.push_back(subject_.quantity + " " +
-                           (last == 0 ? "unknown" : three_digits(line[last - 1])));
+        const Language language = context_.language();
+        accounts.push_back(
+            say(language, subject_.quantity) + " " +
+            (last == 0 ? say(language, "unknown") : three_digits(language, line[last - 1])));
     }
     return accounts;
 }

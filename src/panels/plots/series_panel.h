@@ -15,20 +15,21 @@ namespace carom {
 /// What the lines show.
 struct SeriesSubject {
     struct Line {
-        std::string name;  ///< in a table
+        std::string name;  ///< in a table, in English
         plot::Role role = {.of = plot::Role::Of::bar};
     };
     std::function<std::vector<double>(const FrameInput&)> measure =
         {};  ///< one number for each line, every frame of the first pass in order; NaN: none
     std::vector<Line> lines = {};
-    std::vector<plot::Text> titles = {};   ///< from the longest on
-    bool last_title_has_no_names = false;  ///< of the lines: they stand under it
-    std::vector<std::string> notes = {};   ///< markup under the title, from the longest on
+    std::vector<plot::Text> titles = {};                   ///< from the longest on
+    std::vector<std::string> names_under_last_title = {};  ///< of the lines; none: it has them
+    std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
-    std::optional<double> top = {};        ///< of the axis; none: as the run shows
-    bool spreads = false;                  ///< over powers of ten, if need be
-    std::string quantity = {}, unit = {};  ///< "entropy", "1"
-    std::size_t compared = 0;              ///< the line that stands for a run beside others
+    std::optional<double> top = {};  ///< of the axis; none: as the run shows
+    bool spreads = false;            ///< over powers of ten, if need be
+    Phrase quantity = {};            ///< "entropy"
+    std::string unit = {};           ///< "1"
+    std::size_t compared = 0;        ///< the line that stands for a run beside others
     std::optional<plot::Text> compared_title = {};  ///< of that line; none: the title
     bool needs_collisions = false;                  ///< to measure
     std::function<void(const SeriesRecord&, plot::Plot& whole)> add =
@@ -37,8 +38,7 @@ struct SeriesSubject {
 
 /// A line for each choice of particles that the panel shows, and the title that names them: what
 /// is measured of each is for the caller to add.
-SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec,
-                                 const std::string& title);
+SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title);
 
 class SeriesPanel : public RecordPanel<SeriesRecord> {
   public:
@@ -56,7 +56,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
 
   private:
     bool rests_at_zero() const;
-    std::string time_name() const;
+    Phrase time_name() const;
     plot::Axis axis_up() const;
     void make_plot();
     bool has_numbers() const;

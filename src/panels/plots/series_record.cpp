@@ -14,16 +14,17 @@ std::optional<ReferenceLevel> SeriesRecord::common_level() const {
     return first;
 }
 
-std::vector<std::pair<double, std::string>> SeriesRecord::common_events() const {
-    std::vector<std::pair<double, std::string>> events;
+std::vector<std::pair<double, std::vector<std::string>>> SeriesRecord::common_events() const {
+    std::vector<std::pair<double, std::vector<std::string>>> events;
     for (const SeriesRun& run : runs)
         if (run.events != runs.front().events) return {};
     for (const auto& [at, word] : runs.front().events) {
-        const auto known = std::ranges::find(events, at, &std::pair<double, std::string>::first);
+        const auto known = std::ranges::find_if(
+            events, [at = at](const auto& event) { return event.first == at; });
         if (known == events.end())
-            events.emplace_back(at, word);
-        else if (known->second.find(word) == std::string::npos)
-            known->second += ", " + word;
+            events.emplace_back(at, std::vector{word});
+        else if (std::ranges::find(known->second, word) == known->second.end())
+            known->second.push_back(word);
     }
     std::ranges::sort(events);
     return events;

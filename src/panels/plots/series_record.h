@@ -12,7 +12,7 @@ namespace carom {
 
 /// A level that lines are compared with.
 struct ReferenceLevel {
-    std::string name;
+    std::string name;  ///< in English
     double value = 0.0;
     void archive(Archive& archive) { archive(name, value); }
 };
@@ -46,7 +46,7 @@ struct SeriesRecord {
 
     /// The events of all runs, in order of time, those of one time together; none where they
     /// differ.
-    std::vector<std::pair<double, std::string>> common_events() const;
+    std::vector<std::pair<double, std::vector<std::string>>> common_events() const;
 
     void archive(Archive& archive) { archive(runs, runs_in_mean, compared); }
 };

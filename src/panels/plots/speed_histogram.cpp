@@ -6,9 +6,8 @@
 namespace carom {
 
 std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const PanelSpec& spec) {
-    HistogramSubject subject{.title = "Particles by speed",
-                             .quantity = "speed",
-                             .beyond = "faster",
+    HistogramSubject subject{.title = Phrase{"Speed distribution"},
+                             .quantity = Phrase{"speed"},
                              .values = [](const FrameInput& o) { return o.speed; },
                              .density = speed_density,
                              .tested = TestedQuantity::speed};

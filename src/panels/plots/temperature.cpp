@@ -29,7 +29,7 @@ std::optional<double> only_bath(const Scene& scene) {
 }  // namespace
 
 std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
-    SeriesSubject subject = subject_of_choices(context, spec, "Temperature");
+    SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Temperature"});
     subject.measure = [context, of = members(context, choices(spec))](const FrameInput& o) {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : of)
@@ -39,7 +39,7 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
     };
     if (const std::optional<double> bath = only_bath(context.scene))
         subject.reference = [bath] { return ReferenceLevel{"bath", *bath}; };
-    subject.quantity = "temperature";
+    subject.quantity = Phrase{"temperature"};
     subject.unit = reduced::energy;
     return std::make_unique<SeriesPanel>(context, std::move(subject));
 }

@@ -9,15 +9,13 @@ namespace carom {
 std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Component component = spec.component.value_or(Component::both);
     const bool both = component == Component::both;
-    std::string quantity = "velocity";
-    if (!both) quantity += component == Component::x ? " along x" : " along y";
     const bool plane = context.scene.gas.box.dimension == 2;  // where each particle counts twice
     const Eigen::Index first = component == Component::y ? 1 : 0;
-    HistogramSubject subject{.title = !both   ? "V" + quantity.substr(1)
-                                      : plane ? "Velocity along x and y"
-                                              : "Particles by velocity",
-                             .quantity = quantity,
-                             .beyond = "",
+    HistogramSubject subject{.title = both && plane ? Phrase{"Distribution of velocity components"}
+                                                    : Phrase{"Velocity distribution"},
+                             .quantity = both                        ? Phrase{"velocity"}
+                                         : component == Component::x ? Phrase{"velocity along x"}
+                                                                     : Phrase{"velocity along y"},
                              .values = {},
                              .density = velocity_density,
                              .symmetric = true,

@@ -208,7 +208,8 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
 // last of it. The arrow makes room where it must.
 SurfaceView::Brush::SideMark SurfaceView::Brush::beside_mark(std::size_t side) const {
     if (is_upright(side)) return {};
-    const std::string all = mark_of_surface(view.scene_.gas, behaviour(side), 1);
+    const std::string all =
+        mark_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(side), 1);
     const auto* piston = std::get_if<Piston>(&behaviour(side));
     const bool has_arrow = piston != nullptr && piston->force != 0.0;
     const double taken = has_arrow ? 1.8 * u : 0.0;
@@ -342,7 +343,8 @@ void SurfaceView::Brush::draw_marks() const {
     std::vector<Mark> marks;
     for (std::size_t k = 0; k < states.size(); ++k) {
         const int axis = box.surfaces.axis_of(k);
-        const std::string words = mark_of_surface(view.scene_.gas, behaviour(k), axis);
+        const std::string words =
+            mark_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(k), axis);
         if (words.empty() || states[k].is_open || (axis == 1 && Surfaces::is_side(k))) continue;
         const double at = place_of_surface(box, states, k);
         const Point foot = map.pixel({at, at});

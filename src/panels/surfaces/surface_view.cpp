@@ -34,7 +34,9 @@ std::vector<std::vector<Behaviour>> behaviours_in_time(const Scene& scene) {
 double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
     const bool marked_here = side / 2 == 1;  // marks of the left and the right stand above the box
     const double mark =
-        marked_here && !mark_of_surface(gas, behaviour, 1).empty() ? SurfaceSize::mark : 0.0;
+        marked_here && !mark_of_surface(Language::english, gas, behaviour, 1).empty()
+            ? SurfaceSize::mark
+            : 0.0;
     if (std::holds_alternative<Bath>(behaviour)) return SurfaceSize::bath + mark;
     if (std::holds_alternative<Driven>(behaviour))
         return SurfaceSize::bar + SurfaceSize::hatch + SurfaceSize::arrow;
@@ -98,7 +100,7 @@ SurfaceView::Margins SurfaceView::margins_of() const {
     for (std::size_t k = 0; k < behaviours_.size(); ++k) {
         const int axis = gas.box.surfaces.axis_of(k);
         for (const Behaviour& behaviour : behaviours_[k]) {
-            if (axis == 0 && !mark_of_surface(gas, behaviour, axis).empty())
+            if (axis == 0 && !mark_of_surface(Language::english, gas, behaviour, axis).empty())
                 names = SurfaceSize::mark;
             if (Surfaces::is_side(k) || std::holds_alternative<Reflecting>(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);

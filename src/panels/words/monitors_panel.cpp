@@ -25,22 +25,23 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 enum class Format { fixed, count, per_cent, power };
 
 struct Column {
-    const char* label;
+    Phrase label;
     double width;  // units, at the smallest size of text
     const char* unit;
     Format format;
 };
 
 // In the order of Monitor.
-constexpr std::array all_columns{Column{"time", 7.08, reduced::time, Format::fixed},
-                                 Column{"collisions", 7.788, "count", Format::count},
-                                 Column{"mean speed", 7.788, reduced::speed, Format::fixed},
-                                 Column{"mean energy", 8.968, reduced::energy, Format::fixed},
-                                 Column{"slow, < ½ mean", 9.6, "per cent", Format::per_cent},
-                                 Column{"medium", 5.9, "per cent", Format::per_cent},
-                                 Column{"fast, > 1½ mean", 9.6, "per cent", Format::per_cent},
-                                 Column{"all collisions", 8.968, "count", Format::count},
-                                 Column{"from way out", 8.968, reduced::length, Format::power}};
+constexpr std::array all_columns{
+    Column{Phrase{"time"}, 7.08, reduced::time, Format::fixed},
+    Column{Phrase{"collisions"}, 7.788, "count", Format::count},
+    Column{Phrase{"mean speed"}, 7.788, reduced::speed, Format::fixed},
+    Column{Phrase{"mean energy"}, 8.968, reduced::energy, Format::fixed},
+    Column{Phrase{"slow, < ½ mean"}, 9.6, "per cent", Format::per_cent},
+    Column{Phrase{"medium"}, 5.9, "per cent", Format::per_cent},
+    Column{Phrase{"fast, > 1½ mean"}, 9.6, "per cent", Format::per_cent},
+    Column{Phrase{"all collisions"}, 8.968, "count", Format::count},
+    Column{Phrase{"return error"}, 8.968, reduced::length, Format::power}};
 using Numbers = std::array<double, all_columns.size()>;
 
 std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
@@ -68,8 +69,8 @@ constexpr double arrow_size = 0.6;     // units, from its middle to its ends
 
 const Column& column(Monitor number) { return all_columns.at(index_of(number)); }
 
-std::string counted(std::int64_t count) {
-    return count < 1'000'000 ? grouped(count) : three_digits(static_cast<double>(count));
+std::string count_words(Language language, std::int64_t count) {
+    return count < 1'000'000 ? grouped(count) : three_digits(language, static_cast<double>(count));
 }
 
 // Whole per cent, one digit padded by a figure space.
@@ -134,7 +135,11 @@ class MonitorsPanel : public Panel {
     void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                        const Slowness& slow) const;
     std::string text(Monitor number, double value) const;
+    std::string label(Monitor number) const {
+        return escape_markup(say(context_.language(), column(number).label));
+    }
     double width(Monitor number, double unit) const;  // of its column
+    double width_for_label(Monitor number, double unit) const;
     double widest_time(double unit) const;
     double column_width(double unit) const;
 
@@ -208,12 +213,13 @@ double MonitorsPanel::widest_time(double unit) const {
     return width + (branch_count(context_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
 }
 
-// In units, at the smallest size of text: numbers that need a power of ten need more than usual.
+// In units, at the smallest size of text: numbers that need a power of ten, and longer words of
+// other languages, need more than usual.
 double MonitorsPanel::width(Monitor number, double unit) const {
-    if (number == Monitor::time)
-        return std::max(column(number).width, (widest_time(unit) + least_gap) / tightest);
+    const double usual = width_for_label(number, unit);
+    if (number == Monitor::time) return std::max(usual, (widest_time(unit) + least_gap) / tightest);
     const Format format = column(number).format;
-    if (format != Format::fixed && format != Format::power) return column(number).width;
+    if (format != Format::fixed && format != Format::power) return usual;
     constexpr double small_distance = 8.88e-16;
     const double least = format == Format::power ? none : smallest_.at(index_of(number));
     const double most =
@@ -222,12 +228,20 @@ double MonitorsPanel::width(Monitor number, double unit) const {
     double widest = 0.0;
     for (const double value : {least, most})
         widest = std::max(widest, measure_text(text(number, value), style).width / unit);
-    return std::max(column(number).width, (widest + least_gap) / tightest);
+    return std::max(usual, (widest + least_gap) / tightest);
+}
+
+double MonitorsPanel::width_for_label(Monitor number, double unit) const {
+    const TextStyle style{.size = 1.035 * unit, .color = {}};
+    const double label_width = measure_text(label(number), style).width / unit;
+    return std::max(column(number).width, (label_width + least_gap) / tightest);
 }
 
 // Of all columns where there are several rows.
 double MonitorsPanel::column_width(double unit) const {
-    return std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
+    double widest = std::max(widest_column, shows_time() ? width(Monitor::time, unit) : 0.0);
+    for (const Monitor number : numbers_) widest = std::max(widest, width_for_label(number, unit));
+    return widest;
 }
 
 // No numbers stand for those that any gas has, without classes of its own.
@@ -294,20 +308,20 @@ void MonitorsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     style.size = 1.035 * rows.label_size() * dc.unit;
     for (std::size_t i = 0; i < rows.shown; ++i) {
         const Point at = place(rows, i);
-        draw_text(canvas, {at.x, at.y + rows.label_baseline()}, column(numbers_[i]).label, style);
+        draw_text(canvas, {at.x, at.y + rows.label_baseline()}, label(numbers_[i]), style);
     }
 }
 
 std::string MonitorsPanel::text(Monitor number, double value) const {
     switch (column(number).format) {
         case Format::fixed:
-            return steady_number(value, {0.0, largest_.at(index_of(number))});
+            return steady_number(context_.language(), value, {0.0, largest_.at(index_of(number))});
         case Format::count:
-            return counted(static_cast<std::int64_t>(value));
+            return count_words(context_.language(), static_cast<std::int64_t>(value));
         case Format::per_cent:
             return percent(value);
         case Format::power:
-            return std::isnan(value) ? "–" : three_digits_of_power(value);
+            return std::isnan(value) ? "–" : three_digits_of_power(context_.language(), value);
     }
     return "";
 }
@@ -331,11 +345,11 @@ void MonitorsPanel::draw_slowness(Canvas& canvas, const DrawContext& dc, const R
     const Point at = place(rows, index);
     TextStyle style = label_style(dc);
     style.size = 1.035 * rows.label_size() * dc.unit;
-    const double right = measure_text(column(Monitor::time).label, style).width;
+    const double right = measure_text(label(Monitor::time), style).width;
     style.weight = 600;
     style.color = with_alpha(dc.theme.highlight, slow.share);
     draw_text(canvas, {at.x + right + 0.5 * style.size, at.y + rows.label_baseline()},
-              slow_words(slow), style);
+              localised(context_.language(), slow_words(slow)), style);
 }
 
 void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
@@ -368,7 +382,8 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
         Cell value = number;
         if (column(which).format == Format::count) value = static_cast<std::int64_t>(number);
         if (column(which).format == Format::power) value = now.return_distance;
-        table.rows.push_back({"number", column(which).label, value, column(which).unit});
+        table.rows.push_back(
+            {"number", std::string(column(which).label.english), value, column(which).unit});
     }
     return table;
 }

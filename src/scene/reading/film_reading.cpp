@@ -91,6 +91,9 @@ std::vector<Binding<FilmDraft>> picture_keys() {
                  "The picture in pixels: a name, or width and height. H.264 and VP9 add a row or "
                  "a column to odd ones."),
         theme_key(&Film::theme),
+        bind_key("language", &Film::language, one_of<Language>(),
+                 "The language of carom's own words, numbers and lists: English, German, French or "
+                 "Spanish. The words of the scene stay as they are."),
         bind_key("ground", &Film::transparent, one_of<bool>({{"theme", false}, {"none", true}}),
                  "The background: the theme's, or none, so that a slide shows through. Choose the "
                  "theme that suits the slide.")};

@@ -268,12 +268,29 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
     if (kind->rule) kind->rule(panel, node, reading);
 }
 
+// A few particles now are a few bars of one; since the start they make a distribution.
+void complete_over(PanelSpec& panel, PanelKinds kinds, const Gas& gas) {
+    constexpr std::int64_t few = 10;
+    const PanelKind* kind = kind_of(kinds, panel.kind);
+    if (panel.over || kind == nullptr || !kind->can(Ability::bars)) return;
+    const auto count_of = [&](const Chosen& chosen) -> std::int64_t {
+        if (chosen.particle) return 1;
+        if (chosen.species) return gas.species[*chosen.species].count;
+        return particles_in(gas).value_or(few);
+    };
+    std::int64_t count = panel.of.empty() ? count_of({}) : 0;
+    for (const Chosen& chosen : panel.of) count += count_of(chosen);
+    if (count < few) panel.over = Over{Over::Since::start, 0.0};
+}
+
 Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
     const Notation<std::string> names = film_kinds(kinds);
     const Binding<PanelSpec> over = bind_key("over", &PanelSpec::over, over_notation(),
                                              "Values at present, their mean since time 0, or their "
                                              "mean over a time before the present.")
-                                        .default_text("now; since the start for the pressure")
+                                        .default_text(
+                                            "now; since the start for the pressure, and for "
+                                            "histograms of fewer than ten particles")
                                         .only_with(kinds_that_can(kinds, Ability::over));
     const Binding<PanelSpec> show =
         bind_key("show", &PanelSpec::show, show_notation(),
@@ -285,10 +302,12 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
         .keys = panel_keys(kinds, kind_key(names), {over, show}),
         .rule = [kinds](PanelSpec& panel, const Node& node, Reading& reading) {
             complete_panel(panel, node, kinds, reading);
+            complete_over(panel, kinds, reading.gas);
         }};
     const auto alone = [kinds](std::string name, const Node& node, Reading& reading) {
         PanelSpec panel{.kind = std::move(name)};
         complete_panel(panel, node, kinds, reading);
+        complete_over(panel, kinds, reading.gas);
         return std::optional(std::move(panel));
     };
     return list_of(either(parsed(names, alone), mapping(table)), 0, most_panels,

@@ -58,8 +58,8 @@ TEST_CASE("a film without events has its words by quarters, with the numbers of 
     CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:05.000\nThe start\n"));
     CHECK(contains(words.chapters, "\n00:00:15.000 --> 00:00:20.000\nTime "));
     CHECK(contains(words.descriptions,
-                   "A row of beads. One is fast. Ten beads in a row. In the picture, the colour of "
-                   "a particle tells its speed. Beside the particles: energy by species and phase. "
+                   "A row of beads. One is fast. Ten beads in a row. The colour of "
+                   "a particle shows its speed. Beside the particles: energy by species and phase. "
                    "Time 0 of 8.50, 0 collisions between particles "
                    "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
                    "slow, 0 % medium and 10 % fast.\n"));
@@ -109,13 +109,14 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
     const int frames = static_cast<int>(timeline(scene).size());
     CHECK_FALSE(contains(words_of_span(scene, {0, 60}).transcript, "is moved"));
     CHECK_FALSE(contains(words_of_span(scene, {frames - 5, frames}).transcript, "is moved"));
-    CHECK(words_of_events(scene.run, scene.gas) ==
+    CHECK(words_of_events(Language::english, scene.run, scene.gas) ==
           "At time 4.5 all velocities are reversed. Particle 0 is moved by 3.00×10⁻⁴⁰ at time "
           "4.5. Particle 2 is moved by 0.00100 at time 8.");
     Run many;
-    CHECK(words_of_events(many, scene.gas).empty());
+    CHECK(words_of_events(Language::english, many, scene.gas).empty());
     for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Perturbation{0, {"0.1", "0"}}});
-    CHECK(words_of_events(many, scene.gas) == "4 times a particle is moved by a small amount.");
+    CHECK(words_of_events(Language::english, many, scene.gas) ==
+          "4 times a particle is moved by a small amount.");
 }
 
 TEST_CASE("cards and marks are told too") {
@@ -126,9 +127,10 @@ TEST_CASE("cards and marks are told too") {
     CHECK(contains(words.chapters, "\nWhere they were\n"));
     CHECK(contains(words.chapters, "00:00:26.000 --> 00:00:30.000\nWho has the speed now!\n"));
     CHECK(contains(words.captions, "00:00:26.000 --> 00:00:30.000\nWho has the speed now!\n"));
-    CHECK(contains(words.transcript,
-                   "The places of all particles stay in sight as outlines: “Where they were”. Time "
-                   "3.0"));
+    CHECK(
+        contains(words.transcript,
+                 "The positions of all particles stay visible as outlines: “Where they were”. Time "
+                 "3.0"));
     CHECK(contains(words.transcript, "\n0:26  The last words: “Who has the speed now!”.\n"));
 }
 
@@ -137,8 +139,8 @@ TEST_CASE("a pause is a cue for who speaks") {
         row_of_beads("run: {until: 8.5, events: [{at: 4, pause: 3}]}\nfilm: {pace: 1, fps: 10}\n");
     CHECK(scene.film.seconds == doctest::Approx(11.5));
     const FilmText words = words_of(scene);
-    CHECK(contains(words.chapters, "The film stands still for 3 seconds"));
-    CHECK(contains(words.transcript, "The film stands still for 3 seconds. "));
+    CHECK(contains(words.chapters, "The film pauses for 3 seconds"));
+    CHECK(contains(words.transcript, "The film pauses for 3 seconds. "));
 }
 
 TEST_CASE("a panel that comes in is told, and begins no chapter") {
@@ -147,7 +149,7 @@ TEST_CASE("a panel that comes in is told, and begins no chapter") {
         "{from: 3, until: 6}}]}\n");
     const FilmText words = words_of(scene);
     CHECK(contains(words.transcript, "The panel “temperature” appears. Time 3"));
-    CHECK(contains(words.transcript, "The panel “temperature” goes. Time 6"));
+    CHECK(contains(words.transcript, "The panel “temperature” disappears. Time 6"));
     CHECK(contains(words.descriptions, "The panel “temperature” appears."));
     CHECK(!contains(words.chapters, "panel"));
     CHECK(!contains(words.chapters, "Time 3"));
@@ -160,10 +162,10 @@ TEST_CASE("what the film points out is told") {
         "temperature, x: 3}, text: constant}], camera: [{at: 2.5, view: [1, 4]}, {at: 7, view: "
         "box}]}\n");
     const std::string words = words_of(scene).transcript;
-    CHECK(contains(words, "All are dimmed but fast. "));
+    CHECK(contains(words, "All are dimmed but: fast. "));
     CHECK(contains(words, "All particles have their full colours again. "));
-    CHECK(contains(words, "Particle 0 is pointed out: “it rests”. "));
-    CHECK(contains(words, "“temperature” is pointed out: “constant”. "));
-    CHECK(contains(words, "The camera shows a part of the line, from 1 to 4. "));
+    CHECK(contains(words, "Particle 0: “it rests”. "));
+    CHECK(contains(words, "“temperature”: “constant”. "));
+    CHECK(contains(words, "The camera shows a part of the wire, x = 1 to 4. "));
     CHECK(contains(words, "The camera shows the whole box. "));
 }

@@ -103,16 +103,17 @@ TEST_CASE("captions and alternative texts of collision maps have the numbers tha
     CHECK(words(1).caption.find("0 collisions with one another and 0 with a wall, from velocities "
                                 "−1 and 0 to −1 and 0.") != std::string::npos);
     CHECK(words(2).caption ==
-          "Two beads. Collision map. Beads of mass 1 and mass 3 with velocities 1 and −0.2 before "
-          "their collision and −0.8 and 0.4 after it: energy 0.56 and momentum 0.4 stay.");
+          "Two beads. Collision map. Beads of mass 1 and mass 3, with velocities 1 and −0.2 before "
+          "their collision and −0.8 and 0.4 after it: energy 0.56 and momentum 0.4 are conserved.");
     // Not of the scene, nor of a time.
     CHECK(words(2).alt ==
-          "Collision map. Beads of mass 1 and mass 3 with velocities 1 and −0.2 before "
-          "their collision and −0.8 and 0.4 after it: energy 0.56 and momentum 0.4 stay.");
-    CHECK(words(3).caption.find("−2 and −0.5 after it: the infinite mass goes on as before, and "
-                                "their relative speed stays 1.5.") != std::string::npos);
+          "Collision map. Beads of mass 1 and mass 3, with velocities 1 and −0.2 before "
+          "their collision and −0.8 and 0.4 after it: energy 0.56 and momentum 0.4 are conserved.");
+    CHECK(words(3).caption.find("−2 and −0.5 after it: the infinite mass keeps its velocity, "
+                                "and the relative speed 1.5 is conserved.") != std::string::npos);
     CHECK(words(4).caption == "Mine");
-    CHECK(words(5).caption.find("momentum 0 stay") != std::string::npos);  // but for round-off
+    CHECK(words(5).caption.find("momentum 0 are conserved") !=
+          std::string::npos);  // but for round-off
 }
 
 TEST_CASE("the manual's example of collision maps is a scene with one figure of each kind") {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <string>
 
 #include "draw/palette.h"
 #include "panels/frame.h"
@@ -82,6 +84,44 @@ TEST_CASE("slow, medium and fast differ for every viewer, in every theme") {
                               (palette == "netlogo" ? least_distance : least_distance_on_scale));
                     }
         }
+}
+
+// Words are drawn in the ink, muted or what is to be looked at, or in a colour of their own, which
+// their markup says.
+TEST_CASE("all words that are drawn can be read, in every theme") {
+    constexpr double least = 4.5;
+    const std::regex own("foreground=\"(#[0-9a-fA-F]{6})\"");
+    // What stands before words in print, and is none.
+    const std::regex sample("<span [^>]*>(●|○|—|- - -|···|–·–)</span>");
+    for (const ThemeKind kind : all_themes) {
+        const Theme& colors = theme(kind);
+        for (const Color& behind : {colors.page, colors.ground})
+            for (const Color& word : {colors.ink, colors.muted, colors.highlight})
+                CHECK(contrast(word, behind) >= least);
+        for (const char* name :
+             {"mixed-masses", "heat-flow", "slow-crowd", "time-reversal-in-double",
+              "circular-particles", "gas-under-a-weight"}) {
+            const Shot film(load_scene(
+                (checkout() / "scenes" / (std::string(name) + ".yaml")).string(), resources(),
+                {"film.fps=1", "run.precision=double",
+                 std::string("film.theme=") + name_of_theme(kind)}));
+            FramePainter(*film.panels).paint(film.frames.front());
+            const TextLog log;
+            FramePainter painter(*film.panels);
+            painter.paint(film.frames[film.frames.size() / 2]);
+            for (const DrawnLine& line : log.lines) {
+                const std::string words = std::regex_replace(line.markup, sample, "");
+                for (std::sregex_iterator match(words.begin(), words.end(), own), end; match != end;
+                     ++match) {
+                    CAPTURE(name);
+                    CAPTURE(line.markup);
+                    const Color word = *parse_color((*match)[1].str());
+                    CHECK(contrast(word, colors.page) >= least);
+                    CHECK(contrast(word, colors.ground) >= least);
+                }
+            }
+        }
+    }
 }
 
 // The disk's colour may be any; some ring of it stands out from the ground.

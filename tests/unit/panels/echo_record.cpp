@@ -273,7 +273,7 @@ TEST_CASE("the words at the level of a radius keep clear of a line that ends nea
     const TextLog log;
     FramePainter painter(*film.panels);
     painter.paint(film.frames.front());
-    const auto words = std::ranges::find(log.lines, "one radius", &DrawnLine::markup);
+    const auto words = std::ranges::find(log.lines, "one disk radius", &DrawnLine::markup);
     REQUIRE(words != log.lines.end());
     const Rect ink = words->ink;  // the log goes on
     const auto pixels = [&](const FrameData& frame) {

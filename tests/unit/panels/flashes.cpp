@@ -140,7 +140,7 @@ TEST_CASE("a picture says how many collisions flash where some are left out") {
                          "seconds: 12, flashes: true"),
                 remarks);
     REQUIRE(remarks.size() == 2);
-    CHECK(remarks.front().find("three a second at most") != std::string::npos);
+    CHECK(remarks.front().find("at most three per second") != std::string::npos);
     for (const std::string box : {"size: [40, 30]", "length: 40"}) {
         const auto remark = [&](const std::string& gas) {
             const Shot film(scene_of(box, gas, "until: 5", "seconds: 12, flashes: true"), 1);

@@ -27,9 +27,8 @@ struct Stage {
 using Density = std::function<double(const EquilibriumGas&, double)>;
 
 HistogramSubject speeds_with(Density density) {
-    return {.title = "Speeds",
-            .quantity = "speed",
-            .beyond = "faster",
+    return {.title = Phrase{"Speed distribution"},
+            .quantity = Phrase{"speed"},
             .values = [](const FrameInput& o) { return o.speed; },
             .density = std::move(density)};
 }

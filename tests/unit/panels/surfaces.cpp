@@ -237,7 +237,8 @@ TEST_CASE("surfaces are in the account and in the table of the gas") {
     const Panel& gas = shot.panels->gas();
     CHECK(gas.account(*shot.frames[0].states[0]) ==
           "The left wall is a heat bath of temperature 2. The partition “piston” is a piston of "
-          "mass 20, at x = 9.00. The partition “window” stands at x = 15.0. The partition “door” "
+          "mass 20, at x = 9.00. The partition “window” stands still, at x = 15.0. The partition "
+          "“door” "
           "is open. The partition “demon” lets a through, at x = 19.5.");
     const Table table = gas.table(*shot.frames[0].states[0], theme_of(scene.film.theme));
     std::string labels;
@@ -246,7 +247,7 @@ TEST_CASE("surfaces are in the account and in the table of the gas") {
             labels += std::get<std::string>(row[7]) + "; ";
     CHECK(labels ==
           "left, T = 2; piston, M = 20; window; door, open; "
-          "demon, passes a, → v > 1.5, ← v < 0.5; ");
+          "demon, lets a through, → v > 1.5, ← v < 0.5; ");
 }
 
 TEST_CASE("axes of positions are as wide as the box gets") {

@@ -105,16 +105,16 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
         painter.paint(film.frames.front());
         std::string found;
         for (const DrawnLine& line : log.lines)
-            if (line.markup.starts_with("disks drawn larger")) found += line.markup;
+            if (line.markup.starts_with("Disks enlarged")) found += line.markup;
         return found;
     };
     // A lecture film's box of 40 by 30 is about 770 pixels high: 1.2 pixels are a radius of 0.047.
     CHECK(remark("[{count: 20, radius: 0.06, speed: 1}]").empty());
     CHECK(remark("[{count: 20, radius: 0.02, speed: 1}]") ==
-          "disks drawn larger than their radius of 0.0200");
+          "Disks enlarged for visibility; radius 0.0200");
     CHECK(remark("[{name: a, count: 9, radius: 0.02, speed: 1}, {name: b, count: 1, radius: 3}, "
                  "{name: c, count: 5, radius: 0.03}]") ==
-          "disks drawn larger than their radii of 0.0200 to 0.0300");
+          "Disks enlarged for visibility; radii 0.0200 to 0.0300");
 }
 
 TEST_CASE("panels say what they count, compare with and put on their axes") {
@@ -136,12 +136,13 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
     const std::string plane =
         "box: {size: [40, 30]}\ngas: [{count: 90, radius: 0.5, speed: 2}]\nrun: {until: 5}";
     // Both components of each particle are counted.
-    CHECK(has(words(plane, "velocity-histogram"), "|Velocity along x and y: "));
-    CHECK(has(words(plane, "{kind: velocity-histogram, component: y}"), "|Velocity along y: "));
+    CHECK(has(words(plane, "velocity-histogram"), "|Velocity: "));
+    CHECK(
+        has(words(plane, "{kind: velocity-histogram, component: y}"), "|Velocity distribution: "));
     const std::string wire =
         "box: {length: 20}\ngas: [{name: a, position: 5, velocity: 2}, "
         "{name: b, position: [10, 15], velocity: -1}]\nrun: {until: 5}";
-    CHECK(has(words(wire, "velocity-histogram"), "|Particles by velocity: "));
+    CHECK(has(words(wire, "velocity-histogram"), "|Velocity distribution: "));
     // N T over the area: 90 times 2 over 1200.
     CHECK(has(words(plane, "pressure"), "|ideal gas 0.150|"));
     CHECK(!has(words("box: {size: [40, 30]}\ngas: [{name: a, count: 9, speed: 1}, {name: b, count: "

@@ -1,0 +1,88 @@
+#include "util/language.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr phrases::Row table[] = {
+#include "util/phrases.inc"
+};
+
+constexpr std::size_t count_of_phrases = std::size(table);
+
+// The places of the phrases in the table, in the order of their English words.
+constexpr auto in_order = [] {
+    std::array<std::uint16_t, count_of_phrases> order{};
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::uint16_t>(k);
+    std::ranges::sort(order, {}, [](std::uint16_t k) { return table[k][0]; });
+    return order;
+}();
+
+// "y" is "e" before the sound of i.
+bool begins_with_i(std::string_view word) {
+    std::string letters;
+    for (const char c : word.substr(0, 3))
+        letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return letters.starts_with("i") || letters.starts_with("í") ||
+           (letters.starts_with("hi") && !letters.starts_with("hie"));
+}
+
+}  // namespace
+
+std::span<const phrases::Row> phrases::all() { return table; }
+
+std::string_view phrases::translated(Language language, std::string_view english) {
+    if (language == Language::english) return english;
+    const auto found = std::ranges::lower_bound(in_order, english, {},
+                                                [](std::uint16_t k) { return table[k][0]; });
+    if (found == in_order.end() || table[*found][0] != english) return english;
+    return table[*found][static_cast<std::size_t>(language)];
+}
+
+std::string say(Language language, Phrase phrase) {
+    return std::string(phrases::translated(language, phrase.english));
+}
+
+std::string localised(Language language, std::string number) {
+    if (language != Language::english) std::ranges::replace(number, '.', ',');
+    return number;
+}
+
+std::string three_digits(Language language, double value) {
+    return localised(language, three_digits(value));
+}
+
+std::string three_digits_of_power(Language language, double exponent) {
+    return localised(language, three_digits_of_power(exponent));
+}
+
+std::string steady_number(Language language, double value, std::pair<double, double> range) {
+    return localised(language, steady_number(value, range));
+}
+
+std::string plain_number(Language language, double value) {
+    return localised(language, plain_number(value));
+}
+
+std::string listed(Language language, std::span<const std::string> words) {
+    const bool is_e =
+        language == Language::spanish && !words.empty() && begins_with_i(words.back());
+    return listed(words, is_e ? "e" : say(language, Phrase{"and"}));
+}
+
+bool is_singular(Language language, long long count) {
+    return count == 1 || (language == Language::french && count == 0);
+}
+
+std::string counted(Language language, long long count, Phrase one, Phrase more) {
+    const std::string words = say(language, is_singular(language, count) ? one : more);
+    return fmt::format(fmt::runtime(words), grouped(count));
+}
+
+}  // namespace carom

@@ -405,17 +405,23 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
                         .weight = 500,
                         .color = with_alpha(theme_.ink, alpha),
                         .tabular = false};
-        const double share = line.width / measure_words(caption.words, style).width;
+        const TextExtent whole = measure_words(caption.words, style);
+        const bool has_formula = caption.words.find('$') != std::string::npos;
+        const double share =
+            std::min(line.width / whole.width,
+                     has_formula ? line.height / (whole.ascent + whole.descent) : 1.0);
         style.size = std::max(unit_, std::min(1.0, share) * style.size);
         style.max_width = line.width * (1.0 + 1e-3);  // letters are set at whole sizes
         const bool centered = box.x > place.x;
         const double half = 0.5 * std::min(line.width, measure_words(caption.words, style).width);
         const double middle =
             std::clamp(box.x + 0.5 * box.width, line.x + half, line.right() - half);
-        draw_words(
-            canvas,
-            {centered ? middle - half : line.x, line.y + 0.5 * line.height + 0.36 * style.size},
-            caption.words, style);
+        const TextExtent extent = measure_words(caption.words, style);
+        const double below_middle =
+            has_formula ? 0.5 * (extent.ascent - extent.descent) : 0.36 * style.size;
+        draw_words(canvas,
+                   {centered ? middle - half : line.x, line.y + 0.5 * line.height + below_middle},
+                   caption.words, style);
     }
 }
 

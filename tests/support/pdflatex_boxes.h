@@ -94,6 +94,16 @@ inline const std::vector<MeasuredFormula> pdflatex_boxes{
 {false, R"(\psi_\mu\quad x\;y)", 3.56308, 0.694444, 0.286108},
 {false, R"(2.5\gg\delta)", 3.31562, 0.694444, 0.039098},
 {true, R"(\left(\frac{\frac{\frac{a}{b}}{c}}{\frac{d}{\frac{e}{x}}}\right))", 2.69917, 1.76979, 1.35563},
+{false, R"~(a+\left(b\right))~", 2.95775, 0.75, 0.25},
+{false, R"~(a=\left(b\right)+x)~", 4.8626, 0.75, 0.25},
+{false, R"~(x\left(y\right)z)~", 2.71782, 0.75, 0.25},
+{false, R"~(\ln\left(x\right)=\left(y\right)\ln y)~", 6.67939, 0.75, 0.25},
+{false, R"~((x)\left(y\right)(z))~", 4.27338, 0.75, 0.25},
+{false, R"~(x,\left(y\right),z)~", 3.44004, 0.75, 0.25},
+{false, R"~(\left(x\right)\left(y\right))~", 2.81991, 0.75, 0.25},
+{false, R"~(x_{\left(y\right)z,x})~", 2.77895, 0.430554, 0.355557},
+{false, R"~((a)\ln x+\ln y)~", 5.79293, 0.75, 0.25},
+{false, R"~(x,y=z,(a))~", 5.13529, 0.75, 0.25},
 };
 // clang-format on
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "panels/frame.h"
+#include "panels/layout.h"
 #include "panels/words/text_panel.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
@@ -127,4 +128,21 @@ TEST_CASE("a formula makes its line as high as it is, and stands in the middle w
         return found->ink;
     };
     CHECK(line("$x^2$").x > line("one").x + 1.5 * line("one").width);
+}
+
+TEST_CASE("a caption with a high formula stays in its line") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\nrun: {until: 4, events: "
+        "[{at: 0, caption: '$\\frac12 m\\sqrt{\\langle v^2\\rangle}$'}]}\n"
+        "film: {seconds: 4, fps: 4, size: [640, 360]}\n");
+    const test::Shot film(scene);
+    FramePainter painter(*film.panels);
+    TextLog log;
+    painter.paint(film.frames[8]);
+    const auto drawn =
+        std::ranges::find(log.lines, scene.captions.front().words, &DrawnLine::markup);
+    REQUIRE(drawn != log.lines.end());
+    const Rect line = Grid(scene.film.layout, scene.film.size).place(*scene.film.layout.caption);
+    CHECK(drawn->ink.y > line.y - 1.0);
+    CHECK(drawn->ink.bottom() < line.bottom() + 1.0);
 }

@@ -115,7 +115,7 @@ std::string words_of(Language language, const Partition& partition, const std::s
 std::string words_of(Language language, const std::vector<Obstacle>& obstacles) {
     constexpr std::size_t most_named = 6;
     const auto count = static_cast<long long>(obstacles.size());
-    const std::string text = counted(language, count, Phrase{"{} obstacle stands in the box"},
+    const std::string text = counted(language, count, Phrase{"An obstacle stands in the box"},
                                      Phrase{"{} obstacles stand in the box"});
     if (obstacles.size() > most_named) return text;
     std::vector<std::string> names;

@@ -5,139 +5,12 @@
 
 #include "draw/formula/words.h"
 #include "panels/callout.h"
-#include "panels/echo/echo_record.h"
 #include "panels/fade.h"
 #include "panels/layout.h"
-#include "panels/precision.h"
-#include "panels/registry.h"
-#include "panels/words/text_panel.h"
-#include "scene/describe.h"
 
 namespace carom {
+
 Color page_color(const Film& film) { return theme_of(film.theme).page; }
-
-namespace {
-
-// None where the energy changes on the way, or a wall does.
-std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Particles& particles,
-                                                  const Sample& start) {
-    const bool changes = std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
-        return !words_of_surface_event(Language::english, event, scene.gas).empty();
-    });
-    return changes ? std::nullopt : equilibrium(scene.gas.box, particles, start);
-}
-
-std::optional<Showing> showing_of(const Scene& scene, std::size_t panel) {
-    const TimeSpan& span = scene.film.panels[panel].show;
-    if (span.from <= 0.0 && !span.until) return std::nullopt;
-    return showing(timeline(scene), scene.film, span);
-}
-
-}  // namespace
-
-PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start)
-    : scene_(scene),
-      particles_(particles),
-      equilibrium_(lasting_equilibrium(scene, particles, start)) {
-    const PanelContext context{scene, particles_, frame_count(scene.film), equilibrium_};
-    const LayoutSpec& layout = scene.film.layout;
-    refuse_long_words(scene);
-    panels_.push_back({layout.gas, make_gas_panel(context)});
-    if (layout.monitors)
-        panels_.push_back(
-            {*layout.monitors,
-             make_monitors(context, {.kind = "monitors", .numbers = scene.film.monitors})});
-    std::vector<std::unique_ptr<Panel>> panels;
-    std::vector<std::optional<double>> enough;
-    for (const PanelSpec& spec : scene.film.panels) {
-        panels.push_back(make_panel(context, spec));
-        enough.push_back(panels.back()->enough_height());
-    }
-    const std::vector<Slot> slots =
-        with_heights(shared_slots(layout.panels, panels.size()), enough);
-    for (std::size_t i = 0; i < panels.size(); ++i)
-        panels_.push_back({slots[i], std::move(panels[i]), showing_of(scene, i)});
-}
-
-PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
-                   const std::vector<PanelSpec>& specs)
-    : scene_(scene),
-      particles_(particles),
-      equilibrium_(lasting_equilibrium(scene, particles, start)) {
-    constexpr bool in_film = false;
-    is_film_ = in_film;
-    const PanelContext context{scene, particles_, frames, equilibrium_, in_film};
-    for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
-}
-
-double PanelSet::Placed::opacity(const Film& film, const Tick& tick) const {
-    constexpr double fade_seconds = 0.5;
-    return showing ? carom::opacity(*showing, film, tick.frame, fade_seconds) : 1.0;
-}
-
-bool PanelSet::wants_collisions() const {
-    return std::ranges::any_of(panels_, [](const Placed& placed) {
-        return placed.panel->wants_collisions() || placed.panel->surveys_collisions();
-    });
-}
-
-FrameInput PanelSet::input(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-    speed_ = speeds(sample);
-    energy_ = kinetic_energies(particles_, sample);
-    return {tick, sample, speed_, energy_, advanced};
-}
-
-std::vector<double> PanelSet::return_times(const std::vector<Tick>& ticks) const {
-    const bool wanted = std::ranges::any_of(
-        panels_, [](const Placed& placed) { return placed.panel->wants_return_distances(); });
-    if (!wanted) return {};
-    return carom::return_times(scene_, particles_.count(), ticks);
-}
-
-void PanelSet::survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-    if (is_card(tick.phase)) return;
-    const FrameInput now = input(tick, sample, advanced);
-    for (const Placed& placed : panels_) placed.panel->survey(now);
-}
-
-void PanelSet::fix_axes() {
-    for (const Placed& placed : panels_) placed.panel->fix_axes();
-}
-
-Recording PanelSet::record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
-                           std::size_t most) {
-    const Recording::Wanted wanted{wants_collisions(), return_times(ticks)};
-    Recording run;
-    with_places_of_errors(scene_, [&] {
-        run = Recording(
-            std::move(start), std::move(ticks), wanted,
-            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                survey(tick, sample, advanced);
-                see(tick, sample, advanced);
-            },
-            most);
-    });
-    return run;
-}
-
-void PanelSet::archive(Archive& archive) {
-    for (const Placed& placed : panels_) placed.panel->archive(archive);
-}
-
-FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
-                               const AdvanceResult& advanced, bool is_still) {
-    FrameData frame{tick, {}, 0};
-    if (is_card(tick.phase)) return frame;
-    FrameInput now = input(tick, sample, advanced);
-    constexpr int readouts_a_second = 5;
-    now.refreshes_readouts = is_still || !is_film_ || tick.phase != Phase::moving ||
-                             tick.frame % std::max(1, scene_.film.fps / readouts_a_second) == 0;
-    for (const Placed& placed : panels_) {
-        frame.states.push_back(placed.panel->state(now));
-        frame.bytes += frame.states.back()->bytes();
-    }
-    return frame;
-}
 
 namespace {
 
@@ -200,12 +73,13 @@ void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacit
         if (opacities[i] == 1.0) placed.panel->draw_ground(canvas, context_at(placed.slot));
     }
     const DrawContext key = context_at(scene_.film.layout.color_bar);
-    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
-    const double left = box.right() + 0.8 * unit_;
-    const Rect beside{left, box.y, std::max(key.area.width, key.area.right() - left),
-                      std::min(box.height, key.area.bottom() - box.y)};
+    const std::vector<Rect> boxes = panels_.boxes(grid_);
+    const Rect &first = boxes.front(), &last = boxes.back();
+    const double left = last.right() + 0.8 * unit_;
+    const Rect beside{left, first.y, std::max(key.area.width, key.area.right() - left),
+                      std::min(last.bottom(), key.area.bottom()) - first.y};
     panels_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
-                           context_at(scene_.film.layout.gas));
+                           context_at(panels_.panels().front().slot));
 }
 
 DrawContext FramePainter::context_at(const Slot& slot) {
@@ -379,7 +253,7 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
             return placed.panel->shows_time();
         }))
         return;
-    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
+    const Rect box = panels_.boxes(grid_).back();
     const std::string words = localised(scene_.film.language, slow_words(tick.slow));
     TextStyle style{.size = 1.5 * unit_,
                     .weight = 600,
@@ -426,18 +300,22 @@ void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) co
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
-    const Rect box = panels_.gas().frame_in(grid_.place(scene_.film.layout.gas), unit_);
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const std::string words = say(scene_.film.language, "velocities reversed");
-    const TextStyle style{.size = 2.2 * unit_,
-                          .weight = 600,
-                          .color = with_alpha(theme_.ink, alpha),
-                          .align = Align::center};
-    const double width = measure_text(words, style).width + 3.0 * unit_;
-    const Rect plate{box.x + 0.5 * (box.width - width), box.y + 0.5 * box.height - 2.0 * unit_,
-                     width, 4.0 * unit_};
-    canvas.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
-    draw_text(canvas, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, words, style);
+    for (const Rect& box : panels_.boxes(grid_)) {
+        TextStyle style{.size = 2.2 * unit_,
+                        .weight = 600,
+                        .color = with_alpha(theme_.ink, alpha),
+                        .align = Align::center};
+        const double padding = 3.0 * unit_;
+        const double wide = measure_text(words, style).width + padding;
+        if (panels_.boxes(grid_).size() > 1) style.size *= std::min(1.0, box.width / wide);
+        const double width = measure_text(words, style).width + padding;
+        const Rect plate{box.x + 0.5 * (box.width - width), box.y + 0.5 * box.height - 2.0 * unit_,
+                         width, 4.0 * unit_};
+        canvas.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
+        draw_text(canvas, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, words, style);
+    }
 }
 
 }  // namespace carom

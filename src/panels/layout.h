@@ -2,6 +2,7 @@
 // there are. Draws nothing.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -35,5 +36,14 @@ std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count
 /// have enough, stay as they are. `enough` may be shorter than `slots`.
 std::vector<Slot> with_heights(std::vector<Slot> slots,
                                const std::vector<std::optional<double>>& enough);
+
+/// The place of one of two boxes, and of a line of words below it.
+struct PlaceBeside {
+    Slot box, words;
+};
+
+/// Places for two boxes of one shape, height over width (0 of a line), side by side or one above
+/// the other, as they are larger; side by side in the middle of its height.
+std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape);
 
 }  // namespace carom

@@ -21,7 +21,7 @@ Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wa
     bool kept = true;
     Simulation first = *start_;
     first.measure_return(wanted.return_times);
-    simulate(std::move(first), ticks_.size(),
+    simulate(std::move(first),
              [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
                  kept = kept && keep(sample, advanced, most);
                  see(tick, sample, advanced);
@@ -47,22 +47,40 @@ bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, std::s
     return bytes_ <= most;
 }
 
-void Recording::simulate(Simulation simulation, std::size_t end, const Viewer& see) const {
+void Recording::simulate(Simulation simulation, const Viewer& see) const {
     simulation.record_collisions(with_collisions_);
-    for (std::size_t i = 0; i < end; ++i) {
+    for (const Tick& tick : ticks_) {
         throw_if_interrupted();
-        const AdvanceResult advanced = simulation.advance_to(ticks_[i].time);
-        see(ticks_[i], simulation.sample(), advanced);
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        see(tick, simulation.sample(), advanced);
     }
 }
 
+Recording::Player::Player(const Recording& recording)
+    : recording_(&recording), simulation_(recording.start_) {
+    if (simulation_) simulation_->record_collisions(recording.with_collisions_);
+}
+
+void Recording::Player::next() {
+    throw_if_interrupted();
+    const double time = recording_->ticks_.at(next_).time;
+    if (simulation_) {
+        advanced_ = simulation_->advance_to(time);
+        sample_ = &simulation_->sample();
+    } else {
+        const Frame& frame = recording_->frames_[next_];
+        advanced_ = frame.advanced;
+        advanced_.collisions = frame.collisions;
+        sample_ = &recording_->samples_[frame.sample];
+    }
+    ++next_;
+}
+
 void Recording::play(std::size_t end, const Viewer& see) const {
-    if (!is_kept()) return simulate(*start_, end, see);
+    Player player(*this);
     for (std::size_t i = 0; i < end; ++i) {
-        throw_if_interrupted();
-        AdvanceResult advanced = frames_[i].advanced;
-        advanced.collisions = frames_[i].collisions;
-        see(ticks_[i], samples_[frames_[i].sample], advanced);
+        player.next();
+        see(player.tick(), player.sample(), player.advanced());
     }
 }
 

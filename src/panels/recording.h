@@ -36,8 +36,30 @@ class Recording {
     Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted, const Viewer& see,
               std::size_t most = most_bytes);
 
-    /// Shows the frames before number `end` again, in order: the same, bit for bit. From any
-    /// thread.
+    /// Shows the frames again, in order: the same, bit for bit. Refers to the recording, of which
+    /// any number may be shown at once, on any threads.
+    class Player {
+      public:
+        explicit Player(const Recording& recording);
+
+        /// Goes on to the next frame, the first one at first. Throws Interrupted, and
+        /// std::out_of_range after the last one.
+        void next();
+
+        /// The present frame; valid until next().
+        const Tick& tick() const { return recording_->ticks_[next_ - 1]; }
+        const Sample& sample() const { return *sample_; }
+        const AdvanceResult& advanced() const { return advanced_; }
+
+      private:
+        const Recording* recording_;
+        std::size_t next_ = 0;
+        std::optional<Simulation> simulation_;  ///< of a run that is not kept
+        const Sample* sample_ = nullptr;
+        AdvanceResult advanced_;
+    };
+
+    /// Shows the frames before number `end` to a viewer.
     void play(std::size_t end, const Viewer& see) const;
 
     const std::vector<Tick>& ticks() const { return ticks_; }
@@ -59,7 +81,7 @@ class Recording {
         std::vector<Collision> collisions;
     };
     bool keep(const Sample& sample, const AdvanceResult& advanced, std::size_t most);
-    void simulate(Simulation simulation, std::size_t end, const Viewer& see) const;
+    void simulate(Simulation simulation, const Viewer& see) const;
 
     std::vector<Tick> ticks_;
     bool with_collisions_ = false;

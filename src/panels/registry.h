@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "panels/panel.h"
 
@@ -27,6 +28,11 @@ std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& 
 /// shows.
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
                                       const std::optional<View>& view = {});
+
+/// A line of words under the box of one of two runs (its number is `run`): `label`, in the colour
+/// that the run has in plots, and as many of the numbers of `spec` but the time as have room.
+std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
+                                     const std::string& label, std::size_t run);
 
 /// What makes a panel of one kind.
 using PanelMaker = std::unique_ptr<Panel>(const PanelContext& context, const PanelSpec& spec);

@@ -77,8 +77,9 @@ struct Run {
     std::vector<RunEvent> events;  ///< in order of time; equal times in the order listed
     std::optional<int> bits = bits_of_double;  ///< none: as many as it takes for the gas to return
                                                ///< after each reversal (bits_for_return())
-    std::optional<double> time_step;  ///< advance by steps of this length, at whose ends particles
-                                      ///< that overlap collide; none: from contact to contact
+    std::optional<double> time_step =
+        {};                   ///< advance by steps of this length, at whose ends particles
+                              ///< that overlap collide; none: from contact to contact
     double tolerance = 1e-9;  ///< largest return distance, in units of the smallest radius, or on a
                               ///< line of points of the mean spacing
 };

@@ -12,6 +12,7 @@
 
 #include "physics/echo_measurement.h"
 #include "physics/events/event_loop.h"
+#include "physics/events/fixed_step_loop.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/placement/feasibility.h"
 #include "physics/placement/members.h"
@@ -19,6 +20,7 @@
 #include "physics/placement/placed_disks.h"
 #include "physics/placement/placement.h"
 #include "physics/surfaces/surface_problem.h"
+#include "physics/time_step.h"
 #include "physics/ways_back.h"
 
 namespace carom {
@@ -26,7 +28,7 @@ namespace {
 
 using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>,
                           EventLoop<1, double, true>, EventLoop<2, double, true>,
-                          EventLoop<1, Real, true>, EventLoop<2, Real, true>>;
+                          EventLoop<1, Real, true>, EventLoop<2, Real, true>, FixedStepLoop>;
 
 bool beads_are_apart(const Box& box, const Particles& particles, const Sample& state) {
     const double tolerance = touching_tolerance * box.size[0];
@@ -136,6 +138,8 @@ int check_run(const Run& run, Eigen::Index particles, const Box& box) {
     require(run.equilibrate >= 0.0 && std::isfinite(run.equilibrate),
             "the time to equilibrate is finite and not negative");
     check_events(run.events, 0.0, particles, box);
+    if (const auto problem = time_step_problem(box, run))
+        throw std::invalid_argument(problem->message);
     return *run.bits;
 }
 
@@ -194,6 +198,8 @@ struct Simulation::Implementation {
     }
 
     static Loop loop_for(const Box& box, const Particles& particles, const Run& run, int bits) {
+        if (run.time_step)
+            return Loop(std::in_place_type<FixedStepLoop>, box, particles, *run.time_step);
         const bool is_plain =
             box.surfaces.are_plain() && std::ranges::none_of(run.events, needs_surfaces);
         if (bits > bits_of_double)

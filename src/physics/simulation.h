@@ -1,7 +1,7 @@
 // The event-driven simulation of hard particles: owns the state and the time. Between events
 // particles are in free flight; every contact is computed exactly, none is missed, nothing
-// overlaps. Does not know films, files or statistics: it gives samples and the collisions on the
-// way.
+// overlaps (but in a run with a time step, which is there to show that). Does not know films, files
+// or statistics: it gives samples and the collisions on the way.
 //
 // Threads: any number of simulations may run at once, each on one thread at a time. A function that
 // is const may be called from several threads while none calls another function of that simulation.

@@ -46,6 +46,7 @@ inline constexpr Limit most_corners{1'000, "corners of an obstacle"};
 inline constexpr Limit most_events{1'000, "events of a run"};
 inline constexpr Limit most_precise{16'384, "bits of a number: 4,900 decimal digits"};
 inline constexpr Limit most_samples{10e6, "samples of a run"};
+inline constexpr Limit most_time_steps{10e6, "time steps of a run"};
 inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of overlaps"};
 
 inline constexpr Limit most_frames{108'000, "frames of a film: an hour at 30 frames a second"};

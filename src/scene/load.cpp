@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "physics/time_step.h"
 #include "scene/describe.h"
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
@@ -158,6 +159,8 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     check_surfaces(draft.gas, {draft.run, draft.surface_nodes, draft.written_run.event_nodes},
                    errors);
     check_nudges(draft.written_run, draft.gas, errors);
+    if (const auto problem = time_step_problem(*draft.box, draft.run))
+        errors.add(*draft.written_run.step, problem->message, problem->hint);
 }
 
 void complete_film(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
@@ -231,10 +234,113 @@ void keep_figure(Node& root, const std::string& name) {
     });
 }
 
-// With `figure`, as a run that this figure compares: the only one that is looked at, if it is here.
+/// A scene as another's: of a run that a figure compares, that figure is the only one that is
+/// looked at, if it is here; of the run beside a film's, the film and the end of the run are the
+/// other's.
+struct Part {
+    std::optional<std::string> figure = {};
+    const Node* film = nullptr;
+    const Node* until = nullptr;
+
+    bool is_whole() const { return !figure && film == nullptr; }
+};
+
+// A film ends with its own scene's run.
+void take_film(Node& root, const Part& part) {
+    const auto put = [](Node& mapping, const char* key, const Node& value) {
+        if (Node* own = find(mapping, key)) {
+            *own = value;
+            return;
+        }
+        mapping.keys.push_back({.kind = Node::Kind::scalar,
+                                .source = value.source,
+                                .offset = value.offset,
+                                .text = key});
+        mapping.items.push_back(value);
+    };
+    put(root, "film", *part.film);
+    Node* run = find(root, "run");
+    if (run != nullptr && run->is_mapping() && part.until != nullptr)
+        put(*run, "until", *part.until);
+}
+
+// What the two runs of a film must share.
+std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other) {
+    const Box &box = scene.gas.box, &its = other.gas.box;
+    if (box.dimension != its.dimension || (box.size != its.size).any())
+        return ProblemText{"the box of the other run has another size",
+                           "side by side both boxes have one size"};
+    const auto kinds = [](const Film& film) {
+        std::vector<std::string> names;
+        for (const PanelSpec& panel : film.panels) names.push_back(panel.kind);
+        return names;
+    };
+    if (kinds(scene.film) != kinds(other.film))
+        return ProblemText{"for the gas of the other run the film would have other panels",
+                           "name the film's `panels`"};
+    return std::nullopt;
+}
+
+// A link in the scene's folder may lead anywhere.
+void require_in_folder(const fs::path& file, const Node& asked) {
+    const fs::path folder = file.parent_path();
+    if (stays_inside(file, folder.empty() ? "." : folder)) return;
+    Errors errors;
+    errors.add(asked, fmt::format("{} leads out of the scene's folder", in_quotes(asked.text)),
+               "copy the scene into this folder");
+    errors.throw_if_any();
+}
+
+// The film's times, words and callouts are those of the scene itself; what refers to particles is
+// the other's own.
+void take_shared(Scene& other, const Film& film) {
+    Film its = film;
+    its.panels = std::move(other.film.panels);
+    its.spotlights = std::move(other.film.spotlights);
+    its.camera = std::move(other.film.camera);
+    its.trails = std::move(other.film.trails);
+    its.callouts.clear();
+    its.beside.reset();
+    other.film = std::move(its);
+    other.captions.clear();
+}
+
+// Loads the run beside the film's, as `reload` makes it of a part and overrides; the film's times,
+// words and callouts are those of the scene itself.
+template <typename Reload>
+void load_beside(Scene& scene, const Node& root, const Overrides& overrides, const Reload& reload) {
+    if (!scene.film.beside) return;
+    Beside& beside = *scene.film.beside;
+    const Node &film = *find(root, "film"), &run = *find(root, "run");
+    const Node* file = find(*find(film, "beside"), "scene");
+    Overrides changes = file == nullptr ? overrides : Overrides{};
+    changes.insert(changes.end(), beside.values.begin(), beside.values.end());
+    std::optional<Scene> other;
+    Diagnostic error = beside.place;
+    try {
+        other = reload(file != nullptr ? file->text : "",
+                       Part{.film = &film, .until = find(run, "until")}, changes);
+    } catch (const SceneError& refused) {
+        if (file != nullptr) throw;
+        const Diagnostic& first = refused.diagnostics().front();
+        error.message = "with this change the scene is not valid: " + first.message;
+        error.hint = first.hint;
+        throw SceneError({std::move(error)});
+    }
+    if (const auto problem = problem_beside(scene, *other)) {
+        error.message = problem->message;
+        error.hint = problem->hint;
+        throw SceneError({std::move(error)});
+    }
+    take_shared(*other, scene.film);
+    beside.scene = std::make_shared<Scene>(std::move(*other));
+}
+
+Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
+                Wanted wanted, const Part& part);
+
 Scene load(Source file, const fs::path& path, const SceneResources& resources,
-           const Overrides& overrides, Wanted wanted,
-           const std::optional<std::string>& figure = {}) {
+           const Overrides& overrides, Wanted wanted, const Part& part = {}) {
     Sources sources{std::move(file)};
     const Source& source = sources.front();
     Errors errors;
@@ -251,7 +357,8 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
                        described(tree.root));
         errors.throw_if_any();
     }
-    if (figure) keep_figure(tree.root, *figure);
+    if (part.figure) keep_figure(tree.root, *part.figure);
+    if (part.film != nullptr) take_film(tree.root, part);
     refuse_newer_format(tree.root);
     refuse_figure_set(tree.root);
     tree.dimension = dimension_of(tree.root);
@@ -264,15 +371,22 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     Scene scene = read_scene(tree, resources, wanted, errors);
     const Source* used = tree.template_file.source;
     scene.source = {source.name, source.text, used != nullptr ? used->text : "", overrides};
-    if (!figure)
-        load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
-            return load(source, path, resources, others, wanted, name);
-        });
+    if (!part.is_whole()) return scene;
+    load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
+        return load(source, path, resources, others, wanted, {.figure = name});
+    });
+    load_beside(scene, tree.root, overrides,
+                [&](const std::string& name, const Part& other, const Overrides& changes) {
+                    if (name.empty()) return load(source, path, resources, changes, wanted, other);
+                    const fs::path its = path.parent_path() / name;
+                    require_in_folder(its, *find(*find(tree.film, "beside"), "scene"));
+                    return load_file(its, resources, changes, wanted, other);
+                });
     return scene;
 }
 
 Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
-                Wanted wanted, const std::optional<std::string>& figure) {
+                Wanted wanted, const Part& part) {
     const bool streamed = path == standard_input;
     const fs::path name = streamed ? "<stdin>" : path;
     Source source{.name = name.empty() ? "\"\"" : name.string()};
@@ -280,13 +394,13 @@ Scene load_file(const fs::path& path, const SceneResources& resources, const Ove
     auto text = streamed ? text_of(*stdin, source, errors) : file_text(path, source, errors);
     errors.throw_if_any();
     source.text = std::move(text.value());
-    return load(std::move(source), name, resources, overrides, wanted, figure);
+    return load(std::move(source), name, resources, overrides, wanted, part);
 }
 
 }  // namespace
 
 Scene load_run(const fs::path& path, const SceneResources& resources, const Overrides& overrides) {
-    return load_file(path, resources, overrides, Wanted::film, "");
+    return load_file(path, resources, overrides, Wanted::film, {.figure = ""});
 }
 
 Scene load_scene(const fs::path& path, const SceneResources& resources, const Overrides& overrides,

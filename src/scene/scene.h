@@ -29,8 +29,9 @@ enum class Monitor {
     slow,
     medium,
     fast,
-    all_collisions,  ///< those with walls too
-    return_distance  ///< the largest of all particles, after a reversal
+    all_collisions,   ///< those with walls too
+    return_distance,  ///< the largest of all particles, after a reversal
+    overlap           ///< the deepest so far of two particles that collided
 };
 
 struct PictureSize {

@@ -45,12 +45,14 @@ std::string words_of(const Key& key) {
     return words + " Values: " + forms_text(key) + ".";
 }
 
+// A value that begins with # is an example of a key that is not given.
 std::string lines_of(const Key& key, const Given& given, const std::string& indent) {
-    const auto value = given.find(key.name);
-    const bool is_given = value != given.end();
+    const auto found = given.find(key.name);
+    std::string value = found != given.end() ? found->second : "#" + example_text(key);
+    const bool is_given = !value.starts_with('#');
+    if (!is_given) value.erase(0, 1);
     return comment(words_of(key), indent) +
-           fmt::format("{}{}{}: {}\n", indent, is_given ? "" : "# ", key.name,
-                       is_given ? value->second : example_text(key));
+           fmt::format("{}{}{}: {}\n", indent, is_given ? "" : "# ", key.name, value);
 }
 
 std::string section_lines(const Section& section, const Given& given, const std::string& indent) {
@@ -109,6 +111,7 @@ std::string starter_scene(PanelKinds kinds, const std::string& schema, const std
             section_lines(inner("film"),
                           {{"seconds", "30"},
                            {"color_by", "species"},
+                           {"beside", "#{own_label: seed 1, label: seed 2, set: seed=2}"},
                            {"panels", "[energy-by-species, speed-histogram, energy-histogram]"}},
                           "  ");
     return text;

@@ -53,7 +53,8 @@ inline constexpr auto enum_words<Monitor> =
                                       {Monitor::medium, "medium"},
                                       {Monitor::fast, "fast"},
                                       {Monitor::all_collisions, "all-collisions"},
-                                      {Monitor::return_distance, "return-distance"}});
+                                      {Monitor::return_distance, "return-distance"},
+                                      {Monitor::overlap, "overlap"}});
 
 template <>
 inline constexpr auto enum_words<Language> =

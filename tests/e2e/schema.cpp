@@ -44,6 +44,12 @@ const char* const below_json = "YAML that no JSON can show";
 
 // Bad scenes that the schema takes, and why it cannot do otherwise.
 const std::map<std::string, const char*> beyond_the_schema{
+    {"beside_box", several_places},        // a changed value against the scene
+    {"beside_elsewhere", several_places},  // the ending and the folder of a name
+    {"beside_film", several_places},
+    {"beside_nothing", several_places},
+    {"beside_panel", several_places},
+    {"beside_value", several_places},
     {"captions_cut", several_places},         // times against the film's length
     {"collision_map_plane", several_places},  // a kind against the box
     {"count_missing", several_places},        // a count, or a list of positions
@@ -75,6 +81,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"packing", several_places},
     {"panels_displacement", several_places},  // times against `until`
     {"panels_range", several_places},
+    {"time_step_precision", several_places},  // the step against `precision`
+    {"time_step_wire", several_places},
     {"precision", "53 bits are a double, those between 53 and 64 are nothing"},
     {"reversal_no_way_home", several_places},  // `at` against `until`
     {"radius_too_large", several_places},

@@ -25,6 +25,12 @@ std::string words_of(const Scene& scene, const View& view) {
 std::vector<FilmNote> film_notes(const Scene& scene) {
     const Language language = scene.film.language;
     std::vector<FilmNote> notes;
+    if (const auto& beside = scene.film.beside)
+        notes.push_back(
+            {0.0,
+             say(language,
+                 "Two runs are seen side by side: “{}” and “{}”; numbers are told of the first",
+                 beside->own_label, beside->label)});
     for (const PanelSpec& panel : scene.film.panels) {
         if (panel.show.from > 0.0)
             notes.push_back({panel.show.from, say(language, "The panel “{}” appears",

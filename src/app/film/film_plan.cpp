@@ -62,11 +62,26 @@ struct SceneRecord {
     std::string program = CAROM_VERSION;
     SceneSource source;
     std::optional<int> bits;
+    std::string text_beside = {};  // of the run beside it
+    std::optional<int> bits_beside = {};
 
     void archive(Archive& archive) {
-        archive(program, source.path, source.text, source.template_text, source.overrides, bits);
+        archive(program, source.path, source.text, source.template_text, source.overrides, bits,
+                text_beside, bits_beside);
     }
 };
+
+SceneRecord record_of(const Scene& scene) {
+    SceneRecord record{.source = scene.source, .bits = scene.run.bits};
+    if (!scene.film.beside) return record;
+    record.text_beside = scene.film.beside->scene->source.text;
+    record.bits_beside = scene.film.beside->scene->run.bits;
+    return record;
+}
+
+void set_scene_beside(Scene& scene, Scene other) {
+    scene.film.beside->scene = std::make_shared<Scene>(std::move(other));
+}
 
 Scene scene_of(const SceneRecord& record, const Archive& archive) {
     if (record.program != CAROM_VERSION)
@@ -76,23 +91,46 @@ Scene scene_of(const SceneRecord& record, const Archive& archive) {
     if (scene.source.template_text != record.source.template_text)
         archive.refuse("the template of its film has changed");
     scene.run.bits = record.bits;
+    if (scene.film.beside) {
+        Scene other = *scene.film.beside->scene;
+        if (other.source.text != record.text_beside)
+            archive.refuse("the scene of the run beside its own has changed");
+        other.run.bits = record.bits_beside;
+        set_scene_beside(scene, std::move(other));
+    }
     return scene;
 }
 
-// All but the scene, in writing and in reading.
-void archive_rest(Archive& archive, FilmPlan& plan, const std::function<Simulation()>& start) {
+// All but the scene, in writing and in reading. `start` makes the simulation of a scene anew.
+void archive_rest(Archive& archive, FilmPlan& plan,
+                  const std::function<Simulation(const Scene&)>& start) {
     archive(plan.span, plan.segments, plan.particles, plan.start, plan.axes, plan.colors, plan.text,
             plan.passes);
-    plan.run.archive(archive, start);
+    plan.run.archive(archive, [&] { return start(plan.scene); });
+    if (!plan.scene.film.beside) return;
+    if (archive.is_reading()) plan.beside.emplace();
+    archive(plan.beside->start);
+    plan.beside->run.archive(archive, [&] { return start(*plan.scene.film.beside->scene); });
+}
+
+// Its panels are surveyed as it is recorded.
+void start_beside(FilmPlan& plan, std::optional<Simulation>& simulation, Progress& progress) {
+    if (!plan.scene.film.beside) return;
+    auto [scene, start] = start_scene(*plan.scene.film.beside->scene, progress);
+    set_scene_beside(plan.scene, std::move(scene));
+    plan.beside = RunBeside{{start.particles(), start.sample()}, {}};
+    simulation = std::move(start);
 }
 
 }  // namespace
 
 std::unique_ptr<PanelSet> FilmPlan::panels() const {
-    auto set = std::make_unique<PanelSet>(scene, particles, start);
+    auto set =
+        std::make_unique<PanelSet>(scene, particles, start, beside ? &beside->start : nullptr);
     Archive archive(axes, "what the first pass has fixed");
     set->archive(archive);
     archive.expect_end();
+    if (beside) set->play_beside(beside->run);
     return set;
 }
 
@@ -106,18 +144,28 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     std::vector<Tick> ticks = timeline(plan.scene);
     plan.span = frames_between(ticks, options.from, options.to);
     plan.segments = segment_starts(plan.frames(), plan.particles.count());
+    std::optional<Simulation> other;
+    start_beside(plan, other, progress);
     if (when_placed) when_placed(plan);
 
-    PanelSet panels(plan.scene, plan.particles, plan.start);
+    PanelSet panels(plan.scene, plan.particles, plan.start,
+                    plan.beside ? &plan.beside->start : nullptr);
+    const std::size_t most_bytes = Recording::most_bytes / (other ? 2 : 1);
     std::optional<FilmTextMaker> text;
     if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at);
-    progress.begin("simulating", static_cast<double>(ticks.size()));
-    plan.run =
-        panels.record(std::move(start), std::move(ticks),
-                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                          if (text) text->see(tick, sample, advanced);
-                          progress.advance();
-                      });
+    progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
+    if (other)
+        plan.beside->run = panels.record_beside(
+            std::move(*other), ticks,
+            [&](const Tick&, const Sample&, const AdvanceResult&) { progress.advance(); },
+            most_bytes);
+    plan.run = panels.record(
+        std::move(start), std::move(ticks),
+        [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+            if (text) text->see(tick, sample, advanced);
+            progress.advance();
+        },
+        most_bytes);
     panels.fix_axes();
     Archive axes;
     panels.archive(axes);
@@ -137,7 +185,7 @@ std::vector<std::string> expected_passes(const Scene& scene, std::int64_t partic
 
 void write_plan(FilmPlan& plan, const std::filesystem::path& path) {
     Archive archive;
-    SceneRecord record{.source = plan.scene.source, .bits = plan.scene.run.bits};
+    SceneRecord record = record_of(plan.scene);
     archive(record);
     archive_rest(archive, plan, {});
     write_file(path, archive.finished());
@@ -149,7 +197,8 @@ FilmPlan read_plan(const std::filesystem::path& path, Progress& progress) {
     archive(record);
     FilmPlan plan;
     plan.scene = scene_of(record, archive);
-    archive_rest(archive, plan, [&] { return start_scene(plan.scene, progress).simulation; });
+    archive_rest(archive, plan,
+                 [&](const Scene& scene) { return start_scene(scene, progress).simulation; });
     archive.expect_end();
     return plan;
 }

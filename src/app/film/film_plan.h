@@ -31,13 +31,20 @@ struct FilmOptions {
                           to = {};  ///< as frames_between() reads them; none: the whole film
 };
 
+/// The run that a film shows beside its own.
+struct RunBeside {
+    RunStart start;
+    Recording run;
+};
+
 struct FilmPlan {
-    Scene scene;                ///< with the precision that it calculates with
-    FrameSpan span;             ///< that is drawn
+    Scene scene;     ///< with the precision that it calculates with; so has that beside it
+    FrameSpan span;  ///< that is drawn
     std::vector<int> segments;  ///< as segment_starts(), counted from span.first
     Particles particles;
     Sample start;                       ///< at time 0
     Recording run;                      ///< of the whole film
+    std::optional<RunBeside> beside;    ///< if there is one
     std::string axes;                   ///< what the first pass has fixed of each panel
     std::vector<std::uint32_t> colors;  ///< 0xffRRGGBB, where the format has few
     FilmText text;                      ///< where it is wanted

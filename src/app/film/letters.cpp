@@ -29,6 +29,7 @@ std::string words_of(const Scene& scene) {
     for (const Callout& callout : scene.film.callouts) words += plain(callout.words);
     for (const Caption& caption : scene.captions) words += plain(caption.words);
     words += plain(scene.film.end_card);
+    if (scene.film.beside) words += scene.film.beside->own_label + scene.film.beside->label;
     for (const FigureSpec& figure : scene.figures) {
         words += figure.panel.title.value_or("") + plain(figure.panel.words);
         for (const ComparedRun& run : figure.compare) words += run.label;

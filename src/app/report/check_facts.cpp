@@ -167,28 +167,34 @@ Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
 Facts film_facts(const Scene& scene, std::int64_t particles, double collisions, int cores) {
     const Film& film = scene.film;
     const int frames = frame_count(film);
-    const std::vector<std::string> passes = expected_passes(scene, particles);
-    const double events = static_cast<double>(passes.size()) * collisions;
+    const int runs = film.beside ? 2 : 1;
+    const std::vector<std::string> passes = expected_passes(scene, runs * particles);
+    const double events = static_cast<double>(passes.size()) * runs * collisions;
     std::vector<FilmCost> costs;
     for (const OutputFormat& format : output_formats())
         if (format.film)
-            costs.push_back(cost_of(format, film, static_cast<double>(particles), events, cores));
-    return {{"film",
-             Json{{"template", film.template_name},
-                  {"frames", frames},
-                  {"seconds", film.seconds},
-                  {"fps", film.fps},
-                  {"size", Json::array({film.size.width, film.size.height})},
-                  {"passes", passes},
-                  {"rough", rough_costs(costs, cores)}},
-             "film",
-             fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(frames),
-                         clock_text(film.seconds), film.fps, film.size.width, film.size.height,
-                         film.template_name)},
-            shown("simulated",
-                  fmt::format("{}: {}", counted(static_cast<long long>(passes.size()), "run"),
-                              fmt::join(passes, "; "))),
-            shown("rough cost", cost_words(costs, cores))};
+            costs.push_back(
+                cost_of(format, film, static_cast<double>(runs * particles), events, cores));
+    Facts facts{{"film",
+                 Json{{"template", film.template_name},
+                      {"frames", frames},
+                      {"seconds", film.seconds},
+                      {"fps", film.fps},
+                      {"size", Json::array({film.size.width, film.size.height})},
+                      {"passes", passes},
+                      {"rough", rough_costs(costs, cores)}},
+                 "film",
+                 fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(frames),
+                             clock_text(film.seconds), film.fps, film.size.width, film.size.height,
+                             film.template_name)},
+                shown("simulated",
+                      fmt::format("{}: {}", counted(static_cast<long long>(passes.size()), "run"),
+                                  fmt::join(passes, "; "))),
+                shown("rough cost", cost_words(costs, cores))};
+    if (film.beside)
+        facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),
+                         "side by side", film.beside->own_label + " | " + film.beside->label});
+    return facts;
 }
 
 // "speeds, a speed-histogram at time 4, 8.9 by 6.2 cm".

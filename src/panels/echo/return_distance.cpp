@@ -77,6 +77,10 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     void make_axes() override;
 
     bool compares() const { return record_.compares; }
+    // Beside lines of several runs it has no colour of its own.
+    Stroke stroke_of_law() const {
+        return {.role = {compares() ? Role::Of::muted : Role::Of::accent}, .width = law_width};
+    }
     double along(const Step& step) const {
         return spec_.against_collisions ? step.collisions : step.since;
     }
@@ -286,7 +290,7 @@ void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t shown
     if (points.empty()) return;
     Line curve = line("curve", "upper estimate", points, largest);
     if (shown == 0) curve.shown.end = 0;
-    curve.stroke = {.role = {Role::Of::accent}, .width = law_width};
+    curve.stroke = stroke_of_law();
     curve.depth = static_cast<int>(record_.runs.size()) + 1;
     if (compares()) curve.run = run;
     plot.layers.emplace_back(std::move(curve));
@@ -382,7 +386,7 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
                  {say(language, distance.name), say(language, distance.short_name)}});
     if (has_law())
         lines.entries.push_back(
-            {Stroke{.role = {Role::Of::accent}, .width = law_width},
+            {stroke_of_law(),
              {say(language, "upper estimate of growth"), say(language, "upper estimate")}});
     lines.wraps = true;
     plot.notes = {std::move(lines)};

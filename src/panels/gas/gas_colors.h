@@ -38,6 +38,13 @@ class GasColors {
     /// particles and of masses the highest.
     const ColorScale& scale() const { return scale_; }
 
+    /// Of two runs that share a scale: adds what another has seen, before fix_scale(); takes what
+    /// another has fixed, after it.
+    void add_survey(const GasColors& other) {
+        pool_.insert(pool_.end(), other.pool_.begin(), other.pool_.end());
+    }
+    void take_scale(const GasColors& from) { scale_ = from.scale_; }
+
     /// Writes or reads the scale.
     void archive(Archive& archive);
 

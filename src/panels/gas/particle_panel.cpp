@@ -13,6 +13,15 @@ void ParticlePanel::draw_key(Canvas& canvas, const DrawContext& dc, const DrawCo
     colors_.draw_key(canvas, {left, dc.unit, dc.theme, dc.disks});
 }
 
+void ParticlePanel::share_scales(ParticlePanel& other) {
+    colors_.add_survey(other.colors_);
+    arrows_.add_survey(other.arrows_);
+    fix_axes();
+    other.fix_axes();
+    other.colors_.take_scale(colors_);
+    other.arrows_.take_scale(arrows_);
+}
+
 void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
                         ParticleState& state) {
     const double mean_speed = input.speed.mean();

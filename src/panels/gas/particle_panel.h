@@ -49,6 +49,9 @@ class ParticlePanel : public Panel {
     bool surveys_collisions() const override { return flashes_.asked(); }
     void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
 
+    /// fix_axes() of the boxes of two runs: with one scale of colours, and one of arrows.
+    void share_scales(ParticlePanel& other);
+
   protected:
     /// `view`: what is seen of the box, instead of what the film's camera shows.
     explicit ParticlePanel(const PanelContext& context, const std::optional<View>& view = {})

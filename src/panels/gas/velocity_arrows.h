@@ -30,6 +30,15 @@ class VelocityArrows {
     void survey(const FrameInput& input);
     void fix_scale(double length);
 
+    /// As those of GasColors.
+    void add_survey(const VelocityArrows& other) {
+        pool_.insert(pool_.end(), other.pool_.begin(), other.pool_.end());
+    }
+    void take_scale(const VelocityArrows& from) {
+        fast_ = from.fast_;
+        reach_ = from.reach_;
+    }
+
     void archive(auto& archive) { archive(fast_, reach_); }
 
     /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or

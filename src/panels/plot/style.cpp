@@ -9,6 +9,24 @@
 #include "panels/plot/layers.h"
 
 namespace carom::plot {
+namespace {
+
+// On a screen a film may show the boxes too, with speeds in the colours of the usual scale: then
+// none of these.
+Color color_of_run(std::size_t run, const Theme& theme) {
+    if (theme.kind == ThemeKind::print) return kind_color(run, theme);
+    static const auto sets = [] {
+        std::array<std::vector<Color>, 3> all;
+        for (const Theme* one : {&carom::theme(ThemeKind::light), &carom::theme(ThemeKind::dark)})
+            all.at(static_cast<std::size_t>(one->kind)) =
+                kind_colors_beside(color_map_on("viridis", *one).samples(), *one);
+        return all;
+    }();
+    const std::vector<Color>& set = sets.at(static_cast<std::size_t>(theme.kind));
+    return set[run % set.size()];
+}
+
+}  // namespace
 
 Color color_of(const Role& role, const Theme& theme) {
     switch (role.of) {
@@ -25,7 +43,7 @@ Color color_of(const Role& role, const Theme& theme) {
         case Role::Of::page:
             return theme.page;
         case Role::Of::run:
-            return toward_ink(kind_color(role.index, theme), theme, std::array{theme.page},
+            return toward_ink(color_of_run(role.index, theme), theme, std::array{theme.page},
                               least_contrast_of_marks);
         case Role::Of::own:
             break;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "panels/echo/echo_record.h"
+#include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 #include "stats/speed_classes.h"
@@ -41,7 +42,8 @@ constexpr std::array all_columns{
     Column{Phrase{"medium"}, 5.9, "per cent", Format::per_cent},
     Column{Phrase{"fast, > 1½ mean"}, 9.6, "per cent", Format::per_cent},
     Column{Phrase{"all collisions"}, 8.968, "count", Format::count},
-    Column{Phrase{"return error"}, 8.968, reduced::length, Format::power}};
+    Column{Phrase{"return error"}, 8.968, reduced::length, Format::power},
+    Column{Phrase{"largest overlap"}, 8.968, "per cent", Format::per_cent}};
 using Numbers = std::array<double, all_columns.size()>;
 
 std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
@@ -128,25 +130,28 @@ class MonitorsPanel : public Panel {
     bool shows_time() const override;
     std::optional<double> enough_height() const override;
 
+  protected:
+    std::string text(Monitor number, double value) const;
+    std::string label(Monitor number) const {
+        return escape_markup(say(context_.language(), column(number).label));
+    }
+
+    PanelContext context_;
+    std::vector<Monitor> numbers_;
+    Numbers largest_{}, smallest_;  // in the film: fix the number of decimals
+
   private:
     Row row(const DrawContext& dc) const;
     Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  // its top left corner
     void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                        const Slowness& slow) const;
-    std::string text(Monitor number, double value) const;
-    std::string label(Monitor number) const {
-        return escape_markup(say(context_.language(), column(number).label));
-    }
     double width(Monitor number, double unit) const;  // of its column
     double width_for_label(Monitor number, double unit) const;
     double widest_time(double unit) const;
     double column_width(double unit) const;
 
-    PanelContext context_;
-    std::vector<Monitor> numbers_;
     std::optional<std::string> title_;
-    Numbers largest_{}, smallest_;    // in the film: fix the number of decimals
     std::optional<EchoRecord> echo_;  // if its number is shown
     std::optional<Numbers> readouts_;
 };
@@ -285,11 +290,12 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) 
                       100.0 * shares[1],
                       100.0 * shares[2],
                       static_cast<double>(counts.particle + counts.wall),
-                      none};
+                      none,
+                      100.0 * input.advanced.impulses.largest_overlap};
     if (echo_)
         if (const auto apart = echo_->at(input.tick.frame)) {
             state->return_distance = apart->largest;
-            state->numbers.back() = apart->log10_largest;
+            state->numbers[index_of(Monitor::return_distance)] = apart->log10_largest;
         }
     if (input.refreshes_readouts || !readouts_) readouts_ = state->numbers;
     state->readouts = *readouts_;
@@ -388,7 +394,85 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
     return table;
 }
 
+// A name, and the numbers after it in one line, each in a place of its own.
+class RunLinePanel : public MonitorsPanel {
+  public:
+    RunLinePanel(const PanelContext& context, const PanelSpec& spec, std::string label,
+                 std::size_t run)
+        : MonitorsPanel(context, spec), label_(std::move(label)), run_(run) {
+        std::erase(numbers_, Monitor::time);
+    }
+
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
+
+  private:
+    // Where the numbers begin that have room, and the line.
+    struct Line {
+        std::vector<double> x;
+        double y;
+    };
+    Line line(const DrawContext& dc) const;
+    TextStyle name_style(const DrawContext& dc) const;
+
+    std::string label_;
+    std::size_t run_;
+};
+
+TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
+    TextStyle style = title_style(dc);
+    style.color = plot::color_of(plot::stroke_of_run(run_).role, dc.theme);
+    style.max_width = dc.area.width;
+    return style;
+}
+
+RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
+    constexpr double gap = 1.4, after_words = 0.4, least = 0.2;  // units
+    const TextStyle style = label_style(dc);
+    double x =
+        dc.area.x + measure_text(escape_markup(label_), name_style(dc)).width + gap * dc.unit;
+    Line line{{}, dc.area.y + 1.4 * dc.unit};
+    for (const Monitor number : numbers_) {
+        const std::string widest = column(number).format == Format::count
+                                       ? "888,888"
+                                       : text(number, column(number).format == Format::power
+                                                          ? std::log10(8.88e-16)
+                                                          : largest_.at(index_of(number)));
+        const double words = measure_text(label(number), style).width;
+        const double end = x + words + after_words * dc.unit + measure_text(widest, style).width;
+        if (end > dc.area.right() + least * dc.unit) break;
+        line.x.push_back(x + words + after_words * dc.unit);
+        x = end + gap * dc.unit;
+    }
+    return line;
+}
+
+void RunLinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    const Line line = this->line(dc);
+    draw_text(canvas, {dc.area.x, line.y}, escape_markup(label_), name_style(dc));
+    constexpr double before_number = 0.4;  // units
+    TextStyle style = label_style(dc);
+    style.align = Align::right;
+    for (std::size_t i = 0; i < line.x.size(); ++i)
+        draw_text(canvas, {line.x[i] - before_number * dc.unit, line.y}, label(numbers_[i]), style);
+}
+
+void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    const Line line = this->line(dc);
+    TextStyle style = label_style(dc);
+    style.color = dc.theme.ink;
+    for (std::size_t i = 0; i < line.x.size(); ++i)
+        draw_text(canvas, {line.x[i], line.y},
+                  text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
+}
+
 }  // namespace
+
+std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
+                                     const std::string& label, std::size_t run) {
+    return std::make_unique<RunLinePanel>(context, spec, label, run);
+}
 
 std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<MonitorsPanel>(context, spec);

@@ -144,7 +144,8 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
         bind_key("monitors", &Film::monitors, monitors_notation(),
                  "The numbers in the row of monitors; all-collisions includes those with walls, "
                  "return-distance is the largest distance of a particle from where it was on the "
-                 "way out.")
+                 "way out, overlap the deepest so far of two disks that collided, in per cent of "
+                 "the sum of their radii.")
             .default_text("time, collisions, mean-speed and mean-energy"),
         bind_key("panels", &Film::panels, panels_notation(kinds),
                  "What the panels show, each a kind or a mapping with options.")
@@ -157,7 +158,7 @@ std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
                  "Words that point to a particle, or to a place in a plot, for a while.")
             .default_text("none")};
     return joined<FilmDraft>(picture_keys(), gas_keys(kinds), frame_keys(kinds), overlay_keys(),
-                             callouts);
+                             callouts, std::vector{beside_key()});
 }
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};
@@ -313,13 +314,16 @@ Notation<std::int64_t> usual_panels_notation() { return whole(0, most_panels); }
 // show of this gas. The first of the list where there are none.
 void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Reading& reading) {
     Node* panels = find(film, "panels");
+    const bool is_beside = find(film, "beside") != nullptr;
     if (panels == nullptr || !panels->valid || !panels->is_list() ||
         panels->source->origin != Origin::template_file)
         return;
     const auto suits = [&](const Node& panel) {
         const Node* name = panel.is_mapping() ? given(panel, "kind") : &panel;
         const PanelKind* kind = name != nullptr ? kind_of(kinds, name->text) : nullptr;
-        return kind == nullptr || !kind->suits || kind->suits(reading.gas, reading.run);
+        if (kind == nullptr) return true;
+        if (is_beside && !kind->can(Ability::comparison)) return false;
+        return !kind->suits || kind->suits(reading.gas, reading.run);
     };
     std::vector<Node>& list = panels->items;
     if (reading.errors.empty() && std::ranges::any_of(list, suits))
@@ -383,6 +387,7 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
         if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }
     if (layout) check_slots(node, film, templates, reading.errors);
+    check_beside(film, node, kinds, reading.errors);
     std::erase_if(film.callouts, [&](const Callout& callout) {  // to panels that are left out
         const auto* point = std::get_if<PlotPoint>(&callout.on);
         return point != nullptr && point->panel >= film.panels.size();

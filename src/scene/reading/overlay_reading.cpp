@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/limits.h"
+#include "scene/reading/figure_reading.h"
 #include "scene/reading/panel_reading.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
@@ -298,6 +299,68 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
         callouts.push_back(std::move(callout));
     }
     return callouts;
+}
+
+// The file is named as templates are: it lies in the scene's folder.
+Binding<Film> beside_key() {
+    struct Written : Beside {
+        std::string file;
+    };
+    const auto check_file = [](const std::string& name, const Node& node, Reading& reading) {
+        if (name.find('/') != std::string::npos || !name.ends_with(".yaml"))
+            reading.errors.add(node,
+                               fmt::format("expected the name of a scene file in the folder of "
+                                           "this scene, found {}",
+                                           in_quotes(name)),
+                               "for instance other.yaml");
+    };
+    const auto check = [](Written& beside, const Node& node, Reading& reading) {
+        place_run(beside, node, reading);
+        for (const std::string& change : beside.values)
+            if (change.starts_with("film") || change.starts_with("figures"))
+                reading.errors.add(*given(node, "set"),
+                                   fmt::format("{} would change the film, which both runs share",
+                                               in_quotes(change)),
+                                   "set it in the scene itself");
+        if (beside.label == beside.own_label)
+            reading.errors.add(node, "both runs have the same label");
+    };
+    auto label = label_key();
+    label.key.meaning = "The words under the other run, and in legends.";
+    const std::vector file{bind_key("scene", &Written::file,
+                                    checked(text(6, most_title_letters), check_file),
+                                    "Another scene in the same folder, whose gas and run it is, "
+                                    "instead of the scene's own.")
+                               .default_text("the scene itself")};
+    const std::vector own_label{bind_key("own_label", &Beside::own_label,
+                                         text(1, most_name_letters),
+                                         "The words under the scene's own run.")
+                                    .required()};
+    const KeyTable<Written> table{
+        .name = "`beside`",
+        .keys = joined<Written>(std::vector{label.required(), changes_key()}, file, own_label),
+        .choices = {{.names = {"set", "scene"}, .required = true}},
+        .rule = check};
+    const auto made = [](const Written& written) { return std::optional<Beside>(written); };
+    return bind_key(
+               "beside", &Film::beside,
+               mapped(complete_mapping(table, "{label: words, own_label: words, set: ...}"), made),
+               "Another run that the film shows beside its own, at the same times, with the "
+               "same colours and axes: the same scene with other values, or another scene.")
+        .default_text("none");
+}
+
+void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& errors) {
+    const Node* panels = find(node, "panels");
+    if (!film.beside || panels == nullptr || panels->source->origin == Origin::template_file)
+        return;
+    const std::vector<std::string> able = kinds_that_can(kinds, Ability::comparison);
+    for (std::size_t i = 0; i < film.panels.size() && i < panels->items.size(); ++i) {
+        const std::string& kind = film.panels[i].kind;
+        if (kind == "text" || std::ranges::count(able, kind) > 0) continue;
+        errors.add(panels->items[i], fmt::format("a panel of kind `{}` cannot show two runs", kind),
+                   "these can: " + listed(able, "and", "`"));
+    }
 }
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 // The keys of what a film shows for a while or lays over the gas: when panels are there,
-// spotlights, callouts, the camera, a field.
+// spotlights, callouts, the camera, a field; and the run that it shows beside its own.
 #pragma once
 
 #include <optional>
@@ -28,6 +28,12 @@ struct CalloutDraft : Callout {
 /// The keys of a film that lay something over the gas, but for callouts.
 std::vector<Binding<Film>> overlay_keys();
 Notation<std::vector<CalloutDraft>> callouts_notation();
+
+/// The run that a film shows beside its own. Its scene is loaded later.
+Binding<Film> beside_key();
+
+/// Reports panels that cannot show two runs.
+void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& errors);
 
 /// The callouts of a film whose panels are known; reports those that point to no plot.
 std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,

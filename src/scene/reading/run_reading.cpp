@@ -42,6 +42,16 @@ Notation<std::optional<int>> bits_notation() {
         check);
 }
 
+void check_steps(const Run& run, const Node* node, Errors& errors) {
+    if (node == nullptr || !run.time_step) return;
+    const double steps = (run.equilibrate + run.until) / *run.time_step;
+    if (steps > most_time_steps.value)
+        errors.add(*node,
+                   fmt::format("a run until {} in steps of {} has {:.6g} steps", run.until,
+                               *run.time_step, steps),
+                   to_text(most_time_steps));
+}
+
 void check_samples(const Run& run, const Node* node, Errors& errors) {
     const double samples = run.until / run.sample_every;
     if (node != nullptr && samples > most_samples.value)
@@ -78,7 +88,9 @@ void check_way_home(const RunDraft& run, Errors& errors) {
 
 void complete_run(RunReading& run, const Node& node, Reading& reading) {
     run.precision = given(node, "precision");
+    run.step = given(node, "time_step");
     check_samples(run, given(node, "sample_every"), reading.errors);
+    check_steps(run, run.step, reading.errors);
     std::ranges::stable_sort(run.written_events, {},
                              [](const Placed<EventDraft>& one) { return one.value.at; });
     for (const Placed<EventDraft>& event : run.written_events)
@@ -102,6 +114,12 @@ KeyTable<RunReading> run_table(int dimension) {
                           "The precision of the arithmetic: `double`, with 53 bits; a number of "
                           "bits; or `auto`, as many bits as the return after every reversal needs, "
                           "found by trial."),
+                 bind_key("time_step", &Run::time_step, number(positive),
+                          "Advances disks in steps of this length instead of from contact to "
+                          "contact, as simple programs do: at the end of each step disks that "
+                          "overlap and approach collide as they are then. For comparison only: "
+                          "disks overlap, and may pass through one another.")
+                     .default_text("none: from contact to contact"),
                  bind_key("tolerance", &Run::tolerance,
                           number({1e-300, {1.0, "radius from the exact return"}}),
                           "How close to its place `precision: auto` must return every particle, in "

@@ -36,14 +36,6 @@ bool same_file(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, ignored);
 }
 
-// A link in the scene's folder may lead anywhere; what it leads to must lie in that folder.
-bool stays_inside(const fs::path& file, const fs::path& folder) {
-    std::error_code failed;
-    const fs::path inside = fs::weakly_canonical(folder, failed);
-    const fs::path target = fs::weakly_canonical(file, failed);
-    return !failed && target.parent_path() == inside;
-}
-
 void report_unknown(const Node& asked, const fs::path& films, Errors& errors) {
     const std::vector<std::string> names = names_in(films);
     std::string hint = names.empty() ? "no templates in " + films.string()
@@ -163,6 +155,13 @@ KeyTable<LayoutDraft> layout_table() {
 }
 
 }  // namespace
+
+bool stays_inside(const fs::path& file, const fs::path& folder) {
+    std::error_code failed;
+    const fs::path inside = fs::weakly_canonical(folder, failed);
+    const fs::path target = fs::weakly_canonical(file, failed);
+    return !failed && target.parent_path() == inside;
+}
 
 Notation<LayoutSpec> layout_notation() {
     return parsed(mapping(layout_table()), [](const LayoutDraft& layout, const Node& node,

@@ -24,6 +24,9 @@ struct TemplateFile {
 std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
                                           const std::filesystem::path& templates, Errors& errors);
 
+/// Whether what a file is, or what a link of its name leads to, lies in a folder.
+bool stays_inside(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 /// Where things stand in a frame; nothing when an error leaves it open.
 Notation<LayoutSpec> layout_notation();
 

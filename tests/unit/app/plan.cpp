@@ -45,6 +45,17 @@ Scene wire() {
         "{kind: single-collision}]}\n");
 }
 
+// Two runs side by side, of which the second keeps nothing of the first's precision.
+Scene two_runs() {
+    return test::scene_from(
+        "title: T\nbox: {size: [20, 15]}\ngas: [{count: 30, radius: 0.4, speed: 1}]\n"
+        "run: {until: 6, precision: 96, events: [{at: 3, reverse: velocities}]}\n"
+        "film: {" +
+        std::string(small) +
+        "panels: [return-distance, speed-histogram], "
+        "beside: {own_label: A, label: B, set: run.precision=double}}\n");
+}
+
 Progress& silent() {
     static Progress progress(Progress::Form::silent, "");
     return progress;
@@ -71,7 +82,7 @@ std::string refusal_of(const fs::path& path) {
 
 TEST_CASE("a film drawn from a plan that was read back is the film itself, byte for byte") {
     const TemporaryFolder folder;
-    for (const Scene& scene : {plane(), wire()})
+    for (const Scene& scene : {plane(), wire(), two_runs()})
         for (const std::string format : {"mp4", "gif"}) {
             CAPTURE(format);
             const fs::path direct = folder.path() / ("direct." + format);
@@ -80,6 +91,7 @@ TEST_CASE("a film drawn from a plan that was read back is the film itself, byte 
                 scene, {.output = direct, .quality = Quality::draft, .threads = 2}, silent());
             FilmPlan plan = prepare(scene, {.output = again, .text = true}, silent());
             CHECK(plan.passes.size() == 1);
+            CHECK(plan.beside.has_value() == scene.film.beside.has_value());
             write_plan(plan, folder.path() / "film.plan");
             const FilmPlan read = read_plan(folder.path() / "film.plan", silent());
             CHECK(read.text.transcript == plan.text.transcript);

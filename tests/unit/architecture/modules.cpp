@@ -69,6 +69,7 @@ const std::set<std::string> plain_physics{"physics/gas.h",
                                           "physics/surface.h",
                                           "physics/surfaces/surface_problem.h",
                                           "physics/theory/equilibrium.h",
+                                          "physics/time_step.h",
                                           "physics/ways_back.h"};
 
 struct ThirdParty {

@@ -118,3 +118,27 @@ TEST_CASE("the gas has most of the picture") {
         CHECK(share_of_gas(layout_of(name)) >= 0.36);
     }
 }
+
+TEST_CASE("two boxes share a place, of one size, with words below each") {
+    // Side by side 24 wide, above one another 8.1 high, 16.2 wide.
+    const auto wide = places_beside({1, 2, 50, 20}, 0.5);
+    for (const PlaceBeside& one : wide) {
+        CHECK(one.box.width == wide[0].box.width);
+        CHECK(one.box.height == doctest::Approx(0.5 * one.box.width));
+        CHECK(one.box.y == wide[0].box.y);
+        CHECK(one.box.y >= 2.0);
+        CHECK(one.words.y == doctest::Approx(one.box.y + one.box.height));
+        CHECK(one.words.y + one.words.height <= 22.0 + 1e-9);
+        CHECK(one.words.width == one.box.width);
+    }
+    CHECK(wide[0].box.x == 1.0);
+    CHECK(wide[1].box.x > wide[0].box.x + wide[0].box.width);
+    CHECK(wide[1].box.x + wide[1].box.width == doctest::Approx(51.0));
+    // A tall place, or a line: one above the other.
+    for (const auto& tall :
+         {places_beside({0, 0, 20, 50}, 0.75), places_beside({0, 0, 60, 20}, 0.0)}) {
+        CHECK(tall[0].box.x == tall[1].box.x);
+        CHECK(tall[1].box.y > tall[0].words.y + tall[0].words.height);
+        CHECK(tall[0].box.height == tall[1].box.height);
+    }
+}

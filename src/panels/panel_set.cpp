@@ -1,0 +1,243 @@
+#include "panels/panel_set.h"
+
+#include <algorithm>
+#include <array>
+
+#include "panels/archived.h"
+#include "panels/echo/echo_record.h"
+#include "panels/gas/particle_panel.h"
+#include "panels/plot/plot_panel.h"
+#include "panels/precision.h"
+#include "panels/registry.h"
+#include "panels/words/text_panel.h"
+#include "scene/describe.h"
+
+namespace carom {
+namespace {
+
+// None where the energy changes on the way, or a wall does.
+std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Particles& particles,
+                                                  const Sample& start) {
+    const bool changes = std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
+        return !words_of_surface_event(Language::english, event, scene.gas).empty();
+    });
+    return changes ? std::nullopt : equilibrium(scene.gas.box, particles, start);
+}
+
+std::optional<Showing> showing_of(const Scene& scene, std::size_t panel) {
+    const TimeSpan& span = scene.film.panels[panel].show;
+    if (span.from <= 0.0 && !span.until) return std::nullopt;
+    return showing(timeline(scene), scene.film, span);
+}
+
+}  // namespace
+
+void RunStart::archive(Archive& archive) { archive(particles, sample); }
+
+PanelSet::Run::Run(const Scene& its_scene, const Particles& its_particles, const Sample& start)
+    : scene(its_scene),
+      particles(its_particles),
+      equilibrium(lasting_equilibrium(its_scene, its_particles, start)) {}
+
+FrameInput PanelSet::Run::input(const Tick& tick, const Sample& sample,
+                                const AdvanceResult& advanced) {
+    speed = speeds(sample);
+    energy = kinetic_energies(particles, sample);
+    return {tick, sample, speed, energy, advanced};
+}
+
+PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start,
+                   const RunStart* beside) {
+    refuse_long_words(scene);
+    runs_.push_back(std::make_unique<Run>(scene, particles, start));
+    if (beside != nullptr)
+        runs_.push_back(
+            std::make_unique<Run>(*scene.film.beside->scene, beside->particles, beside->sample));
+    add_boxes(scene.film.layout);
+    add_film_panels(scene.film.layout);
+}
+
+PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
+                   const std::vector<PanelSpec>& specs) {
+    constexpr bool in_film = false;
+    is_film_ = in_film;
+    Run& run = *runs_.emplace_back(std::make_unique<Run>(scene, particles, start));
+    const PanelContext context{scene, run.particles, frames, run.equilibrium, in_film};
+    for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
+}
+
+PanelContext PanelSet::context_of(std::size_t run) const {
+    const Run& its = *runs_[run];
+    return {its.scene, its.particles, frame_count(scene().film), its.equilibrium};
+}
+
+// The box, and the row of numbers; of two runs a box of each with a line of its own numbers below,
+// and the time in the row.
+void PanelSet::add_boxes(const LayoutSpec& layout) {
+    const Film& film = scene().film;
+    const auto add_monitors = [&](const std::vector<Monitor>& numbers) {
+        if (layout.monitors)
+            panels_.push_back(
+                {*layout.monitors,
+                 make_monitors(context_of(own), {.kind = "monitors", .numbers = numbers})});
+    };
+    if (runs_.size() == 1) {
+        panels_.push_back({layout.gas, make_gas_panel(context_of(own))});
+        return add_monitors(film.monitors);
+    }
+    const Box& box = scene().gas.box;
+    const double shape = box.dimension == 1 ? 0.0 : box.size[1] / box.size[0];
+    const std::array<PlaceBeside, 2> places = places_beside(layout.gas, shape);
+    for (const std::size_t run : {own, other}) {
+        const Beside& beside = *film.beside;
+        const PanelContext context = context_of(run);
+        panels_.push_back({places.at(run).box, make_gas_panel(context), {}, run});
+        panels_.push_back({places.at(run).words,
+                           make_run_line(context, {.kind = "monitors", .numbers = film.monitors},
+                                         run == own ? beside.own_label : beside.label, run),
+                           {},
+                           run});
+    }
+    add_monitors({Monitor::time});
+}
+
+void PanelSet::add_film_panels(const LayoutSpec& layout) {
+    const Film& film = scene().film;
+    std::vector<std::unique_ptr<Panel>> panels;
+    std::vector<std::optional<double>> enough;
+    for (std::size_t i = 0; i < film.panels.size(); ++i) {
+        panels.push_back(make_panel(context_of(own), film.panels[i]));
+        enough.push_back(panels.back()->enough_height());
+        if (runs_.size() == 1) continue;
+        const bool has_plot = dynamic_cast<PlotPanel*>(panels.back().get()) != nullptr;
+        of_other_.push_back(
+            has_plot ? make_panel(context_of(other), runs_[other]->scene.film.panels.at(i))
+                     : nullptr);
+    }
+    const std::vector<Slot> slots =
+        with_heights(shared_slots(layout.panels, panels.size()), enough);
+    for (std::size_t i = 0; i < panels.size(); ++i)
+        panels_.push_back({slots[i], std::move(panels[i]), showing_of(scene(), i)});
+}
+
+double PanelSet::Placed::opacity(const Film& film, const Tick& tick) const {
+    constexpr double fade_seconds = 0.5;
+    return showing ? carom::opacity(*showing, film, tick.frame, fade_seconds) : 1.0;
+}
+
+std::vector<Rect> PanelSet::boxes(const Grid& grid) const {
+    std::vector<Rect> all;
+    for (const Placed& placed : panels_)
+        if (dynamic_cast<ParticlePanel*>(placed.panel.get()) != nullptr)
+            all.push_back(placed.panel->frame_in(grid.place(placed.slot), grid.unit()));
+    return all;
+}
+
+// With the number of the run that it sees.
+template <typename Function>
+void PanelSet::for_each_panel(Function&& f) const {
+    for (const Placed& placed : panels_) f(*placed.panel, placed.run);
+    for (const auto& panel : of_other_)
+        if (panel) f(*panel, other);
+}
+
+bool PanelSet::wants_collisions() const {
+    bool any = false;
+    for_each_panel([&](const Panel& panel, std::size_t) {
+        any = any || panel.wants_collisions() || panel.surveys_collisions();
+    });
+    return any;
+}
+
+std::vector<double> PanelSet::return_times(std::size_t run, const std::vector<Tick>& ticks) const {
+    bool any = false;
+    for_each_panel([&](const Panel& panel, std::size_t its) {
+        any = any || (its == run && panel.wants_return_distances());
+    });
+    if (!any) return {};
+    return carom::return_times(runs_[run]->scene, runs_[run]->particles.count(), ticks);
+}
+
+void PanelSet::survey(std::size_t run, const Tick& tick, const Sample& sample,
+                      const AdvanceResult& advanced) {
+    if (is_card(tick.phase)) return;
+    const FrameInput now = runs_[run]->input(tick, sample, advanced);
+    for_each_panel([&](Panel& panel, std::size_t its) {
+        if (its == run) panel.survey(now);
+    });
+}
+
+void PanelSet::fix_axes() {
+    if (runs_.size() > 1) return fix_axes_of_both();
+    for (const Placed& placed : panels_) placed.panel->fix_axes();
+}
+
+// Boxes have one scale of colours and arrows, plots one pair of axes.
+void PanelSet::fix_axes_of_both() {
+    const Beside& beside = *scene().film.beside;
+    std::vector<ParticlePanel*> boxes;
+    const std::size_t before = panels_.size() - of_other_.size();
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+        Panel& panel = *panels_[i].panel;
+        Panel* partner = i < before ? nullptr : of_other_[i - before].get();
+        if (auto* box = dynamic_cast<ParticlePanel*>(&panel))
+            boxes.push_back(box);
+        else if (partner == nullptr)
+            panel.fix_axes();
+        else
+            dynamic_cast<PlotPanel&>(panel).fix_axes_of_runs({partner},
+                                                             {beside.own_label, beside.label});
+    }
+    boxes.at(own)->share_scales(*boxes.at(other));
+}
+
+Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> ticks,
+                           const Recording::Viewer& see, std::size_t most) {
+    const Recording::Wanted wanted{wants_collisions(), return_times(run, ticks)};
+    Recording recording;
+    with_places_of_errors(runs_[run]->scene, [&] {
+        recording = Recording(
+            std::move(start), std::move(ticks), wanted,
+            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                survey(run, tick, sample, advanced);
+                see(tick, sample, advanced);
+            },
+            most);
+    });
+    return recording;
+}
+
+void PanelSet::archive(Archive& archive) {
+    for_each_panel([&](Panel& panel, std::size_t) { panel.archive(archive); });
+}
+
+bool PanelSet::refreshes_readouts(const Tick& tick) const {
+    constexpr int readouts_a_second = 5;
+    return !is_film_ || tick.phase != Phase::moving ||
+           tick.frame % std::max(1, scene().film.fps / readouts_a_second) == 0;
+}
+
+FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
+                               const AdvanceResult& advanced, bool is_still) {
+    FrameData frame{tick, {}, 0};
+    if (beside_) beside_->next();
+    if (is_card(tick.phase)) return frame;
+    std::vector<FrameInput> inputs{runs_[own]->input(tick, sample, advanced)};
+    if (beside_)
+        inputs.push_back(runs_[other]->input(tick, beside_->sample(), beside_->advanced()));
+    for (FrameInput& input : inputs)
+        input.refreshes_readouts = is_still || refreshes_readouts(tick);
+    const std::size_t before = panels_.size() - of_other_.size();
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+        Panel& panel = *panels_[i].panel;
+        std::shared_ptr<const PanelState> state = panel.state(inputs.at(panels_[i].run));
+        if (Panel* partner = i < before ? nullptr : of_other_[i - before].get())
+            state = dynamic_cast<PlotPanel&>(panel).state_of_runs(
+                {state, partner->state(inputs.at(other))});
+        frame.bytes += state->bytes();
+        frame.states.push_back(std::move(state));
+    }
+    return frame;
+}
+
+}  // namespace carom

@@ -1,0 +1,149 @@
+#include "physics/events/fixed_step_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include "physics/collision/pair_collision.h"
+#include "util/interrupt.h"
+
+namespace carom {
+
+FixedStepLoop::FixedStepLoop(const Box& box, const Particles& particles, double step)
+    : box_(box),
+      particles_(particles),
+      step_(step),
+      order_(static_cast<std::size_t>(particles.count())) {
+    std::iota(order_.begin(), order_.end(), 0);
+}
+
+void FixedStepLoop::start(const Sample& state) {
+    now_ = state;
+    first_ = state.time;
+    steps_ = 0;
+}
+
+void FixedStepLoop::forget() {
+    counts_ = {};
+    impulses_ = {};
+}
+
+void FixedStepLoop::move_to(double time) {
+    now_.position += (time - now_.time) * now_.velocity;
+    now_.time = time;
+}
+
+void FixedStepLoop::advance(double time, std::vector<Collision>* record,
+                            const TimeCallback& on_progress) {
+    constexpr std::int64_t steps_between_calls = 1024;
+    while (true) {
+        const double next = first_ + step_ * static_cast<double>(steps_ + 1);
+        if (next > time) break;
+        throw_if_interrupted();
+        move_to(next);
+        ++steps_;
+        reflect(record);
+        collide_overlapping(record);
+        if (on_progress && steps_ % steps_between_calls == 0) on_progress(next);
+    }
+}
+
+// Those beyond a wall that go on outward.
+void FixedStepLoop::reflect(std::vector<Collision>* record) {
+    for (std::int32_t i = 0; i < particles_.count(); ++i)
+        for (const int axis : {0, 1}) {
+            if (box_.is_periodic(axis)) continue;
+            const double x = now_.position(i, axis), radius = particles_.radius[i];
+            double& v = now_.velocity(i, axis);
+            const bool is_low = x < radius && v < 0.0;
+            if (!is_low && !(x > box_.size[axis] - radius && v > 0.0)) continue;
+            const Eigen::Array2d before = velocity(i);
+            v = -v;
+            ++counts_.wall;
+            const int side = 2 * axis + (is_low ? 0 : 1);
+            impulses_.wall[static_cast<std::size_t>(side)] +=
+                2.0 * std::abs(v) / particles_.inverse_mass[i];
+            if (record == nullptr) continue;
+            Eigen::Array2d contact = place(i);
+            contact[axis] = is_low ? 0.0 : box_.size[axis];
+            record->push_back({now_.time, i, static_cast<Side>(side), place(i), contact, before,
+                               Eigen::Array2d::Zero(), velocity(i), Eigen::Array2d::Zero()});
+        }
+}
+
+// Along x only those that are near are looked at; across a periodic side they come round again.
+void FixedStepLoop::collide_overlapping(std::vector<Collision>* record) {
+    const auto along = [&](std::int32_t i) { return box_.wrapped(0, now_.position(i, 0)); };
+    std::ranges::sort(order_, {}, [&](std::int32_t i) { return std::pair(along(i), i); });
+    const double reach = 2.0 * particles_.radius.maxCoeff();
+    const std::size_t count = order_.size();
+    const std::size_t turns = box_.is_periodic(0) ? 2 : 1;
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < turns * count && b - a < count; ++b) {
+            const std::int32_t first = order_[a], second = order_[b % count];
+            const double across = b < count ? 0.0 : box_.size[0];
+            if (along(second) + across - along(first) > reach) break;
+            collide(first, second, record);
+        }
+}
+
+void FixedStepLoop::collide(std::int32_t first, std::int32_t second,
+                            std::vector<Collision>* record) {
+    const Eigen::Array2d apart = box_.nearest(place(second) - place(first));
+    const double sigma = particles_.radius[first] + particles_.radius[second];
+    const double distance = std::sqrt(apart.square().sum());
+    if (distance >= sigma || distance == 0.0) return;
+    const Eigen::Array2d first_before = velocity(first), second_before = velocity(second);
+    const Eigen::Array2d relative = second_before - first_before;
+    const RelativeMotion<double> motion{apart[0], apart[1], relative[0], relative[1]};
+    const double first_w = particles_.inverse_mass[first],
+                 second_w = particles_.inverse_mass[second];
+    if ((apart * relative).sum() >= 0.0 || first_w + second_w == 0.0) return;
+    const double factor = impulse_factor(motion, first_w, second_w);
+    now_.velocity.row(first) += (first_w * factor * apart).transpose();
+    now_.velocity.row(second) -= (second_w * factor * apart).transpose();
+    ++counts_.particle;
+    impulses_.virial -= factor * distance * distance;
+    impulses_.largest_overlap = std::max(impulses_.largest_overlap, 1.0 - distance / sigma);
+    if (record == nullptr) return;
+    record->push_back({now_.time, first, second, place(first), place(first) + apart, first_before,
+                       second_before, velocity(first), velocity(second)});
+}
+
+void FixedStepLoop::reverse(double time) {
+    move_to(time);
+    now_.velocity = -now_.velocity;
+    first_ = time;
+    steps_ = 0;
+}
+
+// What overlaps is pushed apart by no one.
+std::optional<Partner> FixedStepLoop::displace(std::int64_t particle,
+                                               const std::array<std::string, 2>& by, double time) {
+    move_to(time);
+    first_ = time;
+    steps_ = 0;
+    for (const int axis : {0, 1})
+        now_.position(particle, axis) +=
+            std::strtod(by[static_cast<std::size_t>(axis)].c_str(), nullptr);
+    return std::nullopt;
+}
+
+void FixedStepLoop::sample(double time, Sample& state) const {
+    state = now_;
+    state.time = time;
+    state.position += (time - now_.time) * now_.velocity;
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+        for (double& x : state.position.col(axis)) x = box_.wrapped(axis, x);
+}
+
+std::vector<double> FixedStepLoop::positions(double time) const {
+    std::vector<double> all;
+    for (Eigen::Index i = 0; i < particles_.count(); ++i)
+        for (const int axis : {0, 1})
+            all.push_back(now_.position(i, axis) + (time - now_.time) * now_.velocity(i, axis));
+    return all;
+}
+
+}  // namespace carom

@@ -1,0 +1,61 @@
+// Disks advanced in steps of fixed length, as many teaching programs do it: at the end of each step
+// particles that overlap and approach collide as they are then. They overlap, and may pass through
+// one another; the film beside an event-driven run shows what that does. Takes the place of
+// EventLoop (event_loop.h) in a Simulation. O(N^(3/2)) for each step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physics/advance_result.h"
+#include "physics/gas.h"
+#include "physics/particles.h"
+#include "physics/surfaces/surface_error.h"
+
+namespace carom {
+
+class FixedStepLoop {
+  public:
+    /// Disks in a box with plain walls; `step` > 0 is a time.
+    FixedStepLoop(const Box& box, const Particles& particles, double step);
+
+    /// The functions of EventLoop, for the whole of a Simulation. Between the ends of two steps
+    /// particles fly freely; a reversal and a displacement begin a new step.
+    void start(const Sample& state);
+    void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
+    void reverse(double time);
+    std::optional<Partner> displace(std::int64_t particle, const std::array<std::string, 2>& by,
+                                    double time);
+    void sample(double time, Sample& state) const;
+    std::vector<double> positions(double time) const;
+    const CollisionCounts& counts() const { return counts_; }
+    const ImpulseTotals& impulses() const { return impulses_; }
+    void forget();
+    std::vector<SurfaceState> surfaces(double) const { return {}; }
+    double driven_work() const { return 0.0; }
+    double heat_of_events() const { return 0.0; }
+    SurfaceError at_present(const SurfaceError& error) const { return error; }
+
+  private:
+    void move_to(double time);
+    void reflect(std::vector<Collision>* record);
+    void collide_overlapping(std::vector<Collision>* record);
+    void collide(std::int32_t first, std::int32_t second, std::vector<Collision>* record);
+    Eigen::Array2d place(std::int32_t i) const { return now_.position.row(i).transpose(); }
+    Eigen::Array2d velocity(std::int32_t i) const { return now_.velocity.row(i).transpose(); }
+
+    Box box_;
+    Particles particles_;
+    double step_;
+    double first_ = 0.0;               ///< the time that steps are counted from
+    std::int64_t steps_ = 0;           ///< since then
+    Sample now_;                       ///< periodic coordinates are not brought into the box
+    std::vector<std::int32_t> order_;  ///< the particles by their place along x
+    CollisionCounts counts_;
+    ImpulseTotals impulses_;
+};
+
+}  // namespace carom

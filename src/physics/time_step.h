@@ -1,0 +1,16 @@
+// Which runs can advance in steps of fixed length (Run::time_step). Any function may be called from
+// any thread.
+#pragma once
+
+#include <optional>
+
+#include "physics/gas.h"
+#include "physics/run.h"
+#include "physics/surfaces/surface_problem.h"
+
+namespace carom {
+
+/// Why a run in this box cannot have its time step; none where it can, or has none.
+std::optional<ProblemText> time_step_problem(const Box& box, const Run& run);
+
+}  // namespace carom

@@ -1,0 +1,148 @@
+// Two runs side by side in one film: a box of each with one scale of colours, plots of both.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "draw/palette.h"
+#include "draw/text.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+
+using namespace carom;
+
+namespace {
+
+std::string text_of(const std::string& beside, const std::string& film = "") {
+    return "title: T\nbox: {size: [20, 15]}\n"
+           "gas: [{name: disks, count: 30, radius: 0.4, temperature: 1}]\n"
+           "run: {until: 6}\n"
+           "film: {size: [640, 360], fps: 10, seconds: 4, panels: [speed-histogram, "
+           "temperature], " +
+           film + beside + "}\n";
+}
+
+constexpr const char* hot =
+    "beside: {own_label: cold run, label: hot run, "
+    "set: gas.0.temperature=9}";
+
+// The panels of a set by the run that they see.
+std::vector<std::size_t> boxes_of(const PanelSet& panels) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < panels.panels().size(); ++i)
+        if (found.empty() || (found.size() == 1 && panels.panels()[i].run == 1)) found.push_back(i);
+    return found;
+}
+
+Table table_at(const test::Shot& shot, std::size_t frame, std::size_t panel) {
+    const Theme& theme = theme_of(shot.scene.film.theme);
+    return shot.panels->panels()[panel].panel->table(*shot.frames[frame].states[panel], theme);
+}
+
+std::vector<Cell> column(const Table& table, const std::string& name) {
+    const auto found = std::ranges::find_if(
+        table.columns, [&](const std::string& one) { return one.starts_with(name); });
+    REQUIRE(found != table.columns.end());
+    std::vector<Cell> cells;
+    for (const auto& row : table.rows)
+        cells.push_back(row[std::size_t(found - table.columns.begin())]);
+    return cells;
+}
+
+}  // namespace
+
+TEST_CASE("each of two boxes shows its own run, as its film alone would") {
+    const test::Shot both(test::scene_from(text_of(hot)));
+    const test::Shot cold(test::scene_from(text_of("")));
+    Scene warm = test::scene_from(
+        text_of("").replace(text_of("").find("temperature: 1"), 14, "temperature: 9"));
+    const test::Shot alone(warm);
+    const std::vector<std::size_t> boxes = boxes_of(*both.panels);
+    REQUIRE(boxes.size() == 2);
+    for (const std::size_t frame : {0U, 17U, 39U}) {
+        CAPTURE(frame);
+        for (const std::string axis : {"x", "y"}) {
+            CHECK(column(table_at(both, frame, boxes[0]), axis) ==
+                  column(table_at(cold, frame, 0), axis));
+            CHECK(column(table_at(both, frame, boxes[1]), axis) ==
+                  column(table_at(alone, frame, 0), axis));
+        }
+    }
+}
+
+TEST_CASE("two boxes have one scale of colours, that of both runs") {
+    const test::Shot both(test::scene_from(text_of(hot)));
+    const test::Shot cold(test::scene_from(text_of("")));
+    const std::vector<std::size_t> boxes = boxes_of(*both.panels);
+    // In the scale of a gas three times as fast the colours of a cold one are others, and fewer;
+    // two disks of one speed have one colour in both boxes.
+    const auto colors = [](const test::Shot& shot, std::size_t panel) {
+        std::set<std::string> all;
+        for (const Cell& cell : column(table_at(shot, 20, panel), "colour"))
+            all.insert(std::get<std::string>(cell));
+        return all;
+    };
+    const std::set<std::string> alone = colors(cold, 0), slow = colors(both, boxes[0]),
+                                fast = colors(both, boxes[1]);
+    const ColorMap map = color_map_on("viridis", theme_of(both.scene.film.theme));
+    const auto highest = [&](const std::set<std::string>& some) {
+        int rank = 0;
+        for (int i = 0; i < 256; ++i)
+            if (some.contains(hex_of(map.at(i / 255.0)))) rank = i;
+        return rank;
+    };
+    CHECK(highest(alone) > 150);
+    CHECK(highest(fast) > 150);
+    CHECK(highest(slow) < highest(alone) / 2);
+}
+
+TEST_CASE("panels show both runs with their labels, and the words under the boxes name them") {
+    const test::Shot both(test::scene_from(text_of(hot)));
+    const std::size_t count = both.panels->panels().size();
+    for (const std::size_t panel : {count - 2, count - 1}) {
+        const Table table = table_at(both, 30, panel);
+        std::set<std::string> runs;
+        for (const Cell& cell : column(table, "run")) runs.insert(std::get<std::string>(cell));
+        CHECK(runs == std::set<std::string>{"cold run", "hot run"});
+    }
+    FramePainter painter(*both.panels);
+    painter.paint(both.frames[30]);
+    const TextLog log;
+    FramePainter(*both.panels).paint(both.frames[30]);
+    for (const std::string label : {"cold run", "hot run"})
+        CHECK(std::ranges::count_if(log.lines, [&](const auto& line) {
+                  return line.markup.find(label) != std::string::npos;
+              }) >= 2);  // below its box, and in a legend
+}
+
+TEST_CASE("the run beside may be another scene's, and one in fixed steps") {
+    const test::Shot both(test::scene_from(
+        text_of("beside: {own_label: exact, label: steps, set: run.time_step=0.05}",
+                "monitors: [overlap], ")));
+    const std::vector<std::size_t> boxes = boxes_of(*both.panels);
+    CHECK(column(table_at(both, 0, boxes[0]), "x") == column(table_at(both, 0, boxes[1]), "x"));
+    CHECK(column(table_at(both, 39, boxes[0]), "x") != column(table_at(both, 39, boxes[1]), "x"));
+    // The line of numbers of each run stands behind its box.
+    const auto overlap = [&](std::size_t box) {
+        return std::get<double>(column(table_at(both, 39, box + 1), "value").front());
+    };
+    CHECK(overlap(boxes[0]) < 1e-9);
+    CHECK(overlap(boxes[1]) > 1.0);
+}
+
+TEST_CASE("beads on a wire stand one above the other") {
+    const test::Shot both(
+        test::scene_from("title: T\nbox: {length: 12}\ngas: [{count: 6, radius: 0.1, speed: 1}]\n"
+                         "run: {until: 8}\nfilm: {size: [640, 360], fps: 10, seconds: 2, panels: "
+                         "[velocity-histogram],"
+                         " beside: {own_label: a, label: b, set: seed=7}}\n"));
+    const std::vector<std::size_t> boxes = boxes_of(*both.panels);
+    const Slot &first = both.panels->panels()[boxes[0]].slot,
+               &second = both.panels->panels()[boxes[1]].slot;
+    CHECK(first.x == second.x);
+    CHECK(second.y >= first.y + first.height);
+    FramePainter painter(*both.panels);
+    painter.paint(both.frames.back());
+}

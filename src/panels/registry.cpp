@@ -78,6 +78,14 @@ std::vector<Binding<PanelSpec>> numbers_key() {
             .default_text("time, collisions, mean-speed and mean-energy")};
 }
 
+std::vector<Binding<PanelSpec>> profile_keys() {
+    return {bind_key("quantity", &PanelSpec::quantity, quantity_notation(false),
+                     "What it shows; the flow is that along the axis."),
+            bind_key("cells", &PanelSpec::bins, whole(2, most_field_cells),
+                     "How many slabs are along the axis.")
+                .default_text("20")};
+}
+
 std::vector<Binding<PanelSpec>> view_key() {
     return {bind_key("view", &PanelSpec::view, view_notation(),
                      "What the figure shows of the box: `box`, all of it, or a part.")
@@ -197,6 +205,11 @@ std::vector<PanelKind> all_kinds() {
          .keys = against_key(),
          .rule = check_return_distance,
          .suits = returns},
+        {.name = "profile",
+         .words = Phrase{"profile"},
+         .make = make_profile,
+         .abilities = {of, over, component, theory},
+         .keys = profile_keys()},
         {.name = "phase",
          .words = Phrase{"phase"},
          .make = make_phase,

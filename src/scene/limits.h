@@ -58,6 +58,7 @@ inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};
 inline constexpr Limit most_panels{12, "panels of a film"};
 inline constexpr Limit most_slow_spans{100, "spans of slow motion"};
 inline constexpr Limit most_overlays{100, "spotlights, callouts, or moves of the camera"};
+inline constexpr Limit most_field_cells{200, "cells of a field along the longer side of the box"};
 inline constexpr Limit most_figures{200, "figures of a scene"};
 inline constexpr Limit most_set_scenes{100, "scenes of a figure set"};
 inline constexpr Limit most_strip{12, "moments in a strip"};

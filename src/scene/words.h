@@ -64,6 +64,14 @@ inline constexpr auto enum_words<Language> =
                                        {Language::spanish, "es"}});
 
 template <>
+inline constexpr auto enum_words<FieldOf> =
+    std::to_array<EnumWord<FieldOf>>({{FieldOf::density, "density"},
+                                      {FieldOf::temperature, "temperature"},
+                                      {FieldOf::speed, "speed"},
+                                      {FieldOf::flow, "flow"},
+                                      {FieldOf::concentration, "concentration"}});
+
+template <>
 inline constexpr auto enum_words<Component> = std::to_array<EnumWord<Component>>(
     {{Component::x, "x"}, {Component::y, "y"}, {Component::both, "both"}});
 

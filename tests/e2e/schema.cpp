@@ -58,7 +58,10 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"events_too_dense", several_places},
     {"figure_compare_run", several_places},  // `set` of a run against the scene
     {"figure_test_over", several_places},
-    {"film_camera_ring", several_places},   // what is followed against the box
+    {"film_camera_ring", several_places},  // what is followed against the box
+    {"film_field", several_places},        // a name against the gas
+    {"film_field_share", several_places},  // `of` against `species`
+    {"film_field_species", several_places},
     {"film_pauses", several_places},        // their sum against the film's length
     {"film_slow_between", several_places},  // spans against one another and the film's length
     {"film_slow_in", several_places},

@@ -1,6 +1,7 @@
 #include "app/film/film_notes.h"
 
 #include "panels/chosen.h"
+#include "panels/field/field_layer.h"
 #include "panels/registry.h"
 #include "util/formula/formula.h"
 
@@ -31,6 +32,7 @@ std::vector<FilmNote> film_notes(const Scene& scene) {
              say(language,
                  "Two runs are seen side by side: “{}” and “{}”; numbers are told of the first",
                  beside->own_label, beside->label)});
+    if (scene.film.field) notes.push_back({0.0, words_of_field(scene)});
     for (const PanelSpec& panel : scene.film.panels) {
         if (panel.show.from > 0.0)
             notes.push_back({panel.show.from, say(language, "The panel “{}” appears",

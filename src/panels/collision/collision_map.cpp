@@ -199,8 +199,9 @@ std::string CollisionMapPanel::column_of(std::size_t k) const {
 }
 
 Axis CollisionMapPanel::axis(std::size_t k) const {
+    // In this order the root needs no bar over the mass.
     const std::string name =
-        (is_scaled() ? "√" + subscripted("m", k) + "\u2009" : "") + subscripted("v", k);
+        subscripted("v", k) + (is_scaled() ? "\u2009√" + subscripted("m", k) : "");
     const double end = air_around * reach_[static_cast<Eigen::Index>(k)];
     return {.title = met_ ? named(name, role_of(context_, *met_, k)) : Text(name),
             .low = -end,

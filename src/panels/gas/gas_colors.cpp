@@ -95,7 +95,9 @@ void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double r
 GasColors::GasColors(const PanelContext& context)
     : context_(context),
       tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
-                      (context.particles.inverse_mass == 0.0).any()) {
+                      (context.particles.inverse_mass == 0.0).any()),
+      is_plain_(context.scene.film.field && context.scene.film.color_by == ColorBy::speed &&
+                context.scene.gas.box.dimension == 2) {
     const auto [title, symbol] = scale_title(context.scene.film.color_by);
     scale_.title = say(context.language(), title);
     scale_.symbol = symbol;
@@ -155,6 +157,8 @@ std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
     return on_scale(std::clamp(value(i, motion.speed) / scale_.top, 0.0, 1.0));
 }
 
+bool GasColors::is_of_species(std::uint16_t shade) { return shade >= first_species; }
+
 bool GasColors::has_own_color(std::size_t species) const {
     return context_.scene.looks[species].color.has_value();
 }
@@ -169,7 +173,7 @@ std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     std::vector<Color> colors(first_species, theme.ink);
     if (context_.scene.film.color_by == ColorBy::speed_class) {
         std::ranges::copy(speed_class_colors(context_.scene, theme), colors.begin());
-    } else {
+    } else if (!is_plain_) {
         const ColorMap map = scale_colors(context_.scene, theme);
         for (std::size_t i = 0; i < scale_shades; ++i)
             colors[i] = map.at(double(i) / (scale_shades - 1));
@@ -210,6 +214,18 @@ std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     return all;
 }
 
+bool GasColors::has_bar() const {
+    const ColorBy by = context_.scene.film.color_by;
+    return !is_plain_ && (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass);
+}
+
+double GasColors::key_height(const DrawContext& dc) const {
+    const double names = 2.4 * dc.unit * static_cast<double>(entries(dc.theme).size());
+    const bool is_tall = has_bar() || context_.scene.film.color_by == ColorBy::direction ||
+                         context_.scene.film.color_by == ColorBy::speed_class;
+    return is_tall ? 0.5 * dc.area.height : std::min(names, 0.6 * dc.area.height);
+}
+
 void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
     const double u = dc.unit;
     const ColorBy by = context_.scene.film.color_by;
@@ -218,7 +234,7 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
     if (by == ColorBy::direction && context_.scene.gas.box.dimension == 2) {
         draw_wheel(canvas, dc);
         y += 8.4 * u;
-    } else if (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass) {
+    } else if (has_bar()) {
         const double bottom =
             std::max(dc.area.y + 7.8 * u, dc.area.bottom() - std::min(entries_height, 6.0 * u));
         DrawContext bar = dc;

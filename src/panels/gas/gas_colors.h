@@ -59,10 +59,16 @@ class GasColors {
     std::uint16_t shade(Eigen::Index particle, const Motion& motion) const;
     std::vector<Color> of_shades(const Theme& theme) const;
 
+    /// Whether a colour is that of a species, the same at all times.
+    static bool is_of_species(std::uint16_t shade);
+
     /// Whether the scale tells infinite masses from all others, by a shade of their own and
     /// hatching.
     bool tells_infinite() const { return tells_infinite_; }
     bool is_told_infinite(Eigen::Index particle) const;
+
+    /// The height of the key beside that of a field, in pixels, of an area for both.
+    double key_height(const DrawContext& dc) const;
 
     /// Draws the colour bar, or the legend of species, into `page.area`.
     void draw_key(Canvas& canvas, const DrawContext& dc) const;
@@ -71,6 +77,7 @@ class GasColors {
     std::vector<Color> make_shades(const Theme& theme) const;
     double value(Eigen::Index particle, double speed) const;
     bool has_own_color(std::size_t species) const;
+    bool has_bar() const;
     struct Entry;
     std::vector<Entry> entries(const Theme& theme) const;
     double draw_entries(Canvas& canvas, const DrawContext& dc, double y) const;
@@ -78,6 +85,8 @@ class GasColors {
 
     PanelContext context_;
     bool tells_infinite_;
+    bool is_plain_;  ///< over a field the disks of a plane are outlines of one colour, unless their
+                     ///< colours mean more than speed
     std::vector<double> pool_;
     int surveyed_ = 0;
     ColorScale scale_;

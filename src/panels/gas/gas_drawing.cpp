@@ -105,6 +105,8 @@ struct GasPanel::Drawing {
     void draw_contents() const;
     void draw_where_it_is() const;
     void draw_callouts() const;
+    void draw_field() const;
+    void draw_outlines() const;
     void draw_ghosts() const;
     void draw_disks() const;
     void draw_infinite() const;
@@ -211,11 +213,15 @@ void GasPanel::Drawing::draw_callouts() const {
 void GasPanel::Drawing::draw_contents() const {
     const SurfaceView& surfaces = panel.surfaces_;
     canvas.clip_to(frame);
+    if (gas.field) {
+        draw_field();
+        surfaces.draw_obstacles(canvas, dc, map, gas.surfaces);
+    }
     draw_ghosts();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     for (std::size_t k = 0; k < gas.trails.size(); ++k)
         for_each_turn([&](Point shift) { draw_trail(k, shift); });
-    draw_disks();
+    gas.field ? draw_outlines() : draw_disks();
     if (scene.film.labels == Labels::none)
         draw_infinite();
     else
@@ -229,6 +235,30 @@ void GasPanel::Drawing::draw_contents() const {
     if (gas.ghosts)
         draw_ghost_words(canvas, dc, {frame.x + 0.3 * dc.unit, frame.y + 1.6 * dc.unit},
                          frame.width - 0.6 * dc.unit, *gas.ghosts, gas.ghost_words);
+}
+
+void GasPanel::Drawing::draw_field() const {
+    for_each_turn([&](Point shift) {
+        panel.field_.draw(canvas, dc, *gas.field, [&](const Region& region) {
+            const Eigen::Array2d by{shift.x, shift.y};
+            return map.rect({region.low + by, region.high + by});
+        });
+    });
+}
+
+// Nothing is hidden of what they lie over.
+void GasPanel::Drawing::draw_outlines() const {
+    const double line = std::max(1.0, 0.08 * dc.unit);
+    for (Eigen::Index i = 0; i < radius.size(); ++i) {
+        const Color color = gas.seen(colors[shade(i)], i, dc.theme.ground);
+        const double shown = std::max(least_radius, radius[i] * scale);
+        for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
+            if (shown < 2.0 * line)
+                canvas.fill_circle(at, shown, color);
+            else
+                canvas.stroke_circle(at, shown - 0.5 * line, line, color);
+        });
+    }
 }
 
 void GasPanel::Drawing::draw_ghosts() const {
@@ -276,7 +306,7 @@ void GasPanel::Drawing::draw_disks() const {
 
 void GasPanel::Drawing::draw_infinite() const {
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (!panel.colors_.is_told_infinite(i) || !panel.is_filled(i)) continue;
+        if (!panel.colors_.is_told_infinite(i) || !panel.is_disk(i)) continue;
         for_each_image(place_of(gas.place, i), radius[i],
                        [&](Point at) { draw_hatching(canvas, dc, at, radius[i] * scale); });
     }
@@ -314,6 +344,7 @@ void GasPanel::Drawing::draw_arrows() const {
     if (gas.view) field.joined = {false, false};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
+        if (!panel.arrows_.is_drawn(i)) continue;
         const Point velocity = place_of(gas.velocity, i);
         const double light = gas.light.empty() ? 1.0 : double(gas.light[std::size_t(i)]);
         const auto draw_one = [&](Point at) {
@@ -332,7 +363,7 @@ void GasPanel::Drawing::draw_labels() const {
     for (Eigen::Index i = 0; i < radius.size(); ++i)
         draw_words_on(
             canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, scene.film.labels),
-            panel.is_filled(i) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
+            panel.is_disk(i) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
 }
 
 // In pieces of one strength, whose round ends lie over one another: steps with square ends of their
@@ -340,7 +371,10 @@ void GasPanel::Drawing::draw_labels() const {
 void GasPanel::Drawing::draw_trail(std::size_t followed, Point shift) const {
     const Trail& trail = gas.trails[followed];
     const auto [particle, seconds] = panel.followed_[followed];
-    const Color ink = gas.seen(dc.theme.ink, particle, dc.theme.ground);
+    const Color own = panel.colors_.is_of_species(gas.shades[static_cast<std::size_t>(particle)])
+                          ? edge_of(colors[shade(particle)], dc.theme)
+                          : dc.theme.ink;
+    const Color ink = gas.seen(own, particle, dc.theme.ground);
     const auto seen_at = [&](Point place) { return pixel({place.x + shift.x, place.y + shift.y}); };
     std::vector<Point> piece;
     double strength = 0.0;

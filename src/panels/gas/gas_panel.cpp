@@ -36,6 +36,7 @@ void GasPanel::survey(const FrameInput& input) {
     surfaces_.survey(input);
     camera_.survey(input);
     callouts_.survey(input, input.sample.position);
+    field_.survey(input);
     flashes_.survey(input, [this](const Collision& collision) {
         const Eigen::Array2d at = contact_of(collision, context_.particles);
         const Box& box = context_.scene.gas.box;
@@ -48,13 +49,14 @@ void GasPanel::survey(const FrameInput& input) {
 void GasPanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
+    field_.fix_scale();
     camera_.fix_way(surfaces_.extent());
     const double side = context_.scene.gas.box.size.minCoeff();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
 }
 
 void GasPanel::archive(Archive& archive) {
-    archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_);
+    archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_, field_);
 }
 
 // Those that should have a trail, and a single particle among many, which is what the film is
@@ -135,8 +137,11 @@ Rect GasPanel::frame_in(const Rect& area, double unit) const {
 double GasPanel::scale_in(const DrawContext& own) const { return map_in(own).scale; }
 
 std::string GasPanel::account(const PanelState& state) const {
-    return words_at_present(context_.language(), context_.scene.gas,
-                            static_cast<const State&>(state).surfaces);
+    const auto& now = static_cast<const State&>(state);
+    const std::string words =
+        words_at_present(context_.language(), context_.scene.gas, now.surfaces);
+    if (!now.field) return words;
+    return words + (words.empty() ? "" : " ") + field_.account(*now.field);
 }
 
 std::string GasPanel::label(Eigen::Index particle, const State& state) const {
@@ -156,6 +161,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     if (arrows_.shown())
         for (const char* name : {"velocity x", "velocity y"})
             table.columns.push_back(column_name(name, reduced::speed));
+    field_.add_columns(table);
     const std::vector<Color> colors = colors_.of_shades(theme);
     const Eigen::ArrayXd& radius = context_.particles.radius;
     for (Eigen::Index i = 0; i < gas.place.rows(); ++i) {
@@ -165,10 +171,12 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
                  label(i, gas)},
                 gas.velocity);
     }
-    for (std::size_t k = 0; k < gas.trails.size(); ++k)
+    for (std::size_t k = 0; k < gas.trails.size(); ++k) {
+        const std::uint16_t shade = gas.shades[static_cast<std::size_t>(followed_[k].particle)];
+        const Color color = GasColors::is_of_species(shade) ? colors[shade] : theme.ink;
         for (const Point& place : gas.trails[k].places)
-            add_row(table, "trail", followed_[k].particle,
-                    {place.x, place.y, {}, hex_of(theme.ink)});
+            add_row(table, "trail", followed_[k].particle, {place.x, place.y, {}, hex_of(color)});
+    }
     if (gas.ghosts)
         for (Eigen::Index i = 0; i < gas.ghosts->place.rows(); ++i)
             add_row(table, "mark", i,
@@ -187,6 +195,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
                is_x ? none : at, none, none, surface_label(its, surface, k)};
         row.resize(table.columns.size());
     }
+    if (gas.field) field_.add_rows(table, *gas.field, 3, 4);
     return table;
 }
 

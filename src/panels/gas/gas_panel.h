@@ -23,8 +23,8 @@ class GasPanel : public ParticlePanel {
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
-    /// A trail needs the collisions on the way.
-    bool wants_collisions() const override { return !followed_.empty(); }
+    /// A trail needs the collisions on the way, and so does a field.
+    bool wants_collisions() const override { return !followed_.empty() || field_.shown(); }
 
     /// The box is as large as fits, at the area's left; in its middle where no panel stands right
     /// of it.
@@ -64,6 +64,7 @@ class GasPanel : public ParticlePanel {
     BoxMap map_in(const DrawContext& own) const;
     BoxMap part_of(const BoxMap& whole, const CameraView& view) const;
     std::string label(Eigen::Index particle, const State& state) const;
+    bool is_disk(Eigen::Index particle) const { return !field_.shown() && is_filled(particle); }
 
     SurfaceView surfaces_;
     std::vector<Followed> followed_;

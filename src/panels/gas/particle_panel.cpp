@@ -9,17 +9,28 @@
 namespace carom {
 
 void ParticlePanel::draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const {
-    const Rect left = arrows_.draw_key(canvas, dc, scale_in(own));
-    colors_.draw_key(canvas, {left, dc.unit, dc.theme, dc.disks});
+    DrawContext left{arrows_.draw_key(canvas, dc, scale_in(own)), dc.unit, dc.theme, dc.disks};
+    if (field_.shown()) {
+        DrawContext lower = left;
+        left.area.height = colors_.key_height(left);
+        const double taken = left.area.height > 0.0 ? left.area.height + 1.2 * dc.unit : 0.0;
+        lower.area = {lower.area.x, lower.area.y + taken, lower.area.width,
+                      lower.area.height - taken};
+        field_.draw_key(canvas, lower, scale_in(own));
+        if (taken == 0.0) return;
+    }
+    colors_.draw_key(canvas, left);
 }
 
 void ParticlePanel::share_scales(ParticlePanel& other) {
     colors_.add_survey(other.colors_);
     arrows_.add_survey(other.arrows_);
+    field_.add_survey(other.field_);
     fix_axes();
     other.fix_axes();
     other.colors_.take_scale(colors_);
     other.arrows_.take_scale(arrows_);
+    other.field_.take_scale(field_);
 }
 
 void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
@@ -42,6 +53,7 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.rings = spotlights_.rings(input.tick);
     state.callouts = callouts_.at(input.tick);
     if (camera_.moves()) state.view = camera_.next();
+    state.field = field_.see(input);
 }
 
 void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, const Rect& part,

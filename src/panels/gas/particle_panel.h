@@ -1,11 +1,12 @@
 // What the box of a plane and the line have in common: the colours of particles, the arrows of
-// their velocities, marks and flashes, and the rows of their table.
+// their velocities, marks and flashes, a field, and the rows of their table.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "panels/field/field_layer.h"
 #include "panels/gas/callouts.h"
 #include "panels/gas/camera.h"
 #include "panels/gas/flashes.h"
@@ -29,12 +30,14 @@ struct ParticleState : PanelState {
     std::vector<float> light;  ///< how much of its colour each particle keeps; empty: all
     std::vector<Spotlights::Ring> rings;
     std::vector<Callouts::Present> callouts;
-    std::optional<CameraView> view;  ///< none: the whole box
+    std::optional<CameraView> view;           ///< none: the whole box
+    std::shared_ptr<const FieldState> field;  ///< null: none
 
     std::size_t bytes() const override {
         return (static_cast<std::size_t>(place.size() + velocity.size()) + light.size()) *
                    sizeof(float) +
-               shades.size() * sizeof(std::uint16_t);
+               shades.size() * sizeof(std::uint16_t) +
+               (field ? (field->values.size() + field->up.size()) * sizeof(float) : 0);
     }
 
     /// A colour as it is seen of a particle, over a ground.
@@ -46,10 +49,11 @@ struct ParticleState : PanelState {
 
 class ParticlePanel : public Panel {
   public:
-    bool surveys_collisions() const override { return flashes_.asked(); }
+    bool surveys_collisions() const override { return flashes_.asked() || field_.shown(); }
     void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
 
-    /// fix_axes() of the boxes of two runs: with one scale of colours, and one of arrows.
+    /// fix_axes() of the boxes of two runs: with one scale of colours, one
+    /// of arrows and one of a field.
     void share_scales(ParticlePanel& other);
 
   protected:
@@ -62,7 +66,8 @@ class ParticlePanel : public Panel {
           flashes_(context),
           spotlights_(context),
           camera_(context, view),
-          callouts_(context) {}
+          callouts_(context),
+          field_(context) {}
 
     /// Pixels of a length.
     virtual double scale_in(const DrawContext& own) const = 0;
@@ -85,6 +90,7 @@ class ParticlePanel : public Panel {
     Spotlights spotlights_;
     Camera camera_;
     Callouts callouts_;
+    FieldLayer field_;
 };
 
 /// What a view of a part of the box needs, over the picture: a small map of the whole box with the

@@ -12,10 +12,11 @@
 namespace carom {
 namespace {
 
-constexpr Eigen::Index few = 10;       // particles: none of their arrows is cut
-constexpr double fast = 0.98;          // of all speeds are slower, where there are many
-constexpr double beyond_a_wall = 0.7;  // units, that an arrow may reach
-constexpr double key_height = 3.6;     // units
+constexpr Eigen::Index few = 10;          // particles: none of their arrows is cut
+constexpr double fast = 0.98;             // of all speeds are slower, where there are many
+constexpr double beyond_a_wall = 0.7;     // units, that an arrow may reach
+constexpr double key_height = 3.6;        // units
+constexpr Eigen::Index most_arrows = 80;  // arrows: more are a thicket
 
 // The largest of 1, 2 and 5 times a power of ten that is not above `most`.
 double round_down(double most) {
@@ -44,6 +45,11 @@ ArrowStyle VelocityArrows::style(const DrawContext& dc, double scale, Color grou
             .edge = std::max(0.8, 0.08 * size),
             .color = dc.theme.ink,
             .edge_color = ground};
+}
+
+// No choice by species or by place: neighbours in the list are anywhere.
+Eigen::Index VelocityArrows::apart() const {
+    return std::max<Eigen::Index>(1, (context_.particles.count() + most_arrows - 1) / most_arrows);
 }
 
 void VelocityArrows::survey(const FrameInput& input) {
@@ -100,14 +106,18 @@ Rect VelocityArrows::draw_key(Canvas& canvas, const DrawContext& dc, double scal
     if (!shown() || reach_ <= 0.0) return above;
     const double u = dc.unit;
     const double speed = round_down(std::min(fast_, dc.area.width / (reach_ * scale)));
-    const double y = dc.area.bottom() - 0.6 * u;
+    const double below = apart() > 1 ? 1.5 * u : 0.0, y = dc.area.bottom() - 0.6 * u - below;
     draw_arrow(canvas, {dc.area.x, y}, {dc.area.x + speed * reach_ * scale, y},
                style(dc, scale, dc.theme.page));
     const std::string number = plain_number(context_.language(), speed);
     std::string words = say(context_.language(), "speed {}", number);
     if (measure_text(words, label_style(dc)).width > dc.area.width) words = "<i>v</i> = " + number;
     draw_text(canvas, {dc.area.x, y - 0.9 * u}, words, label_style(dc));
-    above.height = std::max(u, above.height - key_height * u);
+    above.height = std::max(u, above.height - key_height * u - below);
+    if (apart() > 1) {
+        const std::string some = say(context_.language(), "of 1 in {}", apart());
+        draw_text(canvas, {dc.area.x, y + 1.3 * u}, some, label_style(dc));
+    }
     return above;
 }
 

@@ -41,6 +41,9 @@ class VelocityArrows {
 
     void archive(auto& archive) { archive(fast_, reach_); }
 
+    /// Whether a particle has an arrow: of many only some, evenly chosen, the same in every frame.
+    bool is_drawn(Eigen::Index particle) const { return particle % apart() == 0; }
+
     /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or
     /// at the rim where words stand on the disks. `ground` is the colour behind; an arrow of less
     /// `light` fades into it.
@@ -55,6 +58,7 @@ class VelocityArrows {
     Rect draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
 
   private:
+    Eigen::Index apart() const;
     ArrowStyle style(const DrawContext& dc, double scale, Color ground) const;
 
     PanelContext context_;

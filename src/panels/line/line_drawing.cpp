@@ -158,6 +158,7 @@ void LinePanel::Drawing::draw() const {
     draw_reversals();
     canvas.release_clip();
     canvas.clip_to({v.plot.x, dc.area.y, v.plot.width, v.plot.y - dc.area.y});
+    if (now.field) draw_field();
     draw_ghosts();
     draw_beads();
     draw_rings();
@@ -193,6 +194,18 @@ void LinePanel::Drawing::for_each_turn(double least, double most, const Draw& dr
     const double first = is_ring ? std::ceil((least - end) / map.length()) : 0.0;
     const double last = is_ring ? std::floor((most - v.low) / map.length()) : 0.0;
     for (double turn = first; turn <= last; turn += 1.0) draw(turn * map.length());
+}
+
+// A strip behind the beads: cells of the line as it is drawn, which is longer than it is.
+void LinePanel::Drawing::draw_field() const {
+    const double longer = map.length() / context.scene.gas.box.size[0];
+    for_each_turn(0.0, map.length(), [&](double back) {
+        panel.field_.draw(canvas, dc, *now.field, [&](const Region& region) {
+            const double from = v.x(region.low[0] * longer - back);
+            const double to = v.x(region.high[0] * longer - back);
+            return Rect{from, v.line_y - 1.8 * u, to - from, 3.6 * u};
+        });
+    });
 }
 
 void LinePanel::Drawing::draw_lines() const {
@@ -312,6 +325,7 @@ void LinePanel::Drawing::draw_arrows() const {
         {v.plot.x, y - u, v.plot.width, 2.0 * u}, v.scale / v.zoom, {is_ring && !now.view, false}};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < count(); ++i) {
+        if (!panel.arrows_.is_drawn(i)) continue;
         const auto velocity = static_cast<double>(now.velocity(i, 0));
         const double row = (velocity > 0.0 ? -0.5 : 0.5) * arrows_apart * u;
         const double light = now.light.empty() ? 1.0 : double(now.light[std::size_t(i)]);

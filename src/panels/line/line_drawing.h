@@ -78,6 +78,7 @@ struct LinePanel::Drawing {
     void draw_line(std::size_t line, std::optional<Color> one, double width) const;
     void draw_band(std::size_t line) const;
     void draw_reversals() const;
+    void draw_field() const;
     void draw_ghosts() const;
     void draw_beads() const;
     void draw_flashes() const;

@@ -28,6 +28,7 @@ void LinePanel::survey(const FrameInput& input) {
     arrows_.survey(input);
     ends_.survey(input);
     camera_.survey(input);
+    field_.survey(input);
     survey_places(input);
     const CollisionCounts& counts = input.advanced.counts;
     bends_.push_back(
@@ -69,6 +70,7 @@ double LinePanel::usual_rate() const {
 void LinePanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
+    field_.fix_scale();
     camera_.fix_way({{0.0, 0.0}, context_.scene.gas.box.size});
     const double length = map_->length();
     const double spacing = length / static_cast<double>(context_.particles.count());
@@ -84,7 +86,7 @@ void LinePanel::fix_axes() {
 }
 
 void LinePanel::archive(Archive& archive) {
-    archive(colors_, arrows_, flashes_, map_, memory_, ends_, camera_, callouts_);
+    archive(colors_, arrows_, flashes_, map_, memory_, ends_, camera_, callouts_, field_);
     if (archive.is_reading()) lines_.emplace(context_, *map_, colors_, memory_);
 }
 
@@ -107,11 +109,13 @@ std::shared_ptr<const PanelState> LinePanel::state(const FrameInput& input) {
 }
 
 std::string LinePanel::account(const PanelState& state) const {
+    const auto& now = static_cast<const State&>(state);
     std::vector<SurfaceState> states;
-    for (const LineEnds::End& end : static_cast<const State&>(state).ends)
-        states.push_back(end.state);
+    for (const LineEnds::End& end : now.ends) states.push_back(end.state);
     if (!states.empty()) states.resize(4);
-    return words_at_present(context_.language(), context_.scene.gas, states);
+    const std::string words = words_at_present(context_.language(), context_.scene.gas, states);
+    if (!now.field) return words;
+    return words + (words.empty() ? "" : " ") + field_.account(*now.field);
 }
 
 // Masses that differ are shown unasked.
@@ -130,6 +134,7 @@ Table LinePanel::table(const PanelState& state, const Theme& theme) const {
                  column_name("time", reduced::time),
                  column_name("radius as drawn", reduced::length), "colour", "label"}};
     if (arrows_.shown()) table.columns.push_back(column_name("velocity", reduced::speed));
+    field_.add_columns(table);
     const std::vector<Color> colors = colors_.of_shades(theme);
     const auto color = [&](std::uint16_t shade) { return hex_of(colors[shade % colors.size()]); };
     for (Eigen::Index i = 0; i < now.place.rows(); ++i) {
@@ -150,6 +155,7 @@ Table LinePanel::table(const PanelState& state, const Theme& theme) const {
             add_row(table, "mark", i,
                     {now.ghosts->place(i, 0), now.time, map_->radius(i), hex_of(theme.muted),
                      now.ghosts->words});
+    if (now.field) field_.add_rows(table, *now.field, 3, {});
     return table;
 }
 

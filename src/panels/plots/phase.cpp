@@ -61,6 +61,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
                         points.push_back({corner.place[0], up});
                 return points;
             },
+        .fades = true,
         .breaks_across = 0.5 * box.size[axis],
         .columns = {column_name(std::string(position.english), reduced::length),
                     column_name(std::string(velocity.english), reduced::speed)}};

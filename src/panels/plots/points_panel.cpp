@@ -163,10 +163,31 @@ plot::Plot PointsPanel::plot(const PanelState* state) const {
                        .halo = has_path ? 0.12 : 0.0};  // its own path and others' end before it
         now.layers.emplace_back(std::move(points));
         if (k >= lines_.size()) continue;
-        now.layers.emplace_back(lines_[k]);
-        std::get<plot::Line>(now.layers.back()).shown = paths_[k].until(shown.shown);
+        add_path(now, k, shown.shown);
     }
     return now;
+}
+
+// One that fades lies there whole and faint, and over it what is recent, ever stronger.
+void PointsPanel::add_path(plot::Plot& now, std::size_t set, std::size_t frames) const {
+    constexpr double faintest = 0.8;
+    constexpr std::size_t steps = 4, frames_of_all = 300;
+    const Path& path = paths_[set];
+    plot::Line line = lines_[set];
+    line.shown = path.until(frames);
+    if (!subject_.fades || path.ends.empty())
+        return now.layers.emplace_back(std::move(line)), void();
+    line.stroke.fade = faintest;
+    now.layers.emplace_back(line);
+    line.part.clear();  // listed once
+    for (std::size_t k = 1; k <= steps; ++k) {
+        const std::size_t recent = frames_of_all * (steps + 1 - k) / steps;
+        const std::size_t from = std::min(frames, path.ends.size());
+        if (from > recent)
+            line.shown.first = std::max(line.shown.first, path.ends[from - recent - 1]);
+        line.stroke.fade = faintest * (1.0 - double(k) / steps);
+        now.layers.emplace_back(line);
+    }
 }
 
 }  // namespace carom

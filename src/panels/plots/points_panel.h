@@ -30,6 +30,7 @@ struct PointsSubject {
     std::function<std::vector<Point>(const FrameInput&, std::size_t set)>
         corners;  ///< of the path of a set of one, on the way from the frame before, in order;
                   ///< every frame in order; none: paths have no corners but at frames
+    bool fades = false;          ///< the older parts of paths, so that the recent ones are seen
     bool never_equal = false;    ///< the two numbers: a line where they would be is drawn
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
     double breaks_up = 0.0;      ///< 0: none does
@@ -60,6 +61,7 @@ class PointsPanel : public PlotPanel {
     };
     std::vector<int> pieces_of(const Path& path) const;
     plot::Line line_of(std::size_t set) const;
+    void add_path(plot::Plot& now, std::size_t set, std::size_t frames) const;
     void make_plot();
 
     PointsSubject subject_;

@@ -86,6 +86,11 @@ void SurfaceView::draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap&
     brush.draw_gravity();
 }
 
+void SurfaceView::draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                                 const std::vector<SurfaceState>& states) const {
+    if (!plain_) Brush{*this, canvas, dc, map, states}.draw_obstacles();
+}
+
 void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                   const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};

@@ -54,6 +54,8 @@ class SurfaceView {
     /// Fills the room, and draws its outline and what stands in it; not for a plain box.
     void draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                    const std::vector<SurfaceState>& states) const;
+    void draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                        const std::vector<SurfaceState>& states) const;
     void draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                          const std::vector<SurfaceState>& states) const;
     /// What is outside of the room, and what is written on surfaces.

@@ -265,7 +265,8 @@ std::vector<Binding<Film>> overlay_keys() {
             bind_key("camera", &Film::camera, camera_notation(),
                      "The camera goes over to a part of the box, to a particle that it follows, "
                      "and back. A small map and a bar of a round length say where it is.")
-                .default_text("the whole box")};
+                .default_text("the whole box"),
+            field_key()};
 }
 
 std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,

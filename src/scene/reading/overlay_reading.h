@@ -25,6 +25,12 @@ struct CalloutDraft : Callout {
     const Node* on_node = nullptr;
 };
 
+/// What a field or a profile shows; a profile knows no shares of species.
+Notation<FieldOf> quantity_notation(bool with_shares);
+
+/// The key of a film's field.
+Binding<Film> field_key();
+
 /// The keys of a film that lay something over the gas, but for callouts.
 std::vector<Binding<Film>> overlay_keys();
 Notation<std::vector<CalloutDraft>> callouts_notation();

@@ -252,7 +252,8 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
         bind_key("theory", &PanelSpec::theory, flag(),
                  "Whether to draw the equilibrium curve of this finite mixture, if it has an "
                  "equilibrium; `true` is an error where it has none. For return distances, the law "
-                 "by which they grow for equal disks.")
+                 "by which they grow for equal disks; for a density in gravity, that of an ideal "
+                 "gas of as many particles.")
             .only_with(kinds_that_can(kinds, Ability::theory))};
     return joined<PanelSpec>(what, over, component, bar_keys(kinds), theory, own_keys(kinds));
 }
@@ -285,13 +286,14 @@ void complete_over(PanelSpec& panel, PanelKinds kinds, const Gas& gas) {
 
 Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
     const Notation<std::string> names = film_kinds(kinds);
-    const Binding<PanelSpec> over = bind_key("over", &PanelSpec::over, over_notation(),
-                                             "Values at present, their mean since time 0, or their "
-                                             "mean over a time before the present.")
-                                        .default_text(
-                                            "now; since the start for the pressure, and for "
-                                            "histograms of fewer than ten particles")
-                                        .only_with(kinds_that_can(kinds, Ability::over));
+    const Binding<PanelSpec> over =
+        bind_key("over", &PanelSpec::over, over_notation(),
+                 "Values at present, their mean since time 0, or their "
+                 "mean over a time before the present.")
+            .default_text(
+                "now; since the start for the pressure, and for "
+                "histograms of fewer than ten particles; a tenth of the run for profiles")
+            .only_with(kinds_that_can(kinds, Ability::over));
     const Binding<PanelSpec> show =
         bind_key("show", &PanelSpec::show, show_notation(),
                  "When the panel is there; it comes and goes within half a second, and its place "

@@ -1,0 +1,110 @@
+// A quantity in the cells of a box, under its particles: density, temperature, mean speed, flow or
+// the share of a species. Averages are by exact times of residence; its scale is one for the whole
+// film. Knows no particles' places on the picture.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "panels/field/color_bar.h"
+#include "panels/panel.h"
+#include "stats/cell_averages.h"
+
+namespace carom {
+
+/// Cells with fewer particles on average show nothing.
+inline constexpr double least_in_cell = 3.0;
+
+/// What is known of a quantity: its name in pictures, and its unit in tables.
+std::string name_of_quantity(const Scene& scene, FieldOf of, std::optional<std::size_t> species);
+std::string unit_of_quantity(const Scene& scene, FieldOf of);
+
+/// Follows a quantity in cells.
+class CellQuantity {
+  public:
+    CellQuantity(const PanelContext& context, const Cells& cells, FieldOf of,
+                 std::optional<std::size_t> species, std::optional<double> window,
+                 const std::vector<bool>& members = {});
+
+    /// Every frame in order, with the collisions on the way.
+    void see(const FrameInput& input);
+
+    /// Of each cell; of the flow along one axis, which the others ignore. NaN in cells with too few
+    /// particles.
+    Eigen::ArrayXd values(Eigen::Index axis = 0) const;
+
+  private:
+    FieldOf of_;
+    double area_;
+    CellAverages all_;
+    std::optional<CellAverages> part_;  ///< of the species whose share it is
+};
+
+/// What a field shows in one frame.
+struct FieldState {
+    std::vector<float> values;  ///< of each cell, NaN where it is clear; of a flow along x
+    std::vector<float> up;      ///< of a flow along y
+};
+
+class FieldLayer {
+  public:
+    explicit FieldLayer(const PanelContext& context);
+
+    bool shown() const { return field_.has_value(); }
+
+    /// First pass, every frame in order; then fix_scale().
+    void survey(const FrameInput& input);
+    void fix_scale();
+
+    /// Of two runs that share a scale, as those of GasColors.
+    void add_survey(const FieldLayer& other);
+    void take_scale(const FieldLayer& from) { scale_ = from.scale_; }
+
+    void archive(auto& archive) { archive(scale_, is_clear_somewhere_); }
+
+    /// Second pass, every frame in order; null without a field.
+    std::shared_ptr<const FieldState> see(const FrameInput& input);
+
+    /// Draws a state; `place` gives the rectangle on the canvas of a region of the box.
+    void draw(Canvas& canvas, const DrawContext& dc, const FieldState& state,
+              const std::function<Rect(const Region&)>& place) const;
+
+    /// Draws what it means into the area.
+    void draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
+
+    /// Adds columns to a table, and a row for each cell; x and y are its columns of these numbers.
+    void add_columns(Table& table) const;
+    void add_rows(Table& table, const FieldState& state, std::size_t x,
+                  std::optional<std::size_t> y) const;
+
+    /// What it shows, in a sentence; empty without a field.
+    std::string account(const FieldState& state) const;
+
+    /// For tests.
+    const ColorScale& scale() const { return scale_; }
+    const Cells& cells() const { return cells_; }
+
+  private:
+    bool is_flow() const { return field_->of == FieldOf::flow; }
+    ColorMap colors(const Theme& theme) const;
+    double reach(double scale) const;  ///< pixels of an arrow, of a speed
+    void draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, Point velocity,
+                   double reach) const;
+
+    PanelContext context_;
+    const std::optional<Field>& field_;
+    Cells cells_;
+    std::optional<CellQuantity> surveyed_, shown_;
+    std::vector<double> pool_;
+    int frames_seen_ = 0;
+    ColorScale scale_;  ///< of a flow, of its speed: the longest arrow
+    bool is_clear_somewhere_ = false;
+};
+
+/// What a film's field shows, in a sentence; empty without one.
+std::string words_of_field(const Scene& scene);
+
+}  // namespace carom

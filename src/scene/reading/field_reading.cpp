@@ -1,0 +1,78 @@
+// The key of a film's field.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/limits.h"
+#include "scene/reading/overlay_reading.h"
+#include "scene/words.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct FieldDraft : Field {
+    std::string name;  // of a species
+};
+
+// A share is that of a species.
+std::optional<Field> field_of(const FieldDraft& draft, const Node& node, Reading& reading) {
+    Field field = draft;
+    const Node* named = given(node, "species");
+    const bool is_share = field.of == FieldOf::concentration;
+    const std::vector<Species>& all = reading.gas.species;
+    const std::string example =
+        all.empty() ? "species: NAME" : fmt::format("species: {}", all.back().name);
+    if (is_share && named == nullptr && find(node, "species") == nullptr)
+        reading.errors.add(node, "a `concentration` is that of a species: `species` is missing",
+                           "for instance {of: concentration, " + example + "}");
+    if (!is_share && named != nullptr)
+        reading.errors.add(*named, "`species` applies to `of: concentration` only");
+    if (!is_share || named == nullptr) return field;
+    const auto found = std::ranges::find(all, draft.name, &Species::name);
+    if (found == all.end()) {
+        reading.errors.add(*named, fmt::format("there is no species {}", in_quotes(draft.name)),
+                           "give a name from `gas`, for instance " + example);
+        return std::nullopt;
+    }
+    field.species = static_cast<std::size_t>(found - all.begin());
+    return field;
+}
+
+}  // namespace
+
+Notation<FieldOf> quantity_notation(bool with_shares) {
+    return with_shares ? one_of<FieldOf>()
+                       : one_of<FieldOf>({{"density", FieldOf::density},
+                                          {"temperature", FieldOf::temperature},
+                                          {"speed", FieldOf::speed},
+                                          {"flow", FieldOf::flow}});
+}
+
+Binding<Film> field_key() {
+    const KeyTable<FieldDraft> table{
+        .name = "`field`",
+        .keys = {bind_key("of", &FieldDraft::of, quantity_notation(true),
+                          "What it shows: the number of particles in a unit of area, the "
+                          "temperature of their motion about the mean velocity of the cell, their "
+                          "mean speed, their mean velocity as arrows, or the share of a species.")
+                     .required(),
+                 bind_key("species", &FieldDraft::name, text(1, most_name_letters),
+                          "The species whose share it is, with `of: concentration`.")
+                     .default_text("required for a concentration"),
+                 bind_key("cells", &FieldDraft::cells, whole(2, most_field_cells),
+                          "How many cells are along the longer side of the box."),
+                 bind_key("over", &FieldDraft::over, number(positive),
+                          "The simulated time before the present that it is averaged over, by "
+                          "exact times of residence."),
+                 bind_key("opacity", &FieldDraft::opacity, number({0.1, {1.0}}),
+                          "How much its colours cover the ground.")}};
+    const auto made =
+        parsed(complete_mapping(table, "{of: density, cells: 20, over: 1}"), field_of);
+    return bind_key("field", &Film::field, made,
+                    "A quantity in square cells, drawn under the particles, which are outlines "
+                    "then. Cells with fewer than three particles on average are blank.")
+        .default_text("none");
+}
+
+}  // namespace carom

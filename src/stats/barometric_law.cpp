@@ -1,0 +1,88 @@
+#include "stats/barometric_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+constexpr int steps = 512;            // of heights
+constexpr double scale_heights = 20;  // beyond which nothing is left
+
+// Of an exponential that ends at `a`: its mean, its variance, and the logarithm of its integral
+// over `a`.
+double mean_of(double a) { return a < 1e-4 ? 0.5 * a : 1.0 - a / std::expm1(a); }
+double variance_of(double a) {
+    if (a < 1e-2) return a * a / 12.0;
+    const double s = 2.0 * std::sinh(0.5 * std::min(a, 200.0));
+    return 1.0 - a * a / (s * s);
+}
+double log_integral_of(double a) { return a < 1e-9 ? 0.0 : std::log(-std::expm1(-a) / a); }
+
+// All but the height of one particle.
+struct Others {
+    double freedoms, gravity;
+    std::vector<FallingKind> kinds;
+
+    // The sum over all particles of a function of m g height / T.
+    double sum(double b, double (*function)(double)) const {
+        double all = 0.0;
+        for (const FallingKind& one : kinds)
+            all += one.count * function(b * one.mass * gravity * one.height);
+        return all;
+    }
+
+    // The logarithm of their volume of phase space at an energy, but for a constant: at the saddle
+    // point b, where their mean energy is that.
+    double log_volume(double energy) const {
+        if (!(energy > 0.0)) return -std::numeric_limits<double>::infinity();
+        const auto excess = [&](double b) {
+            return energy - (0.5 * freedoms + sum(b, mean_of)) / b;
+        };
+        double low = 1e-3 / energy, high = 1.0 / energy;
+        while (excess(low) > 0.0) low *= 0.5;
+        while (excess(high) < 0.0) high *= 2.0;
+        for (int step = 0; step < 100; ++step) {
+            const double middle = std::sqrt(low * high);
+            (excess(middle) < 0.0 ? low : high) = middle;
+        }
+        const double b = high, capacity = 0.5 * freedoms + sum(b, variance_of);
+        return b * energy - 0.5 * freedoms * std::log(b) + sum(b, log_integral_of) -
+               0.5 * std::log(capacity / (b * b));
+    }
+};
+
+}  // namespace
+
+BarometricLaw::BarometricLaw(double freedoms, double energy, double gravity,
+                             const std::vector<FallingKind>& kinds, std::size_t kind) {
+    Others others{freedoms, gravity, kinds};
+    others.kinds[kind].count -= 1.0;
+    const double weight = kinds[kind].mass * gravity;
+    // A column may be much higher than any particle comes; T is not above this.
+    const double temperature = 2.0 * energy / freedoms;
+    const double height =
+        std::min({kinds[kind].height, energy / weight, scale_heights * temperature / weight});
+    step_ = height / steps;
+    const double most = others.log_volume(energy);
+    const auto density = [&](double h) {
+        return std::exp(others.log_volume(energy - weight * h) - most);
+    };
+    below_.push_back(0.0);
+    double last = density(0.0);
+    for (int k = 0; k < steps; ++k) {  // by Simpson's rule
+        const double middle = density((k + 0.5) * step_), next = density((k + 1.0) * step_);
+        below_.push_back(below_.back() + (last + 4.0 * middle + next) / 6.0);
+        last = next;
+    }
+    for (double& share : below_) share /= below_.back();
+}
+
+double BarometricLaw::share_below(double height) const {
+    const double at = std::clamp(height / step_, 0.0, double(steps));
+    const auto k = std::min<std::size_t>(static_cast<std::size_t>(at), steps - 1);
+    return std::lerp(below_[k], below_[k + 1], at - double(k));
+}
+
+}  // namespace carom

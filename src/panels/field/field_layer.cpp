@@ -38,34 +38,36 @@ Cells cells_of(const PanelContext& context) {
     return scene.film.field ? square_cells(scene.gas.box, scene.film.field->cells) : Cells{};
 }
 
-std::string size_of_cells(const Box& box, const Cells& cells) {
-    if (box.dimension == 1) return "cells of length " + plain_number(cells.size[0]);
-    return fmt::format("cells of {} by {}", plain_number(cells.size[0]),
-                       plain_number(cells.size[1]));
+std::string size_of_cells(Language language, const Box& box, const Cells& cells) {
+    const std::string width = plain_number(language, cells.size[0]);
+    if (box.dimension == 1) return say(language, "cells of length {}", width);
+    return say(language, "cells of {} by {}", width, plain_number(language, cells.size[1]));
 }
 
 // Where there is little room.
 std::string short_name(const Scene& scene, const Field& field) {
     if (field.of == FieldOf::temperature) return "T";
-    if (field.of == FieldOf::speed) return "speed";
+    const Language language = scene.film.language;
+    if (field.of == FieldOf::speed) return say(language, "speed");
     return field.species ? scene.gas.species[*field.species].name
-                         : name_of_quantity(scene, field.of, {});
+                         : name_of_quantity(language, scene, field.of, {});
 }
 
 }  // namespace
 
-std::string name_of_quantity(const Scene& scene, FieldOf of, std::optional<std::size_t> species) {
+std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
+                             std::optional<std::size_t> species) {
     switch (of) {
         case FieldOf::density:
-            return "density";
+            return say(language, "density");
         case FieldOf::temperature:
-            return "temperature";
+            return say(language, "temperature");
         case FieldOf::speed:
-            return "mean speed";
+            return say(language, "mean speed");
         case FieldOf::flow:
-            return "flow";
+            return say(language, "flow");
         case FieldOf::concentration:
-            return "share of " + scene.gas.species[species.value_or(0)].name;
+            return say(language, "share of {}", scene.gas.species[species.value_or(0)].name);
     }
     return "";
 }
@@ -129,7 +131,8 @@ Eigen::ArrayXd CellQuantity::values(Eigen::Index axis) const {
 FieldLayer::FieldLayer(const PanelContext& context)
     : context_(context), field_(context.scene.film.field), cells_(cells_of(context)) {
     if (!field_) return;
-    scale_.title = name_of_quantity(context.scene, field_->of, field_->species);
+    scale_.language = context.language();
+    scale_.title = name_of_quantity(context.language(), context.scene, field_->of, field_->species);
     surveyed_.emplace(context_, cells_, field_->of, field_->species, field_->over);
     shown_ = surveyed_;
 }
@@ -225,7 +228,8 @@ void FieldLayer::draw_key(Canvas& canvas, const DrawContext& dc, double scale) c
     if (measure_text(escape_markup(named.title), label_style(dc)).width > area.width)
         named.title = short_name(context_.scene, *field_);
     if (is_clear_somewhere_) {
-        const std::vector<std::string> lines = wrapped("blank: fewer than 3", style, 3);
+        const std::vector<std::string> lines =
+            wrapped(say(context_.language(), "blank: fewer than 3"), style, 3);
         const double height = 1.35 * u * static_cast<double>(lines.size());
         double y = area.bottom() - height + 1.2 * u;
         for (const std::string& line : lines) {
@@ -248,7 +252,9 @@ void FieldLayer::add_columns(Table& table) const {
     if (!shown()) return;
     const std::string unit = unit_of_quantity(context_.scene, field_->of);
     if (!is_flow() || context_.scene.gas.box.dimension == 1)
-        return table.columns.push_back(column_name(scale_.title, unit));
+        return table.columns.push_back(column_name(
+            name_of_quantity(Language::english, context_.scene, field_->of, field_->species),
+            unit));
     for (const char* name : {"flow x", "flow y"}) table.columns.push_back(column_name(name, unit));
 }
 
@@ -276,22 +282,25 @@ std::string FieldLayer::account(const FieldState& state) const {
             values.push_back(state.up.empty() ? double(state.values[k])
                                               : double(std::hypot(state.values[k], state.up[k])));
     std::string words = words_of_field(context_.scene);
-    if (values.empty()) return words + ". All cells are blank.";
+    const Language language = context_.language();
+    if (values.empty()) return words + ". " + say(language, "All cells are blank.");
     const auto [low, high] = std::ranges::minmax(values);
-    return fmt::format("{}. {} from {} to {}.", words,
-                       is_flow() ? "Its speed is" : "The values are", three_digits(low),
-                       three_digits(high));
+    const std::string least = three_digits(language, low), most = three_digits(language, high);
+    return words + ". " +
+           (is_flow() ? say(language, "Its speed is from {} to {}.", least, most)
+                      : say(language, "The values are from {} to {}.", least, most));
 }
 
 std::string words_of_field(const Scene& scene) {
     const std::optional<Field>& field = scene.film.field;
     if (!field) return "";
     const Cells cells = square_cells(scene.gas.box, field->cells);
-    return fmt::format(
-        "{} the {} in {}, averaged over {}; cells with fewer than 3 particles are blank",
-        field->of == FieldOf::flow ? "Arrows show" : "Colours show",
-        name_of_quantity(scene, field->of, field->species), size_of_cells(scene.gas.box, cells),
-        plain_number(field->over));
+    const Language language = scene.film.language;
+    return say(language,
+               "Field: {}, in {}, averaged over a time of {}; cells with fewer than 3 particles "
+               "are blank",
+               name_of_quantity(language, scene, field->of, field->species),
+               size_of_cells(language, scene.gas.box, cells), plain_number(language, field->over));
 }
 
 }  // namespace carom

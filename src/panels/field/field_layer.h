@@ -18,8 +18,9 @@ namespace carom {
 /// Cells with fewer particles on average show nothing.
 inline constexpr double least_in_cell = 3.0;
 
-/// What is known of a quantity: its name in pictures, and its unit in tables.
-std::string name_of_quantity(const Scene& scene, FieldOf of, std::optional<std::size_t> species);
+/// What is known of a quantity: its name, and its unit in tables.
+std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
+                             std::optional<std::size_t> species);
 std::string unit_of_quantity(const Scene& scene, FieldOf of);
 
 /// Follows a quantity in cells.

@@ -43,10 +43,10 @@ std::optional<double> window_of(const Over& over) {
     return over.since == Over::Since::now ? 0.0 : over.window;
 }
 
-std::string time_words(const Over& over) {
-    if (over.since == Over::Since::now) return "now";
-    if (over.since == Over::Since::start) return "mean since the start";
-    return "mean over the last " + plain_number(over.window);
+std::string time_words(Language language, const Over& over) {
+    if (over.since == Over::Since::now) return say(language, "now");
+    if (over.since == Over::Since::start) return say(language, "mean since the start");
+    return say(language, "mean over the last {}", plain_number(language, over.window));
 }
 
 // Energy is kept, and nothing but gravity and walls acts.
@@ -212,9 +212,11 @@ void ProfilePanel::archive(Archive& archive) {
 
 std::vector<plot::Text> ProfilePanel::titles() const {
     if (spec_.title) return {escape_markup(*spec_.title)};
-    std::string name = name_of_quantity(context_.scene, spec_.quantity, {});
+    const Language language = context_.language();
+    std::string name = name_of_quantity(language, context_.scene, spec_.quantity, {});
+    if (context_.scene.gas.box.dimension == 2)
+        name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    if (context_.scene.gas.box.dimension == 2) name += is_up() ? " along y" : " along x";
     if (spec_.of.empty()) return {name};
     const plot::Text names = names_of(context_, choices_, plot::Sample::line);
     return {name + ": " + names, names};
@@ -240,7 +242,7 @@ plot::Line ProfilePanel::line_of(std::size_t choice, const Eigen::ArrayXd& value
     }
     plot::Line line;
     line.part = part;
-    line.of = name_of(context_.scene, choices_[choice]);
+    line.of = column_name_of(context_.scene, choices_[choice]);
     line.x = plot::column(whole_.columns[1], is_up() ? up : along);
     line.y = plot::column(whole_.columns[2], is_up() ? along : up);
     line.piece = std::make_shared<const std::vector<int>>(std::move(piece));
@@ -251,11 +253,15 @@ plot::Line ProfilePanel::line_of(std::size_t choice, const Eigen::ArrayXd& value
 
 void ProfilePanel::make_plot() {
     const Scene& scene = context_.scene;
-    const std::string quantity = name_of_quantity(scene, spec_.quantity, {});
+    const Language language = context_.language();
+    const std::string quantity = name_of_quantity(Language::english, scene, spec_.quantity, {});
     const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
     const double low = spec_.quantity == FieldOf::flow ? -top_ : 0.0;
-    plot::Axis places{.title = place, .low = 0.0, .high = cells_.box[axis_]};
-    plot::Axis values{.title = quantity, .low = low, .high = top_};
+    plot::Axis places{.title = scene.gas.box.dimension == 1 ? say(language, "position") : place,
+                      .low = 0.0,
+                      .high = cells_.box[axis_]};
+    plot::Axis values{
+        .title = name_of_quantity(language, scene, spec_.quantity, {}), .low = low, .high = top_};
     const std::string of_place = column_name(place, reduced::length);
     const std::string of_value = column_name(quantity, unit_of_quantity(scene, spec_.quantity));
     whole_ = {.titles = titles(),
@@ -267,8 +273,9 @@ void ProfilePanel::make_plot() {
     const plot::Stroke of_law{.role = {.of = is_one ? Role::Of::accent : Role::Of::muted},
                               .dashes = is_one ? std::vector<double>{} : std::vector{0.5}};
     plot::Note note{.wraps = true};
-    note.entries.push_back({.words = {plot::Text(time_words(over_))}});
-    if (!laws_.empty()) note.entries.push_back({.sample = of_law, .words = {"ideal gas"}});
+    note.entries.push_back({.words = {plot::Text(time_words(language, over_))}});
+    if (!laws_.empty())
+        note.entries.push_back({.sample = of_law, .words = {say(language, "ideal gas")}});
     whole_.notes.push_back(std::move(note));
     for (std::size_t k = 0; k < laws_.size(); ++k) {
         plot::Line law = line_of(
@@ -315,12 +322,13 @@ plot::Plot ProfilePanel::plot(const PanelState* state) const {
         if (!known.any()) continue;
         constexpr double infinite = std::numeric_limits<double>::infinity();
         if (!now.account.empty()) now.account += " ";
-        now.account += fmt::format(
-            "The {} of {} along {}, {}, is between {} and {}.",
-            name_of_quantity(context_.scene, spec_.quantity, {}),
-            name_of(context_.scene, choices_[k]), is_up() ? "y" : "x", time_words(over_),
-            three_digits(known.select(shown.values[k], infinite).minCoeff()),
-            three_digits(known.select(shown.values[k], -infinite).maxCoeff()));
+        const Language language = context_.language();
+        now.account += say(
+            language, "{} of {} along {}, {}: between {} and {}.",
+            name_of_quantity(language, context_.scene, spec_.quantity, {}),
+            name_of(context_.scene, choices_[k]), is_up() ? "y" : "x", time_words(language, over_),
+            three_digits(language, known.select(shown.values[k], infinite).minCoeff()),
+            three_digits(language, known.select(shown.values[k], -infinite).maxCoeff()));
     }
     return now;
 }

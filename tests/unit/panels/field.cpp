@@ -139,9 +139,10 @@ TEST_CASE("a field is listed and told in words") {
     }
     CHECK(cells == 4);
     const std::string words = first.panels.gas().account(*first.frame.states.front());
-    CHECK(words ==
-          "Colours show the density in cells of 10 by 10, averaged over 0.5; cells with fewer than "
-          "3 particles are blank. The values are from 0.0400 to 0.120.");
+    CHECK(
+        words ==
+        "Field: density, in cells of 10 by 10, averaged over a time of 0.5; cells with fewer than "
+        "3 particles are blank. The values are from 0.0400 to 0.120.");
 }
 
 TEST_CASE("beads on a line have fields too") {

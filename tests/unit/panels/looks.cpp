@@ -244,9 +244,9 @@ TEST_CASE("rows of numbers leave none alone: the last are the longer ones") {
         Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
         scene.film.layout.monitors = Slot{1, 1, 24, 18};
         scene.film.monitors = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
-        const std::vector<std::string> labels{"time",           "collisions",     "mean speed",
-                                              "mean energy",    "slow, < ½ mean", "medium",
-                                              "fast, > 1½ mean"};
+        const std::vector<std::string> labels{
+            "time",   "collisions",        "mean speed", "mean energy", "slow, &lt; ½ mean",
+            "medium", "fast, &gt; 1½ mean"};
         TextLog log;
         const Picture picture(std::move(scene));
         std::map<int, std::size_t> rows;  // labels by the height of their baseline

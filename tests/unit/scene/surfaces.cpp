@@ -238,9 +238,9 @@ TEST_CASE("the description says what surfaces there are and what happens to them
           " The partition “demon” at x = 50 lets particles faster than 2 to the right and "
           "particles slower than 1 to the left through.",
           " An obstacle stands in the box: peg. Gravity pulls down with acceleration 2.",
-          " At time 1: The partition “divider” opens. At time 2: The right wall moves at 3. At "
-          "time 3: The upper wall becomes a piston of mass 5. At time 4: “small” is cooled by an "
-          "energy of 5."}) {
+          " At time 1: The partition “divider” opens. At time 2: The right wall moves at "
+          "velocity 3. At time 3: The upper wall becomes a piston of mass 5. At time 4: “small” "
+          "loses the energy 5."}) {
         CAPTURE(said);
         CAPTURE(part);
         CHECK(said.find(part) != std::string::npos);

@@ -59,9 +59,9 @@ TEST_CASE("a comparison of a set is made from all its scenes, and anew when one 
     CHECK(runs[1].at("overrides") == json{"gas.0.speed=4"});
     CHECK(has(contents(out / "both.csv"), "\n\"second, faster\",bar,all,"));
     const std::string page = contents(out / "set.md");
-    CHECK(page.find("## Ten disks") < page.find("## Side by side"));
-    CHECK(page.find("## Side by side") < page.find("(both.svg)"));
-    CHECK(has(page, "second, faster (10 disks, "));
+    CHECK(page.find("## Ten disks") < page.find("## Comparison"));
+    CHECK(page.find("## Comparison") < page.find("(both.svg)"));
+    CHECK(has(page, "second, faster (“Ten disks”, speed 4; 10 disks, "));
     CHECK(has(figures(folder, {"set.yaml"}).out, "up to date, 2 figures"));
     const std::string before = contents(out / "both.svg");
     std::string slower = ten_disks;

@@ -47,7 +47,6 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"beside_box", several_places},        // a changed value against the scene
     {"beside_elsewhere", several_places},  // the ending and the folder of a name
     {"beside_film", several_places},
-    {"beside_nothing", several_places},
     {"beside_panel", several_places},
     {"beside_value", several_places},
     {"captions_cut", several_places},         // times against the film's length

@@ -26,7 +26,8 @@ Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) 
     if (!format.vector) return FramePainter::blank(scene.film);
     return Canvas({scene.film.size.width, scene.film.size.height}, *format.vector,
                   {scene.title, say(scene.film.language, "The frame at time {}. {}",
-                                    plain_number(scene.film.language, time), scene.description)});
+                                    localised(scene.film.language, fmt::format("{:.4g}", time)),
+                                    scene.description)});
 }
 
 RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWriter& writer,

@@ -269,6 +269,7 @@ void ProfilePanel::make_plot() {
               .y = is_up() ? places : values,
               .columns = {"piece (number)", is_up() ? of_value : of_place,
                           is_up() ? of_place : of_value}};
+    whole_.language = language;
     const bool is_one = choices_.size() == 1;
     const plot::Stroke of_law{.role = {.of = is_one ? Role::Of::accent : Role::Of::muted},
                               .dashes = is_one ? std::vector<double>{} : std::vector{0.5}};
@@ -323,12 +324,13 @@ plot::Plot ProfilePanel::plot(const PanelState* state) const {
         constexpr double infinite = std::numeric_limits<double>::infinity();
         if (!now.account.empty()) now.account += " ";
         const Language language = context_.language();
-        now.account += say(
-            language, "{} of {} along {}, {}: between {} and {}.",
-            name_of_quantity(language, context_.scene, spec_.quantity, {}),
-            name_of(context_.scene, choices_[k]), is_up() ? "y" : "x", time_words(language, over_),
-            three_digits(language, known.select(shown.values[k], infinite).minCoeff()),
-            three_digits(language, known.select(shown.values[k], -infinite).maxCoeff()));
+        const std::string axis = is_up() ? "y" : "x";
+        now.account +=
+            say(language, "{} of {} along {}, {}: between {} and {}.",
+                name_of_quantity(language, context_.scene, spec_.quantity, {}),
+                name_of(context_.scene, choices_[k]), axis, time_words(language, over_),
+                three_digits(language, known.select(shown.values[k], infinite).minCoeff()),
+                three_digits(language, known.select(shown.values[k], -infinite).maxCoeff()));
     }
     return now;
 }

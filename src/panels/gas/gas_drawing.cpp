@@ -111,6 +111,7 @@ struct GasPanel::Drawing {
     void draw_disks() const;
     void draw_infinite() const;
     void draw_arrows() const;
+    bool labels_fit() const;
     void draw_labels() const;
     void draw_trail(std::size_t followed, Point shift) const;
     void draw_followed() const;
@@ -319,10 +320,15 @@ void GasPanel::Drawing::draw_flashes() const {
 }
 
 // Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
-// left out make it look calmer.
+// left out make it look calmer. Labels that are asked for and not there are no mistake of the
+// scene.
 void GasPanel::Drawing::draw_remarks() const {
     double foot = frame.bottom();
     if (draw_remark(canvas, dc, {frame.right(), foot}, frame.width, panel.flashes_.remarks()))
+        foot -= 1.5 * dc.unit;
+    if (!labels_fit() &&
+        draw_remark(canvas, dc, {frame.right(), foot}, frame.width,
+                    {say(panel.context_.language(), "No room for labels on the disks")}))
         foot -= 1.5 * dc.unit;
     const double smallest = radius.minCoeff();
     if (!(smallest * scale < least_radius)) return;
@@ -357,6 +363,15 @@ void GasPanel::Drawing::draw_arrows() const {
             draw_one(pixel(i));
     }
     canvas.release_clip();
+}
+
+// Whether any of the disks has the label that is asked for.
+bool GasPanel::Drawing::labels_fit() const {
+    const Labels asked = scene.film.labels;
+    if (asked == Labels::none) return true;
+    for (Eigen::Index i = 0; i < radius.size(); ++i)
+        if (fitting_words(dc, radius[i] * scale, words_on(panel.context_, i, asked))) return true;
+    return false;
 }
 
 void GasPanel::Drawing::draw_labels() const {

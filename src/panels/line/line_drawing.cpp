@@ -143,8 +143,12 @@ void LinePanel::Drawing::draw_captions() const {
     const double end = left + draw_text(canvas, {left, baseline}, what, words).width;
     const bool larger = map.length() > context.scene.gas.box.size[0];
     words.align = Align::right;
-    const std::string remark = say(language, "beads enlarged for visibility");
-    if (larger && end + u + measure_text(remark, words).width < v.plot.right())
+    const Labels asked = context.scene.film.labels;
+    const bool has_room = asked == Labels::none || words_fit(asked);
+    if (!larger && has_room) return;
+    const std::string remark = has_room ? say(language, "beads enlarged for visibility")
+                                        : say(language, "no room for labels on the beads");
+    if (end + u + measure_text(remark, words).width < v.plot.right())
         draw_text(canvas, {v.plot.right(), baseline}, remark, words);
 }
 

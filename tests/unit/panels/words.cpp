@@ -10,6 +10,7 @@
 #include "support/files.h"
 #include "support/pixels.h"
 #include "support/resources.h"
+#include "support/scene_text.h"
 #include "support/shot.h"
 #include "support/test_root.h"
 
@@ -115,6 +116,25 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
     CHECK(remark("[{name: a, count: 9, radius: 0.02, speed: 1}, {name: b, count: 1, radius: 3}, "
                  "{name: c, count: 5, radius: 0.03}]") ==
           "Disks enlarged for visibility; radii 0.0200 to 0.0300");
+}
+
+TEST_CASE("labels that are asked for and have no room say so") {
+    const auto says_so = [](const std::string& box, const std::string& gas) {
+        const test::Shot film(test::scene_from("title: T\nbox: " + box + "\ngas: [" + gas +
+                                               "]\nrun: {until: 1}\nfilm: {seconds: 0.1, panels: "
+                                               "[], labels: mass}\n"));
+        const TextLog log;
+        FramePainter(*film.panels).paint(film.frames.front());
+        return std::ranges::any_of(log.lines, [](const DrawnLine& line) {
+            return line.markup == "No room for labels on the disks" ||
+                   line.markup == "no room for labels on the beads";
+        });
+    };
+    // 770 pixels for 30: a radius of 2 is 51 pixels, one of 0.2 is 5 and less than a letter.
+    CHECK(says_so("{size: [40, 30]}", "{count: 12, radius: 0.2, speed: 1}"));
+    CHECK_FALSE(says_so("{size: [40, 30]}", "{count: 12, radius: 2, speed: 1}"));
+    CHECK(says_so("{length: 40}", "{count: 12, radius: 0.05, drawn_radius: 0.1, speed: 1}"));
+    CHECK_FALSE(says_so("{length: 40}", "{count: 6, radius: 1.5, speed: 1}"));
 }
 
 TEST_CASE("panels say what they count, compare with and put on their axes") {

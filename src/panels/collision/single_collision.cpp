@@ -1,11 +1,11 @@
-#include "panels/collision/single_collision.h"
-
+// The panel of one collision, in three pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "draw/palette.h"
+#include "panels/collision/collision_stages.h"
 #include "panels/gas/bead_words.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
@@ -13,176 +13,6 @@
 #include "util/text.h"
 
 namespace carom {
-namespace {
-
-constexpr double apart = 1.6;          // distance of the centres before and after, over contact's
-constexpr double longest_arrow = 1.0;  // over the distance at contact
-constexpr double words_above = 1.65, words_below = 1.4;  // units, of each stage
-constexpr double least_of_row = 7.2;        // units, the width of two numbers side by side
-constexpr double height_of_row = 1.25;      // units
-constexpr double least_with_numbers = 6.5;  // units, the height of a stage
-
-bool has_rows_of_numbers(const Rect& stage, double unit) {
-    return stage.width < least_of_row * unit;
-}
-
-// In a low stage the disks take their place.
-bool has_numbers(const Rect& stage, double unit) {
-    return stage.height >= least_with_numbers * unit;
-}
-
-double height_of_numbers(const Rect& stage, double unit) {
-    if (!has_numbers(stage, unit)) return 0.2;
-    return words_below + (has_rows_of_numbers(stage, unit) ? height_of_row : 0.0);
-}
-constexpr double lift_of_arrows = 0.75;  // units, from one row of arrows to the next
-
-using Vector = Eigen::Array2d;
-
-// What stands in one stage, in lengths of the scene, from the centre of mass.
-struct Pose {
-    std::array<Vector, 2> center;
-    std::array<Vector, 2> arrow;  // velocities, or their changes
-};
-
-// The collision with beads of a size, where they are points.
-struct Cause {
-    std::array<Vector, 2> place, before, after;
-    std::array<double, 2> radius, weight;  // weight: share of the mass
-    Vector drift;                          // of the centre of mass
-    double back, on;                       // time before and after the contact
-};
-
-// How long until the centres are as far apart as is shown, in a flight of at most so long.
-double time_apart(const Vector& between, const Vector& moving, double longest) {
-    const double a = moving.square().sum(), b = std::abs((between * moving).sum());
-    const double c = between.square().sum() * (1.0 - apart * apart);
-    return std::clamp((-b + std::sqrt(b * b - a * c)) / a, 0.0, longest);
-}
-
-Cause cause_of(const PairCollision& met, const Particles& particles) {
-    Cause cause{.place = met.place,
-                .before = met.before,
-                .after = met.after,
-                .radius = {particles.radius[met.particle[0]], particles.radius[met.particle[1]]},
-                .weight = {},
-                .drift = {},
-                .back = 0.0,
-                .on = 0.0};
-    const Vector moving = met.before[1] - met.before[0];
-    double longest_back = met.time - met.since, longest_on = met.until - met.time;
-    if (cause.radius[0] + cause.radius[1] == 0.0) {  // points: as if they had a size
-        cause.radius = {0.5, 0.5};
-        cause.place[1] = cause.place[0] - moving / std::sqrt(moving.square().sum());
-        longest_back = longest_on = std::numeric_limits<double>::infinity();
-    }
-    const double first = particles.inverse_mass[met.particle[0]],
-                 second = particles.inverse_mass[met.particle[1]];
-    cause.weight = {second / (first + second), first / (first + second)};
-    cause.drift = cause.weight[0] * met.before[0] + cause.weight[1] * met.before[1];
-    const Vector between = cause.place[1] - cause.place[0];
-    cause.back = time_apart(between, moving, longest_back);
-    cause.on = time_apart(between, met.after[1] - met.after[0], longest_on);
-    return cause;
-}
-
-std::array<Pose, 3> poses(const Cause& cause) {
-    std::array<Pose, 3> all;
-    const Vector middle = cause.weight[0] * cause.place[0] + cause.weight[1] * cause.place[1];
-    for (std::size_t k = 0; k < 2; ++k) {
-        const Vector at_contact = cause.place[k] - middle;
-        all[0].center[k] = at_contact - cause.back * (cause.before[k] - cause.drift);
-        all[1].center[k] = at_contact;
-        all[2].center[k] = at_contact + cause.on * (cause.after[k] - cause.drift);
-        all[0].arrow[k] = cause.before[k];
-        all[1].arrow[k] = cause.after[k] - cause.before[k];
-        all[2].arrow[k] = cause.after[k];
-    }
-    return all;
-}
-
-double length(const Vector& v) { return std::sqrt(v.square().sum()); }
-
-// Half of what the stages need each way, in lengths of the scene.
-Vector half_extent(const std::array<Pose, 3>& all, const Cause& cause, double time) {
-    Vector half = (time * cause.drift).abs();
-    for (const Pose& pose : all)
-        for (std::size_t k = 0; k < 2; ++k) {
-            half = half.max(pose.center[k].abs() + cause.radius[k]);
-            half = half.max((pose.center[k] + time * pose.arrow[k]).abs());
-        }
-    return half;
-}
-
-// One above another, or side by side.
-std::array<Rect, 3> places(const Rect& area, double unit, bool high) {
-    const double gap = unit;
-    std::array<Rect, 3> rects;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double n = static_cast<double>(i);
-        const double width = high ? area.width : (area.width - 2.0 * gap) / 3.0;
-        const double height = high ? (area.height - 2.0 * gap) / 3.0 : area.height;
-        rects[i] = {area.x + (high ? 0.0 : n * (width + gap)),
-                    area.y + (high ? n * (height + gap) : 0.0), width, height};
-    }
-    return rects;
-}
-
-}  // namespace
-
-CollisionStages collision_stages(const PairCollision& pair, const Particles& particles,
-                                 const Rect& area, double unit, int dimension) {
-    const Cause cause = cause_of(pair, particles);
-    const std::array<Pose, 3> all = poses(cause);
-    double fastest = length(cause.drift);
-    for (const Pose& pose : all)
-        for (const Vector& arrow : pose.arrow) fastest = std::max(fastest, length(arrow));
-    const double sigma = cause.radius[0] + cause.radius[1];
-    const double time = longest_arrow * sigma / fastest;
-    const Vector half = half_extent(all, cause, time);
-    const double margin = 0.15 * unit;
-    const auto height_for_disks = [&](const Rect& rect) {
-        return rect.height - (words_above + height_of_numbers(rect, unit)) * unit;
-    };
-    const auto scale_in = [&](const std::array<Rect, 3>& rects) {
-        const double high = height_for_disks(rects[0]);
-        double most = (0.5 * rects[0].width - margin) / half[0];
-        if (dimension == 2) most = std::min(most, (0.5 * high - margin) / half[1]);
-        return std::min(most,
-                        std::max(unit, 0.3 * high) / std::max(cause.radius[0], cause.radius[1]));
-    };
-    const auto beside = places(area, unit, false), above = places(area, unit, true);
-    const std::array<Rect, 3> rects = scale_in(above) > scale_in(beside) ? above : beside;
-    const double high = height_for_disks(rects[0]), scale = scale_in(rects);
-
-    CollisionStages stages;
-    stages.radius = {scale * cause.radius[0], scale * cause.radius[1]};
-    stages.reach = scale * time;
-    const double largest = std::max(stages.radius[0], stages.radius[1]);
-    for (std::size_t i = 0; i < 3; ++i) {
-        CollisionStage& stage = stages.stage[i];
-        stage.area = rects[i];
-        stage.mass_center = {rects[i].x + rects[i].width / 2,
-                             rects[i].y + words_above * unit + high / 2};
-        const auto pixels = [&](const Vector& v) {
-            return Point{stage.mass_center.x + scale * v[0], stage.mass_center.y - scale * v[1]};
-        };
-        const auto arrow = [&](const Vector& from, const Vector& along, int row) {
-            const double lift = row == 0 || dimension == 2
-                                    ? 0.0
-                                    : (row > 0 ? 1 : -1) * largest + row * lift_of_arrows * unit;
-            const Point start = pixels(from), end = pixels(from + time * along);
-            return StageArrow{{start.x, start.y - lift}, {end.x, end.y - lift}};
-        };
-        for (std::size_t k = 0; k < 2; ++k) {
-            stage.center[k] = pixels(all[i].center[k]);
-            stage.velocity[k] = arrow(all[i].center[k], all[i].arrow[k], k == 0 ? 1 : 2);
-        }
-        stage.mass_center_velocity = arrow(Vector::Zero(), cause.drift, -1);
-    }
-    return stages;
-}
-
 namespace {
 
 struct StageState : PanelState {
@@ -238,7 +68,7 @@ std::shared_ptr<const PanelState> SingleCollisionPanel::state(const FrameInput& 
     auto state = std::make_shared<StageState>();
     state->present = 3;
     if (!context_.in_film) return state;
-    const Cause cause = cause_of(met_, context_.particles);
+    const CollisionCause cause = cause_of(met_, context_.particles);
     const double since = input.tick.time - met_.time;
     state->present = since < -cause.back / 3.0 ? 0 : since < cause.on / 3.0 ? 1 : 2;
     return state;
@@ -337,9 +167,11 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
 std::array<plot::Text, 2> SingleCollisionPanel::amounts(std::size_t index) const {
     std::array<plot::Text, 2> texts;
     for (std::size_t k = 0; k < 2; ++k) {
-        const Vector v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
-        texts[k] =
-            plot::named(three_digits(context_.language(), length(v)), role_of(context_, met_, k));
+        const Eigen::Array2d v = index == 0   ? met_.before[k]
+                                 : index == 1 ? change(met_, k)
+                                              : met_.after[k];
+        texts[k] = plot::named(three_digits(context_.language(), length_of(v)),
+                               role_of(context_, met_, k));
     }
     return texts;
 }
@@ -408,7 +240,7 @@ void SingleCollisionPanel::draw_key(Canvas& canvas, const DrawContext& dc) const
                                  context_.particles.inverse_mass[met_.particle[1]]};
     const std::size_t movable = inverse[0] > 0.0 ? 0 : 1;
     const double momentum =
-        length(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
+        length_of(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
     const std::string given = three_digits(language, momentum);
     const std::array<std::string, 3> laws{
         say(language, "momentum {} is transferred along the line of centres", given),
@@ -448,8 +280,8 @@ Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
     Table table{{"part", "stage", "of", column_name("x", reduced::length),
                  column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",
                  column_name("arrow x", reduced::speed), column_name("arrow y", reduced::speed)}};
-    const Cause cause = cause_of(met_, context_.particles);
-    const std::array<Pose, 3> all = poses(cause);
+    const CollisionCause cause = cause_of(met_, context_.particles);
+    const std::array<CollisionPose, 3> all = poses(cause);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 2; ++k)
             table.rows.push_back({"particle", std::string(names[i].english),

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "panels/collision/single_collision.h"
+#include "panels/collision/collision_stages.h"
 #include "panels/frame.h"
 #include "support/csv.h"
 #include "support/pixels.h"

@@ -73,7 +73,9 @@ Color kind_in(const Scene& scene, std::size_t index, const Theme& theme) {
 
 std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme) {
     const ColorMap map = scale_colors(scene, theme);
-    return {map.at(0.0), map.at(0.5), map.at(1.0)};
+    // Of the perceptual maps this one is as far from both ends for viewers of all kinds.
+    const double middle = scale_name(scene) == "netlogo" ? 0.5 : 0.43;
+    return {map.at(0.0), map.at(middle), map.at(1.0)};
 }
 
 void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double radius) {

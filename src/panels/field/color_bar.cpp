@@ -38,7 +38,8 @@ void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
     TextStyle style = label_style(dc);
     style.max_width = dc.area.width;
     const std::string title = escape_markup(scale.title);
-    const bool fits = scale.symbol.empty() || measure_text(title, style).width < dc.area.width;
+    const bool fits =
+        scale.symbol.empty() || measure_text(title, label_style(dc)).width <= dc.area.width;
     draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, fits ? title : scale.symbol, style);
     const Scale up{0.0, scale.top, bar.bottom(), bar.y};
     for (const TickMark& mark : marks_of(scale))

@@ -133,6 +133,7 @@ FieldLayer::FieldLayer(const PanelContext& context)
     if (!field_) return;
     scale_.language = context.language();
     scale_.title = name_of_quantity(context.language(), context.scene, field_->of, field_->species);
+    scale_.symbol = escape_markup(short_name(context.scene, *field_));
     surveyed_.emplace(context_, cells_, field_->of, field_->species, field_->over);
     shown_ = surveyed_;
 }
@@ -224,9 +225,6 @@ void FieldLayer::draw_key(Canvas& canvas, const DrawContext& dc, double scale) c
     Rect area = dc.area;
     TextStyle style = label_style(dc);
     style.max_width = area.width;
-    ColorScale named = scale_;
-    if (measure_text(escape_markup(named.title), label_style(dc)).width > area.width)
-        named.title = short_name(context_.scene, *field_);
     if (is_clear_somewhere_) {
         const std::vector<std::string> lines =
             wrapped(say(context_.language(), "blank: fewer than 3"), style, 3);
@@ -239,13 +237,14 @@ void FieldLayer::draw_key(Canvas& canvas, const DrawContext& dc, double scale) c
         area.height -= height + 0.9 * u;
     }
     if (!is_flow())
-        return draw_color_bar(canvas, {area, u, dc.theme, dc.disks}, colors(dc.theme), named,
+        return draw_color_bar(canvas, {area, u, dc.theme, dc.disks}, colors(dc.theme), scale_,
                               field_->opacity);
     const double length = reach(scale) * scale_.top;
     const double y = area.y + (key_height - 1.2) * u;
     draw_text(canvas, {area.x, area.y + 0.9 * u}, escape_markup(scale_.title), style);
     draw_flow(canvas, dc, {area.x + 0.5 * length, y}, {scale_.top, 0.0}, reach(scale));
-    draw_text(canvas, {area.x + length + 0.5 * u, y + 0.36 * u}, plain_number(scale_.top), style);
+    draw_text(canvas, {area.x + length + 0.5 * u, y + 0.36 * u},
+              plain_number(context_.language(), scale_.top), style);
 }
 
 void FieldLayer::add_columns(Table& table) const {

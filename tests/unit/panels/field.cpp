@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/text.h"
 #include "panels/field/field_layer.h"
 #include "panels/frame.h"
 #include "panels/gas/particle_panel.h"
@@ -143,6 +144,16 @@ TEST_CASE("a field is listed and told in words") {
         words ==
         "Field: density, in cells of 10 by 10, averaged over a time of 0.5; cells with fewer than "
         "3 particles are blank. The values are from 0.0400 to 0.120.");
+}
+
+TEST_CASE("the key of a flow has the numbers of the film's language") {
+    // The scale of a flow of 0.45 ends at 0.6.
+    const std::string gas = "gas: [{count: 20, radius: 0.1, velocity: [0.45, 0]}]\n";
+    const test::FirstFrame first(scene_with("of: flow, cells: 2", "panels: [], language: de", gas));
+    const TextLog log;
+    FramePainter(first.panels).paint(first.frame);
+    CHECK(
+        std::ranges::any_of(log.lines, [](const DrawnLine& line) { return line.markup == "0,6"; }));
 }
 
 TEST_CASE("beads on a line have fields too") {

@@ -308,8 +308,7 @@ void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
                         .color = with_alpha(theme_.ink, alpha),
                         .align = Align::center};
         const double padding = 3.0 * unit_;
-        const double wide = measure_text(words, style).width + padding;
-        if (panels_.boxes(grid_).size() > 1) style.size *= std::min(1.0, box.width / wide);
+        style.size *= std::min(1.0, box.width / (measure_text(words, style).width + padding));
         const double width = measure_text(words, style).width + padding;
         const Rect plate{box.x + 0.5 * (box.width - width), box.y + 0.5 * box.height - 2.0 * unit_,
                          width, 4.0 * unit_};

@@ -173,7 +173,8 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     if (text) plan.text = text->text();
     const int previews = format_of_film(options.output).previews;
     if (previews > 0) plan.colors = chosen_colors(plan, previews, progress);
-    plan.passes = passes_for(asked, plan.run.is_kept(), options.text, previews > 0);
+    const bool is_kept = plan.run.is_kept() && (!plan.beside || plan.beside->run.is_kept());
+    plan.passes = passes_for(asked, is_kept, options.text, previews > 0);
     return plan;
 }
 

@@ -320,8 +320,7 @@ void GasPanel::Drawing::draw_flashes() const {
 }
 
 // Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
-// left out make it look calmer. Labels that are asked for and not there are no mistake of the
-// scene.
+// left out make it look calmer. Labels that have no room are not forgotten.
 void GasPanel::Drawing::draw_remarks() const {
     double foot = frame.bottom();
     if (draw_remark(canvas, dc, {frame.right(), foot}, frame.width, panel.flashes_.remarks()))

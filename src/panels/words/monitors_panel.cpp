@@ -132,6 +132,7 @@ class MonitorsPanel : public Panel {
 
   protected:
     std::string text(Monitor number, double value) const;
+    double widest_value(Monitor number) const;
     std::string label(Monitor number) const {
         return escape_markup(say(context_.language(), column(number).label));
     }
@@ -218,6 +219,21 @@ double MonitorsPanel::widest_time(double unit) const {
     return width + (branch_count(context_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
 }
 
+// With as many digits as a number gets.
+double MonitorsPanel::widest_value(Monitor number) const {
+    switch (column(number).format) {
+        case Format::fixed:
+            return largest_.at(index_of(number));
+        case Format::count:
+            return 888'888.0;
+        case Format::per_cent:
+            return 88.0;
+        case Format::power:
+            return std::log10(8.88e-16);
+    }
+    return none;
+}
+
 // In units, at the smallest size of text: numbers that need a power of ten, and longer words of
 // other languages, need more than usual.
 double MonitorsPanel::width(Monitor number, double unit) const {
@@ -225,13 +241,10 @@ double MonitorsPanel::width(Monitor number, double unit) const {
     if (number == Monitor::time) return std::max(usual, (widest_time(unit) + least_gap) / tightest);
     const Format format = column(number).format;
     if (format != Format::fixed && format != Format::power) return usual;
-    constexpr double small_distance = 8.88e-16;
     const double least = format == Format::power ? none : smallest_.at(index_of(number));
-    const double most =
-        format == Format::power ? std::log10(small_distance) : largest_.at(index_of(number));
     TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     double widest = 0.0;
-    for (const double value : {least, most})
+    for (const double value : {least, widest_value(number)})
         widest = std::max(widest, measure_text(text(number, value), style).width / unit);
     return std::max(usual, (widest + least_gap) / tightest);
 }
@@ -433,13 +446,9 @@ RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
         dc.area.x + measure_text(escape_markup(label_), name_style(dc)).width + gap * dc.unit;
     Line line{{}, dc.area.y + 1.4 * dc.unit};
     for (const Monitor number : numbers_) {
-        const std::string widest = column(number).format == Format::count
-                                       ? "888,888"
-                                       : text(number, column(number).format == Format::power
-                                                          ? std::log10(8.88e-16)
-                                                          : largest_.at(index_of(number)));
         const double words = measure_text(label(number), style).width;
-        const double end = x + words + after_words * dc.unit + measure_text(widest, style).width;
+        const double end = x + words + after_words * dc.unit +
+                           measure_text(text(number, widest_value(number)), style).width;
         if (end > dc.area.right() + least * dc.unit) break;
         line.x.push_back(x + words + after_words * dc.unit);
         x = end + gap * dc.unit;

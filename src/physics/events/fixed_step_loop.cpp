@@ -118,7 +118,7 @@ void FixedStepLoop::reverse(double time) {
     steps_ = 0;
 }
 
-// What overlaps is pushed apart by no one.
+// Particles may overlap afterwards, as they may at the end of a step.
 std::optional<Partner> FixedStepLoop::displace(std::int64_t particle,
                                                const std::array<std::string, 2>& by, double time) {
     move_to(time);

@@ -183,7 +183,7 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     if (!finding.empty()) words.caption += " " + plain(finding);
     const bool compares = !figure.sides.empty();
     if (figure.spec->alt)
-        words.alt = formula::spoken_text(*figure.spec->alt);
+        words.alt = formula::spoken_text(scene.film.language, *figure.spec->alt);
     else
         words.alt = compares ? alt_of_runs(scene, figure) : made_alt(run, figure);
     return words;

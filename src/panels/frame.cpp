@@ -1,5 +1,7 @@
 #include "panels/frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -149,6 +151,30 @@ void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
     draw_changing(canvas, frame, seen, true);
 }
 
+std::vector<std::string> FramePainter::cut_words() {
+    Canvas scratch = blank(scene_.film);
+    std::vector<std::string> cut;
+    const auto add = [&](const std::string& what, const auto& draw) {
+        const TextLog log;
+        draw();
+        if (std::ranges::any_of(log.lines, &DrawnLine::is_cut)) cut.push_back(what);
+    };
+    add("the title or the subtitle", [&] { draw_title(scratch); });
+    for (const CaptionSpan& caption : captions_)
+        if (!caption.words.empty())
+            add(fmt::format("the caption “{}”", caption.words),
+                [&] { draw_caption(scratch, caption.words, 1.0); });
+    const std::vector<PanelSpec>& specs = scene_.film.panels;
+    const std::size_t first = panels_.panels().size() - specs.size();
+    for (std::size_t i = 0; i < specs.size(); ++i)
+        if (specs[i].title)
+            add(fmt::format("the title “{}” of a panel", *specs[i].title), [&] {
+                draw_panel_title(scratch, context_at(panels_.panels()[first + i].slot),
+                                 escape_markup(*specs[i].title));
+            });
+    return cut;
+}
+
 // All of a panel, as it comes or goes: on pixels only, since stills show it whole.
 void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
                                const PanelState& state, double opacity) {
@@ -173,7 +199,7 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
     draw_callouts(canvas, frame, still);
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
-    if (!is_card(frame.tick.phase)) draw_caption(canvas, frame.tick, still);
+    if (!is_card(frame.tick.phase)) draw_captions(canvas, frame.tick, still);
     if (card_alpha(frame.tick) > 0.0) draw_card(canvas, frame.tick);
 }
 
@@ -265,38 +291,39 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
     draw_text(canvas, {box.right() - 0.6 * unit_, box.y + 1.7 * unit_}, words, style);
 }
 
-// One line, smaller if that keeps it whole; on the gas's axis where nothing stands beside the gas.
-void FramePainter::draw_caption(Canvas& canvas, const Tick& tick, bool still) const {
-    const LayoutSpec& layout = scene_.film.layout;
+void FramePainter::draw_captions(Canvas& canvas, const Tick& tick, bool still) const {
     for (const CaptionSpan& caption : captions_) {
-        double alpha = opacity(caption, scene_.film, tick.frame, caption_fade_seconds);
-        if (alpha <= 0.0 || caption.words.empty()) continue;
-        if (still) alpha = 1.0;
-        const Rect line = grid_.place(*layout.caption);
-        const Rect place = grid_.place(layout.gas);
-        const Rect box = panels_.gas().frame_in(place, unit_);
-        TextStyle style{.size = 1.3 * unit_,
-                        .weight = 500,
-                        .color = with_alpha(theme_.ink, alpha),
-                        .tabular = false};
-        const TextExtent whole = measure_words(caption.words, style);
-        const bool has_formula = caption.words.find('$') != std::string::npos;
-        const double share =
-            std::min(line.width / whole.width,
-                     has_formula ? line.height / (whole.ascent + whole.descent) : 1.0);
-        style.size = std::max(unit_, std::min(1.0, share) * style.size);
-        style.max_width = line.width * (1.0 + 1e-3);  // letters are set at whole sizes
-        const bool centered = box.x > place.x;
-        const double half = 0.5 * std::min(line.width, measure_words(caption.words, style).width);
-        const double middle =
-            std::clamp(box.x + 0.5 * box.width, line.x + half, line.right() - half);
-        const TextExtent extent = measure_words(caption.words, style);
-        const double below_middle =
-            has_formula ? 0.5 * (extent.ascent - extent.descent) : 0.36 * style.size;
-        draw_words(canvas,
-                   {centered ? middle - half : line.x, line.y + 0.5 * line.height + below_middle},
-                   caption.words, style);
+        const double alpha = opacity(caption, scene_.film, tick.frame, caption_fade_seconds);
+        if (alpha > 0.0 && !caption.words.empty())
+            draw_caption(canvas, caption.words, still ? 1.0 : alpha);
     }
+}
+
+// One line, smaller if that keeps it whole; on the gas's axis where nothing stands beside the gas.
+void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double alpha) const {
+    const LayoutSpec& layout = scene_.film.layout;
+    const Rect line = grid_.place(*layout.caption);
+    const Rect place = grid_.place(layout.gas);
+    const Rect box = panels_.gas().frame_in(place, unit_);
+    TextStyle style{.size = 1.3 * unit_,
+                    .weight = 500,
+                    .color = with_alpha(theme_.ink, alpha),
+                    .tabular = false};
+    const TextExtent whole = measure_words(words, style);
+    const bool has_formula = words.find('$') != std::string::npos;
+    const double share = std::min(line.width / whole.width,
+                                  has_formula ? line.height / (whole.ascent + whole.descent) : 1.0);
+    style.size = std::max(unit_, std::min(1.0, share) * style.size);
+    style.max_width = line.width * (1.0 + 1e-3);  // letters are set at whole sizes
+    const bool centered = box.x > place.x;
+    const TextExtent extent = measure_words(words, style);
+    const double half = 0.5 * std::min(line.width, extent.width);
+    const double middle = std::clamp(box.x + 0.5 * box.width, line.x + half, line.right() - half);
+    const double below_middle =
+        has_formula ? 0.5 * (extent.ascent - extent.descent) : 0.36 * style.size;
+    draw_words(canvas,
+               {centered ? middle - half : line.x, line.y + 0.5 * line.height + below_middle},
+               words, style);
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {

@@ -33,6 +33,10 @@ class FramePainter {
     /// or a panel that comes or goes is whole.
     void paint_on(Canvas& canvas, const FrameData& frame);
 
+    /// What the scene says that has no room where it stands, and ends in an ellipsis there: "the
+    /// title", "the caption “...”". Needs no axes.
+    std::vector<std::string> cut_words();
+
   private:
     DrawContext context_at(const Slot& slot);
     std::vector<double> opacities(const Tick& tick, bool still) const;
@@ -53,7 +57,8 @@ class FramePainter {
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
     double card_alpha(const Tick& tick) const;
     void draw_card(Canvas& canvas, const Tick& tick) const;
-    void draw_caption(Canvas& canvas, const Tick& tick, bool still) const;
+    void draw_captions(Canvas& canvas, const Tick& tick, bool still) const;
+    void draw_caption(Canvas& canvas, const std::string& words, double alpha) const;
 
     const Scene& scene_;
     const PanelSet& panels_;

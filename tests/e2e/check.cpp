@@ -114,6 +114,29 @@ TEST_CASE("a gas in equilibrium collides as often as carom check expects") {
 }
 
 // As measured: docs/encoding.md has 6.86 s of two cores and 7.9 MB for 200 disks, 15.2 for 1,000.
+TEST_CASE("carom check names words that have no room, and a field of blank cells") {
+    const std::string scene = "subtitle: " + std::string(190, 'w') +
+                              "\nbox: {size: [40, 30]}\ngas: [{count: 96, radius: 0.3, speed: 2}]\n"
+                              "run: {until: 12}\nfilm:\n  seconds: 8\n"
+                              "  panels: [{kind: entropy, title: " +
+                              std::string(99, 'w') + "}]\n";
+    const json cut = checked(scene).at("cut");
+    CHECK(cut ==
+          json{"the title or the subtitle", "the title “" + std::string(99, 'w') + "” of a panel"});
+    CHECK(checked("box: {size: [40, 30]}\ngas: [{count: 96, radius: 0.3, speed: 2}]\n"
+                  "run: {until: 12}\nfilm: {seconds: 8}\n")
+              .at("cut") == json::array());
+
+    const TemporaryFolder folder;
+    const auto told = [&](const std::string& cells) {
+        folder.write("scene.yaml",
+                     "title: T\n" + scene + "  field: {of: density, cells: " + cells + "}\n");
+        return run({program, "check", "scene.yaml"}, folder.path()).out;
+    };
+    CHECK(told("8").find("2 particles in a cell on average") != std::string::npos);  // of 48 cells
+    CHECK(told("4").find("on average") == std::string::npos);  // of 12: 8 in each
+}
+
 TEST_CASE("the rough cost of a film is that of the films that were measured") {
     const std::string rest = "run: {until: 0.001}\nfilm: {seconds: 30}\n";
     for (const auto& [disks, seconds, bytes] :

@@ -165,6 +165,12 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
             "frames");
 }
 
+std::string warning_of_cut_words(const RenderReport& report) {
+    if (report.cut.empty()) return "";
+    return fmt::format("carom: no room for all of {}; write less, or choose another template\n",
+                       listed(report.cut));
+}
+
 // What pages and mail take without trouble is soon passed by a format that holds every change of
 // every pixel.
 std::string warning(const OutputFormat& format, const RenderReport& report) {
@@ -216,7 +222,8 @@ void render_film(const RenderArguments& arguments, const std::string& name,
                                     ? render_joined(scenes, title, options, progress)
                                     : render(scenes.front(), options, progress);
     print_report(arguments, scenes.front(), report);
-    if (!arguments.quiet) say(warning(format_of_film(output), report));
+    if (!arguments.quiet)
+        say(warning(format_of_film(output), report) + warning_of_cut_words(report));
 }
 
 void render_scenes(RenderArguments& arguments) {

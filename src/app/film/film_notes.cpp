@@ -58,8 +58,8 @@ std::vector<FilmNote> film_notes(const Scene& scene) {
             what = say(
                 language, "“{}”",
                 name_of_panel(language, scene.film.panels[std::get<PlotPoint>(callout.on).panel]));
-        notes.push_back(
-            {callout.at, say(language, "{}: “{}”", what, formula::spoken_text(callout.words))});
+        notes.push_back({callout.at, say(language, "{}: “{}”", what,
+                                         formula::spoken_text(language, callout.words))});
     }
     for (const CameraMove& move : scene.film.camera)
         notes.push_back({move.at, words_of(scene, move.view)});

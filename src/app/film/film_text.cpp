@@ -60,7 +60,8 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     for (const CaptionSpan& caption : caption_schedule(scene))
         if (!caption.words.empty() && caption.first <= caption.last && caption.last >= span.first &&
             caption.first < span.end)
-            at(std::max(caption.first, span.first)).caption = formula::spoken_text(caption.words);
+            at(std::max(caption.first, span.first)).caption =
+                formula::spoken_text(scene.film.language, caption.words);
     // The first frame that shows what happens at a time, if it is among these.
     const auto shown_from = [&](double time) {
         const auto shown = std::ranges::find_if(ticks, [&](const Tick& tick) {
@@ -88,7 +89,7 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
-        at(card->frame).end_card = formula::spoken_text(scene.film.end_card);
+        at(card->frame).end_card = formula::spoken_text(scene.film.language, scene.film.end_card);
     at(span.first).is_title = is_card(ticks[static_cast<std::size_t>(span.first)].phase);
     const auto gas = std::ranges::find_if(
         ticks, [&](const Tick& tick) { return tick.frame >= span.first && !is_card(tick.phase); });
@@ -169,7 +170,7 @@ std::string picture_text(const Scene& scene) {
     for (const PanelSpec& panel : scene.film.panels)
         if (panel.kind == "text")
             text += " " + say(language, "The panel “{}” says: “{}”", name_of_panel(language, panel),
-                              on_one_line(formula::spoken_text(panel.words)));
+                              on_one_line(formula::spoken_text(language, panel.words)));
     const bool is_described = scene.description == describe(scene);
     for (const std::string& words : words_of_surfaces(language, scene.gas))
         if (!is_described) text += " " + words + ".";
@@ -313,7 +314,7 @@ FilmText FilmTextMaker::text() const {
     for (const CaptionSpan& caption : caption_schedule(scene_))
         captions.push_back({std::max(0.0, caption.start - begin),
                             std::min(end, caption.end - begin),
-                            formula::spoken_text(caption.words)});
+                            formula::spoken_text(scene_.film.language, caption.words)});
     for (const Moment& moment : moments_)
         if (!moment.end_card.empty())
             captions.push_back({seconds_at(moment.frame, scene_, span_), end, moment.end_card});

@@ -60,6 +60,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
                       if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
                   });
     const WorkerSeconds seconds = workers.finish();
+    const std::vector<std::string> cut = FramePainter(*panels).cut_words();
+    report.cut.insert(report.cut.end(), cut.begin(), cut.end());
     progress.finish();
     report.workers.draw += seconds.draw;
     report.workers.encode += seconds.encode;

@@ -24,6 +24,7 @@ struct RenderReport {
     std::int64_t bytes = 0;
     CollisionCounts collisions;
     std::vector<std::string> passes;  ///< what the run was simulated for
+    std::vector<std::string> cut;     ///< as FramePainter::cut_words()
     double wall_seconds = 0.0;
     double simulate_seconds = 0.0;  ///< CPU, all passes and the panels
     WorkerSeconds workers;

@@ -10,6 +10,8 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/formats.h"
+#include "panels/field/field_layer.h"
+#include "panels/frame.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "scene/describe.h"
@@ -163,6 +165,28 @@ Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
                 {"formats", std::move(formats)}};
 }
 
+// Rows for words of a picture that are cut; the gas is drawn and not placed yet.
+Facts cut_rows(const Scene& scene, const Particles& particles, const Sample& sample) {
+    std::optional<RunStart> beside;
+    if (scene.film.beside) {
+        auto [others, state] = draw_gas(scene.film.beside->scene->gas);
+        beside = RunStart{std::move(others), std::move(state)};
+    }
+    const PanelSet panels(scene, particles, sample, beside ? &*beside : nullptr);
+    return rows_of("cut", FramePainter(panels).cut_words());
+}
+
+// A row where a field of so many particles has mostly blank cells.
+Facts field_rows(const Scene& scene, std::int64_t particles) {
+    if (!scene.film.field) return {};
+    const Cells cells = square_cells(scene.gas.box, scene.film.field->cells);
+    const double mean = static_cast<double>(particles) / static_cast<double>(cells.all());
+    if (mean >= least_in_cell) return {};
+    return {shown("field", fmt::format("{:.2g} particles in a cell on average, and cells with "
+                                       "fewer than {:g} are blank: fewer cells show more",
+                                       mean, least_in_cell))};
+}
+
 // Of a run with so many collisions, equilibration included.
 Facts film_facts(const Scene& scene, std::int64_t particles, double collisions, int cores) {
     const Film& film = scene.film;
@@ -295,9 +319,11 @@ Facts facts_of(const Scene& scene, bool has_film, int cores) {
          event_rows(scene),
          {{"equilibrate", run.equilibrate},
           collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
-         has_film ? film_facts(scene, particles, rate.value_or(0.0) * (run.until + run.equilibrate),
-                               cores)
-                  : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
+         has_film
+             ? joined<Fact>({film_facts(scene, particles,
+                                        rate.value_or(0.0) * (run.until + run.equilibrate), cores),
+                             field_rows(scene, particles), cut_rows(scene, drawn, sample)})
+             : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
 }
 
 Facts facts_of(const FigureSet& set) {

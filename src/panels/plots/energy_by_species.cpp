@@ -19,8 +19,7 @@ std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& ene
     return sum;
 }
 
-std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spec) {
-    if (spec.title) return {escape_markup(*spec.title)};
+std::vector<plot::Text> titles(const PanelContext& context) {
     const std::size_t count = context.scene.gas.species.size();
     const Language language = context.language();
     const std::string title = say(language, "Mean energy");
@@ -41,21 +40,21 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
     SeriesSubject subject{
         .measure = [context](const FrameInput& o) { return means(context, o.energy); },
         .lines = {},
-        .titles = titles(context, spec),
+        .titles = titles(context),
+        .last_title_names = false,
         .spreads = true,
         .quantity = Phrase{"mean energy"},
         .unit = reduced::energy};
     const std::vector<Species>& species = context.scene.gas.species;
     for (std::size_t k = 0; k < species.size(); ++k) {
         subject.lines.push_back({species[k].name, species_role(context, k)});
-        if (species.size() > 1 && !spec.title)
-            subject.names_under_last_title.push_back(species[k].name);
+        subject.names.push_back(species[k].name);
     }
     if (context.equilibrium && species.size() > 1)
         subject.reference = [context]() -> std::optional<ReferenceLevel> {
             return ReferenceLevel{"equipartition", mean_energy(*context.equilibrium)};
         };
-    return std::make_unique<SeriesPanel>(context, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

@@ -22,8 +22,7 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
             return {*entropy ? (*entropy)->of(o.sample.velocity) : 0.0};
         },
         .lines = {{"all"}},
-        .titles = {spec.title ? escape_markup(*spec.title)
-                              : say(language, "Entropy of the velocities, −<i>H</i>")},
+        .titles = {say(language, "Entropy of the velocities, −<i>H</i>")},
         .notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells; 0 if all move alike"),
                   say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells")},
         .quantity = Phrase{"entropy"},
@@ -34,7 +33,7 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
             return ReferenceLevel{"equilibrium",
                                   (*entropy)->in_equilibrium(context.scene.gas.box.dimension)};
         };
-    return std::make_unique<SeriesPanel>(context, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

@@ -93,7 +93,7 @@ std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& contex
                                                               plot::Plot& whole) {
         add_fits(context, chosen, fit_from, record, whole);
     };
-    return std::make_unique<SeriesPanel>(context, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

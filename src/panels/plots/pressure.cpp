@@ -86,8 +86,7 @@ std::string time_words(Language language, const Over& over, const Box& box) {
 const plot::Role of_walls{.of = plot::Role::Of::bar};
 const plot::Role of_virial{.of = plot::Role::Of::highlight};
 
-std::vector<plot::Text> titles(Language language, const PanelSpec& spec, bool has_walls) {
-    if (spec.title) return {escape_markup(*spec.title)};
+std::vector<plot::Text> titles(Language language, bool has_walls) {
     const plot::Text virial =
         plot::named(say(language, "from collisions"), of_virial, plot::Sample::line, 1);
     const plot::Text walls =
@@ -111,7 +110,8 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
     SeriesSubject subject{
         .measure = gauge,
         .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
-        .titles = titles(language, spec, walls),
+        .titles = titles(language, walls),
+        .names = {say(language, "on the walls"), say(language, "from collisions")},
         .notes = {time_words(language, over, box)},
         .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
             if (!std::isfinite(*of_points)) return std::nullopt;
@@ -120,9 +120,8 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .quantity = Phrase{"pressure"},
         .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2",
         .compared = 1,
-        .compared_title =
-            spec.title ? escape_markup(*spec.title) : say(language, "Pressure from collisions")};
-    return std::make_unique<SeriesPanel>(context, std::move(subject));
+        .compared_title = say(language, "Pressure from collisions")};
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

@@ -39,13 +39,11 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     const std::vector<Chosen> chosen = choices(spec);
     const std::string what = say(context.language(), title);
     SeriesSubject subject{.titles = {what}};
-    if (spec.title)
-        subject.titles = {escape_markup(*spec.title)};
-    else if (!spec.of.empty())
-        subject.titles = {shown_of(context, what, chosen, plot::Sample::line)};
+    if (!spec.of.empty()) subject.titles = {shown_of(context, what, chosen, plot::Sample::line)};
     for (std::size_t k = 0; k < chosen.size(); ++k)
         subject.lines.push_back(
             {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
+    for (const Chosen& one : chosen) subject.names.push_back(name_of(context.scene, one));
     return subject;
 }
 
@@ -69,8 +67,13 @@ Phrase series_event_word(const RunEvent& event) {
 
 }  // namespace
 
-SeriesPanel::SeriesPanel(const PanelContext& context, SeriesSubject subject)
-    : context_(context), subject_(std::move(subject)) {
+SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject)
+    : context_(context), subject_(std::move(subject)), is_titled_by_scene_(spec.title.has_value()) {
+    if (is_titled_by_scene_) {
+        subject_.titles = {escape_markup(*spec.title)};
+        subject_.compared_title.reset();
+        subject_.last_title_names = false;
+    }
     record_.compared = subject_.compared;
 }
 
@@ -166,6 +169,7 @@ void SeriesPanel::make_axes() {
     }
     if (whole_.x.high <= whole_.x.low) whole_.x.high = whole_.x.low + 1.0;
     whole_.y = axis_up();
+    if (is_titled_by_scene_) whole_.y.title = say(context_.language(), subject_.quantity);
     make_plot();
 }
 
@@ -177,16 +181,7 @@ void SeriesPanel::make_plot() {
     whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
-    if (!subject_.names_under_last_title.empty() && !compares) {
-        plot::Note names{.wraps = true, .is_of_short_title = true};
-        for (const SeriesSubject::Line& line : subject_.lines) {
-            const std::size_t k = names.entries.size();
-            names.entries.push_back({{},
-                                     {plot::named(subject_.names_under_last_title.at(k), line.role,
-                                                  plot::Sample::line, k)}});
-        }
-        whole_.notes.push_back(std::move(names));
-    }
+    if (!subject_.last_title_names && subject_.names.size() > 1 && !compares) add_key();
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
     std::vector<std::string> names;
@@ -197,6 +192,16 @@ void SeriesPanel::make_plot() {
     add_levels();
     add_turns();
     if (subject_.add) subject_.add(record_, whole_);
+}
+
+// Each line's name in its colour.
+void SeriesPanel::add_key() {
+    plot::Note names{.wraps = true, .is_of_short_title = true};
+    for (std::size_t k = 0; k < subject_.names.size(); ++k)
+        names.entries.push_back(
+            {{},
+             {plot::named(subject_.names[k], subject_.lines.at(k).role, plot::Sample::line, k)}});
+    whole_.notes.push_back(std::move(names));
 }
 
 bool SeriesPanel::has_numbers() const {

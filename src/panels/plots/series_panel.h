@@ -21,8 +21,9 @@ struct SeriesSubject {
     std::function<std::vector<double>(const FrameInput&)> measure =
         {};  ///< one number for each line, every frame of the first pass in order; NaN: none
     std::vector<Line> lines = {};
-    std::vector<plot::Text> titles = {};                   ///< from the longest on
-    std::vector<std::string> names_under_last_title = {};  ///< of the lines; none: it has them
+    std::vector<plot::Text> titles = {};  ///< from the longest on
+    std::vector<std::string> names = {};  ///< of several lines, as a key shows them
+    bool last_title_names = true;         ///< the lines; if not, a key under it does
     std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
     std::optional<double> top = {};  ///< of the axis; none: as the run shows
@@ -42,7 +43,8 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
 
 class SeriesPanel : public RecordPanel<SeriesRecord> {
   public:
-    SeriesPanel(const PanelContext& context, SeriesSubject subject);
+    /// A title that the scene gives says nothing of the lines: a key and the axis name them.
+    SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject);
 
     void survey(const FrameInput& input) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
@@ -59,6 +61,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     Phrase time_name() const;
     plot::Axis axis_up() const;
     void make_plot();
+    void add_key();
     bool has_numbers() const;
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
@@ -69,6 +72,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
 
     PanelContext context_;
     SeriesSubject subject_;
+    bool is_titled_by_scene_;
     std::size_t seen_ = 0;
     plot::Plot whole_;  ///< of the whole film
 };

@@ -12,9 +12,7 @@ namespace carom {
 namespace {
 
 // Samples in print take the room of words.
-std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubject::Line>& lines,
-                               const PanelSpec& spec) {
-    if (spec.title) return {escape_markup(*spec.title)};
+std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubject::Line>& lines) {
     const auto name = [&](std::size_t k, const std::string& words) {
         return plot::named(words, lines[k].role, plot::Sample::line, k);
     };
@@ -35,6 +33,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .measure = {},
         .lines = {{"slow"}, {"medium"}, {"fast"}},
         .titles = {},
+        .names = {say(language, "slow"), say(language, "medium"), say(language, "fast")},
         .notes =
             spec.reference_initial
                 ? std::vector{say(language, "slow: &lt; ½ mean speed at the start; fast: &gt; 1½"),
@@ -49,7 +48,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
     for (std::size_t k = 0; k < subject.lines.size(); ++k)
         subject.lines[k].role = plot::own_role(
             [&](const Theme& theme) { return speed_class_colors(context.scene, theme)[k]; });
-    subject.titles = titles(language, subject.lines, spec);
+    subject.titles = titles(language, subject.lines);
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{},
                        spec](const FrameInput& o) mutable -> std::vector<double> {
@@ -60,7 +59,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
             percent.push_back(100.0 * share);
         return percent;
     };
-    return std::make_unique<SeriesPanel>(context, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

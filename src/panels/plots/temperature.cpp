@@ -41,7 +41,7 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
         subject.reference = [bath] { return ReferenceLevel{"bath", *bath}; };
     subject.quantity = Phrase{"temperature"};
     subject.unit = reduced::energy;
-    return std::make_unique<SeriesPanel>(context, std::move(subject));
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
 }  // namespace carom

@@ -161,7 +161,7 @@ class Parser {
         }
         if (name == "left") return fenced(at);
         if (name == "mathrm" || name == "text") return upright(at, name);
-        if (!spoken_function(name).empty())
+        if (!spoken_function(name).english.empty())
             return {.of = Part::Of::upright, .kind = Class::operation, .words = name};
         for (const auto& [space, width] : spaces)
             if (name == space) return {.of = Part::Of::space, .width = width};

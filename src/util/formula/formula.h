@@ -73,11 +73,11 @@ bool has_formula(std::string_view text);
 /// Throws the first Error of a text and its formulae, its place counted from the text's begin.
 void check(std::string_view text);
 
-/// A formula as it is read aloud: "k times T over m".
-std::string spoken(const Parts& formula);
+/// A formula as it is read aloud in a language: "k times T over m".
+std::string spoken(Language language, const Parts& formula);
 
 /// A text with its formulae as they are read aloud.
-std::string spoken_text(std::string_view text);
+std::string spoken_text(Language language, std::string_view text);
 
 /// A formula in MathML, `<math>...</math>`.
 std::string mathml(const Parts& formula);

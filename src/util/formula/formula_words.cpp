@@ -45,8 +45,10 @@ bool is_function(const Part& part) {
 
 class Speaker {
   public:
+    explicit Speaker(Language language) : language_(language) {}
+
     std::string speak(std::span<const Part> parts) {
-        for (std::size_t i = 0; i < parts.size(); ++i) say(parts, i);
+        for (std::size_t i = 0; i < parts.size(); ++i) say_part(parts, i);
         return std::move(said_);
     }
 
@@ -57,20 +59,24 @@ class Speaker {
         said_ += words;
     }
 
-    static std::string inside(std::span<const Part> parts) { return Speaker().speak(parts); }
+    std::string in_words(Phrase phrase) const { return say(language_, phrase); }
 
-    static std::string ended(std::span<const Part> parts, const std::string& end) {
-        return inside(parts) + (is_compound(parts) ? ", " + end : "");
+    std::string inside(std::span<const Part> parts) const {
+        return Speaker(language_).speak(parts);
     }
 
-    void say(std::span<const Part> parts, std::size_t i) {
+    std::string ended(std::span<const Part> parts, Phrase end) const {
+        return inside(parts) + (is_compound(parts) ? ", " + in_words(end) : "");
+    }
+
+    void say_part(std::span<const Part> parts, std::size_t i) {
         const Part& part = parts[i];
         const bool goes_on =
             i > 0 && is_digit(part) && is_digit(parts[i - 1]) && !parts[i - 1].has_indices();
         if (goes_on)
             said_ += part.symbol->tex;
         else if (i > 0 && multiplies(parts[i - 1], part))
-            add(parts[i - 1].of == Part::Of::fraction ? ", times" : "times");
+            add((parts[i - 1].of == Part::Of::fraction ? ", " : "") + say(language_, "times"));
         if (!goes_on) add(words_of(parts, i));
         if (part.kind != Class::operation) say_indices(part);
     }
@@ -84,7 +90,7 @@ class Speaker {
                !is_symbol(next, "!");
     }
 
-    static std::string words_of(std::span<const Part> parts, std::size_t i) {
+    std::string words_of(std::span<const Part> parts, std::size_t i) const {
         const Part& part = parts[i];
         switch (part.of) {
             case Part::Of::symbol:
@@ -94,14 +100,16 @@ class Speaker {
             case Part::Of::fraction:
                 return fraction(part);
             case Part::Of::root:
-                return "the square root of " + ended(part.body, "end of root");
+                return say(language_, "the square root of {}",
+                           ended(part.body, Phrase{"end of root"}));
             case Part::Of::accent:
-                return part.symbol->tex == "vec" ? "vector " + inside(part.body)
-                                                 : inside(part.body) + " " + part.symbol->spoken;
+                return part.symbol->tex == "vec"
+                           ? in_words(part.symbol->spoken) + " " + inside(part.body)
+                           : inside(part.body) + " " + in_words(part.symbol->spoken);
             case Part::Of::fenced:
                 return fenced(part, i > 0 && is_function(parts[i - 1]));
             case Part::Of::upright:
-                return part.kind == Class::operation ? std::string(spoken_function(part.words))
+                return part.kind == Class::operation ? in_words(spoken_function(part.words))
                                                      : part.words;
             case Part::Of::space:
                 break;
@@ -109,9 +117,18 @@ class Speaker {
         return {};
     }
 
-    static std::string symbol(std::span<const Part> parts, std::size_t i) {
+    // Brackets that have no words are not said.
+    std::string spoken_symbol(const Symbol* symbol) const {
+        if (symbol == nullptr) return {};
+        if (!symbol->spoken.english.empty()) return in_words(symbol->spoken);
+        const bool is_bracket = symbol->kind == Class::opening || symbol->kind == Class::closing;
+        return is_bracket ? std::string() : symbol->tex;
+    }
+
+    std::string symbol(std::span<const Part> parts, std::size_t i) const {
         const Part& part = parts[i];
-        if (part.symbol->tex == "(" && i > 0 && is_function(parts[i - 1])) return "of";
+        if (part.symbol->tex == "(" && i > 0 && is_function(parts[i - 1]))
+            return say(language_, "of");
         if (part.symbol->tex == ")") {
             const bool is_of_one =
                 i > 2 && is_symbol(parts[i - 2], "(") && is_function(parts[i - 3]);
@@ -123,59 +140,61 @@ class Speaker {
                 std::ranges::find_if(before.rbegin(), before.rend(),
                                      [](const Part& one) { return is_symbol(one, "langle"); });
             const auto within = static_cast<std::size_t>(open - before.rbegin());
-            if (open != before.rend() && is_compound(before.last(within))) return ", end of mean";
+            if (open != before.rend() && is_compound(before.last(within)))
+                return ", " + say(language_, "end of mean");
         }
-        return part.symbol->spoken;
+        return spoken_symbol(part.symbol);
     }
 
-    static std::string fraction(const Part& part) {
+    std::string fraction(const Part& part) const {
         if (!is_compound(part.body) && !is_compound(part.below))
-            return inside(part.body) + " over " + inside(part.below);
-        return "the fraction " + inside(part.body) + ", over " + inside(part.below) +
-               ", end of fraction";
+            return say(language_, "{} over {}", inside(part.body), inside(part.below));
+        return say(language_, "the fraction {}, over {}, end of fraction", inside(part.body),
+                   inside(part.below));
     }
 
-    static std::string fenced(const Part& part, bool is_argument) {
+    std::string fenced(const Part& part, bool is_argument) const {
         const auto is = [](const Symbol* bracket, std::string_view tex) {
             return bracket != nullptr && bracket->tex == tex;
         };
         if (is(part.left, "langle") && is(part.right, "rangle"))
-            return "the mean of " + ended(part.body, "end of mean");
+            return say(language_, "the mean of") + " " + ended(part.body, Phrase{"end of mean"});
         if (is(part.left, "|") && is(part.right, "|"))
-            return "the absolute value of " + ended(part.body, "end of absolute value");
-        if (is_argument) return "of " + ended(part.body, "end of argument");
-        const auto spoken = [](const Symbol* bracket) {
-            return bracket == nullptr ? std::string() : bracket->spoken;
-        };
-        return spoken(part.left) + " " + inside(part.body) + " " + spoken(part.right);
+            return say(language_, "the absolute value of {}",
+                       ended(part.body, Phrase{"end of absolute value"}));
+        if (is_argument)
+            return say(language_, "of") + " " + ended(part.body, Phrase{"end of argument"});
+        return spoken_symbol(part.left) + " " + inside(part.body) + " " + spoken_symbol(part.right);
     }
 
     // "the sum over i of", "the integral from 0 to infinity of".
-    static std::string operation(const Part& part) {
-        const std::string what = part.symbol->spoken.substr(0, part.symbol->spoken.rfind(' '));
-        std::string over;
-        if (!part.below_index.empty())
-            over = (part.above_index.empty() ? " over " : " from ") + inside(part.below_index);
-        if (!part.above_index.empty()) over += " to " + inside(part.above_index);
-        return what + over + " of";
+    std::string operation(const Part& part) const {
+        const std::string what = in_words(part.symbol->spoken);
+        const bool below = !part.below_index.empty(), above = !part.above_index.empty();
+        const std::string low = inside(part.below_index), high = inside(part.above_index);
+        if (below && above) return say(language_, "{} from {} to {} of", what, low, high);
+        if (below) return say(language_, "{} over {} of", what, low);
+        if (above) return say(language_, "{} up to {} of", what, high);
+        return say(language_, "{} of", what);
     }
 
     void say_indices(const Part& part) {
-        if (!part.below_index.empty()) add("sub " + inside(part.below_index));
+        if (!part.below_index.empty()) add(say(language_, "sub {}", inside(part.below_index)));
         std::span<const Part> power = part.above_index;
         while (!power.empty() && is_symbol(power.front(), "prime")) {
-            add("prime");
+            add(say(language_, "prime"));
             power = power.subspan(1);
         }
         if (power.empty()) return;
         if (power.size() == 1 && !power[0].has_indices() && is_symbol(power[0], "2"))
-            add("squared");
+            add(say(language_, "squared"));
         else if (power.size() == 1 && !power[0].has_indices() && is_symbol(power[0], "3"))
-            add("cubed");
+            add(say(language_, "cubed"));
         else
-            add("to the power " + ended(power, "end of power"));
+            add(say(language_, "to the power {}", ended(power, Phrase{"end of power"})));
     }
 
+    Language language_;
     std::string said_;
 };
 
@@ -259,12 +278,14 @@ std::string row(std::span<const Part> parts) {
 
 }  // namespace
 
-std::string spoken(const Parts& formula) { return Speaker().speak(formula); }
+std::string spoken(Language language, const Parts& formula) {
+    return Speaker(language).speak(formula);
+}
 
-std::string spoken_text(std::string_view text) {
+std::string spoken_text(Language language, std::string_view text) {
     std::string words;
     for (const Span& span : spans_of(text))
-        words += span.is_formula ? spoken(parsed(span.text)) : span.text;
+        words += span.is_formula ? spoken(language, parsed(span.text)) : span.text;
     return words;
 }
 

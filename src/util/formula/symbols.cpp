@@ -13,83 +13,83 @@ using enum Class;
 // Characters that a formula may have as they are, beside letters and digits.
 const std::vector<Symbol>& characters() {
     static const std::vector<Symbol> all{
-        {"+", "+", binary, false, "plus"},
-        {"-", "−", binary, false, "minus"},
-        {"/", "/", ordinary, false, "over"},
-        {"=", "=", relation, false, "equals"},
-        {"<", "<", relation, false, "is less than"},
-        {">", ">", relation, false, "is greater than"},
-        {":", ":", relation, false, "to"},
-        {"(", "(", opening, false, "open bracket"},
-        {")", ")", closing, false, "close bracket"},
-        {"[", "[", opening, false, "open square bracket"},
-        {"]", "]", closing, false, "close square bracket"},
-        {"|", "|", ordinary, false, "bar"},
-        {",", ",", punctuation, false, ","},
-        {";", ";", punctuation, false, ";"},
-        {".", ".", ordinary, false, "point"},
-        {"!", "!", closing, false, "factorial"},
+        {"+", "+", binary, false, Phrase{"plus"}},
+        {"-", "−", binary, false, Phrase{"minus"}},
+        {"/", "/", ordinary, false, Phrase{"over"}},
+        {"=", "=", relation, false, Phrase{"equals"}},
+        {"<", "<", relation, false, Phrase{"is less than"}},
+        {">", ">", relation, false, Phrase{"is greater than"}},
+        {":", ":", relation, false, Phrase{"to"}},
+        {"(", "(", opening, false, Phrase{"open bracket"}},
+        {")", ")", closing, false, Phrase{"close bracket"}},
+        {"[", "[", opening, false, Phrase{"open square bracket"}},
+        {"]", "]", closing, false, Phrase{"close square bracket"}},
+        {"|", "|", ordinary, false, Phrase{"bar"}},
+        {",", ",", punctuation, false},
+        {";", ";", punctuation, false},
+        {".", ".", ordinary, false, Phrase{"point"}},
+        {"!", "!", closing, false, Phrase{"factorial"}},
     };
     return all;
 }
 
 const std::vector<Symbol>& named() {
     static const std::vector<Symbol> all{
-        {"alpha", "α", ordinary, true, "alpha"},
-        {"beta", "β", ordinary, true, "beta"},
-        {"gamma", "γ", ordinary, true, "gamma"},
-        {"delta", "δ", ordinary, true, "delta"},
-        {"epsilon", "ϵ", ordinary, true, "epsilon"},
-        {"varepsilon", "ε", ordinary, true, "epsilon"},
-        {"zeta", "ζ", ordinary, true, "zeta"},
-        {"eta", "η", ordinary, true, "eta"},
-        {"theta", "θ", ordinary, true, "theta"},
-        {"iota", "ι", ordinary, true, "iota"},
-        {"kappa", "κ", ordinary, true, "kappa"},
-        {"lambda", "λ", ordinary, true, "lambda"},
-        {"mu", "μ", ordinary, true, "mu"},
-        {"nu", "ν", ordinary, true, "nu"},
-        {"xi", "ξ", ordinary, true, "xi"},
-        {"pi", "π", ordinary, true, "pi"},
-        {"rho", "ρ", ordinary, true, "rho"},
-        {"sigma", "σ", ordinary, true, "sigma"},
-        {"tau", "τ", ordinary, true, "tau"},
-        {"upsilon", "υ", ordinary, true, "upsilon"},
-        {"phi", "ϕ", ordinary, true, "phi"},
-        {"varphi", "φ", ordinary, true, "phi"},
-        {"chi", "χ", ordinary, true, "chi"},
-        {"psi", "ψ", ordinary, true, "psi"},
-        {"omega", "ω", ordinary, true, "omega"},
-        {"Gamma", "Γ", ordinary, false, "capital gamma"},
-        {"Delta", "Δ", ordinary, false, "capital delta"},
-        {"Theta", "Θ", ordinary, false, "capital theta"},
-        {"Lambda", "Λ", ordinary, false, "capital lambda"},
-        {"Xi", "Ξ", ordinary, false, "capital xi"},
-        {"Pi", "Π", ordinary, false, "capital pi"},
-        {"Sigma", "Σ", ordinary, false, "capital sigma"},
-        {"Phi", "Φ", ordinary, false, "capital phi"},
-        {"Psi", "Ψ", ordinary, false, "capital psi"},
-        {"Omega", "Ω", ordinary, false, "capital omega"},
-        {"partial", "∂", ordinary, true, "partial"},
-        {"infty", "∞", ordinary, false, "infinity"},
-        {"prime", "′", ordinary, false, "prime"},
-        {"cdot", "·", binary, false, "times"},
-        {"times", "×", binary, false, "times"},
-        {"pm", "±", binary, false, "plus or minus"},
-        {"leq", "≤", relation, false, "is at most"},
-        {"geq", "≥", relation, false, "is at least"},
-        {"neq", "≠", relation, false, "is not"},
-        {"approx", "≈", relation, false, "is about"},
-        {"sim", "∼", relation, false, "goes as"},
-        {"equiv", "≡", relation, false, "is defined as"},
-        {"propto", "∝", relation, false, "is proportional to"},
-        {"ll", "≪", relation, false, "is much less than"},
-        {"gg", "≫", relation, false, "is much greater than"},
-        {"to", "→", relation, false, "to"},
-        {"langle", "⟨", opening, false, "the mean of"},
-        {"rangle", "⟩", closing, false, ""},
-        {"sum", "∑", operation, false, "the sum of"},
-        {"int", "∫", operation, false, "the integral of"},
+        {"alpha", "α", ordinary, true, Phrase{"alpha"}},
+        {"beta", "β", ordinary, true, Phrase{"beta"}},
+        {"gamma", "γ", ordinary, true, Phrase{"gamma"}},
+        {"delta", "δ", ordinary, true, Phrase{"delta"}},
+        {"epsilon", "ϵ", ordinary, true, Phrase{"epsilon"}},
+        {"varepsilon", "ε", ordinary, true, Phrase{"epsilon"}},
+        {"zeta", "ζ", ordinary, true, Phrase{"zeta"}},
+        {"eta", "η", ordinary, true, Phrase{"eta"}},
+        {"theta", "θ", ordinary, true, Phrase{"theta"}},
+        {"iota", "ι", ordinary, true, Phrase{"iota"}},
+        {"kappa", "κ", ordinary, true, Phrase{"kappa"}},
+        {"lambda", "λ", ordinary, true, Phrase{"lambda"}},
+        {"mu", "μ", ordinary, true, Phrase{"mu"}},
+        {"nu", "ν", ordinary, true, Phrase{"nu"}},
+        {"xi", "ξ", ordinary, true, Phrase{"xi"}},
+        {"pi", "π", ordinary, true, Phrase{"pi"}},
+        {"rho", "ρ", ordinary, true, Phrase{"rho"}},
+        {"sigma", "σ", ordinary, true, Phrase{"sigma"}},
+        {"tau", "τ", ordinary, true, Phrase{"tau"}},
+        {"upsilon", "υ", ordinary, true, Phrase{"upsilon"}},
+        {"phi", "ϕ", ordinary, true, Phrase{"phi"}},
+        {"varphi", "φ", ordinary, true, Phrase{"phi"}},
+        {"chi", "χ", ordinary, true, Phrase{"chi"}},
+        {"psi", "ψ", ordinary, true, Phrase{"psi"}},
+        {"omega", "ω", ordinary, true, Phrase{"omega"}},
+        {"Gamma", "Γ", ordinary, false, Phrase{"capital gamma"}},
+        {"Delta", "Δ", ordinary, false, Phrase{"capital delta"}},
+        {"Theta", "Θ", ordinary, false, Phrase{"capital theta"}},
+        {"Lambda", "Λ", ordinary, false, Phrase{"capital lambda"}},
+        {"Xi", "Ξ", ordinary, false, Phrase{"capital xi"}},
+        {"Pi", "Π", ordinary, false, Phrase{"capital pi"}},
+        {"Sigma", "Σ", ordinary, false, Phrase{"capital sigma"}},
+        {"Phi", "Φ", ordinary, false, Phrase{"capital phi"}},
+        {"Psi", "Ψ", ordinary, false, Phrase{"capital psi"}},
+        {"Omega", "Ω", ordinary, false, Phrase{"capital omega"}},
+        {"partial", "∂", ordinary, true, Phrase{"partial"}},
+        {"infty", "∞", ordinary, false, Phrase{"infinity"}},
+        {"prime", "′", ordinary, false, Phrase{"prime"}},
+        {"cdot", "·", binary, false, Phrase{"times"}},
+        {"times", "×", binary, false, Phrase{"times"}},
+        {"pm", "±", binary, false, Phrase{"plus or minus"}},
+        {"leq", "≤", relation, false, Phrase{"is at most"}},
+        {"geq", "≥", relation, false, Phrase{"is at least"}},
+        {"neq", "≠", relation, false, Phrase{"is not"}},
+        {"approx", "≈", relation, false, Phrase{"is about"}},
+        {"sim", "∼", relation, false, Phrase{"goes as"}},
+        {"equiv", "≡", relation, false, Phrase{"is defined as"}},
+        {"propto", "∝", relation, false, Phrase{"is proportional to"}},
+        {"ll", "≪", relation, false, Phrase{"is much less than"}},
+        {"gg", "≫", relation, false, Phrase{"is much greater than"}},
+        {"to", "→", relation, false, Phrase{"goes to"}},
+        {"langle", "⟨", opening, false, Phrase{"the mean of"}},
+        {"rangle", "⟩", closing, false},
+        {"sum", "∑", operation, false, Phrase{"the sum"}},
+        {"int", "∫", operation, false, Phrase{"the integral"}},
     };
     return all;
 }
@@ -99,22 +99,22 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> synonyms{
 
 const std::vector<Symbol>& accents() {
     static const std::vector<Symbol> all{
-        {"bar", "‾", ordinary, false, "bar"},
-        {"hat", "^", ordinary, false, "hat"},
-        {"vec", "→", ordinary, false, "vector"},
-        {"dot", "˙", ordinary, false, "dot"},
+        {"bar", "‾", ordinary, false, Phrase{"bar"}},
+        {"hat", "^", ordinary, false, Phrase{"hat"}},
+        {"vec", "→", ordinary, false, Phrase{"vector"}},
+        {"dot", "˙", ordinary, false, Phrase{"dot"}},
     };
     return all;
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> functions{
-    {{"exp", "the exponential of"},
-     {"ln", "the natural logarithm of"},
-     {"log", "the logarithm of"},
-     {"sin", "the sine of"},
-     {"cos", "the cosine of"},
-     {"tan", "the tangent of"},
-     {"tanh", "the hyperbolic tangent of"}}};
+constexpr std::array<std::pair<std::string_view, Phrase>, 7> functions{
+    {{"exp", Phrase{"the exponential of"}},
+     {"ln", Phrase{"the natural logarithm of"}},
+     {"log", Phrase{"the logarithm of"}},
+     {"sin", Phrase{"the sine of"}},
+     {"cos", Phrase{"the cosine of"}},
+     {"tan", Phrase{"the tangent of"}},
+     {"tanh", Phrase{"the hyperbolic tangent of"}}}};
 
 const Symbol* by_tex(const std::vector<Symbol>& symbols, std::string_view tex) {
     const auto found = std::ranges::find(symbols, tex, &Symbol::tex);
@@ -129,11 +129,10 @@ std::map<std::string, Symbol, std::less<>> all_letters() {
     };
     for (char c = 'a'; c <= 'z'; ++c) {
         const std::string small(1, c), large(1, static_cast<char>(c - 'a' + 'A'));
-        add({small, small, ordinary, true, small});
-        add({large, large, ordinary, true, large});
+        add({small, small, ordinary, true});
+        add({large, large, ordinary, true});
     }
-    for (char c = '0'; c <= '9'; ++c)
-        add({std::string(1, c), std::string(1, c), ordinary, false, std::string(1, c)});
+    for (char c = '0'; c <= '9'; ++c) add({std::string(1, c), std::string(1, c), ordinary, false});
     for (const Symbol& symbol : characters()) add(symbol);
     for (const Symbol& symbol : named()) letters.emplace(symbol.letter, symbol);
     return letters;
@@ -160,9 +159,9 @@ const Symbol* bracket_of(std::string_view name) {
     return name == "langle" || name == "rangle" ? symbol_of_command(name) : nullptr;
 }
 
-std::string_view spoken_function(std::string_view name) {
+Phrase spoken_function(std::string_view name) {
     const auto found = std::ranges::find(functions, name, &decltype(functions)::value_type::first);
-    return found == functions.end() ? std::string_view{} : found->second;
+    return found == functions.end() ? Phrase{} : found->second;
 }
 
 const std::vector<std::string>& commands() {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "util/language.h"
+
 namespace carom::formula {
 
 /// What a symbol or a part is for the space around it (TeXbook, chapter 17).
@@ -16,7 +18,7 @@ struct Symbol {
     std::string letter;  ///< in UTF-8
     Class kind = Class::ordinary;
     bool is_slanted = false;  ///< as Latin and small Greek letters are
-    std::string spoken = {};  ///< in English; empty: nothing is said
+    Phrase spoken = {};  ///< how it is read aloud; empty: as its letter, or nothing for a bracket
 };
 
 /// The symbol of a character (UTF-8), or null.
@@ -33,7 +35,7 @@ const Symbol* accent_of_command(std::string_view name);
 const Symbol* bracket_of(std::string_view name);
 
 /// What a function with a name of its own, such as ln, is called; empty if there is none.
-std::string_view spoken_function(std::string_view name);
+Phrase spoken_function(std::string_view name);
 
 /// All commands that a formula may have, for hints.
 const std::vector<std::string>& commands();

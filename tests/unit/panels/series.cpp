@@ -63,6 +63,32 @@ Eigen::ArrayXXd along_x(const std::vector<double>& values) {
 
 }  // namespace
 
+TEST_CASE("a series with a title of the scene names its lines in a key, and its axis") {
+    const Stage stage(2);
+    for (const bool is_own : {false, true}) {
+        PanelSpec spec{.kind = "temperature", .of = {{.species = 0}, {.species = 1}}};
+        if (is_own) spec.title = "They meet & mix";
+        const auto panel = stage.panel(spec);
+        stage.show(*panel, 0.0, along_x({1, -1, 2, -2}));
+        stage.show(*panel, 1.0, along_x({1, -1, 2, -2}));
+        panel->fix_axes();
+        const plot::Plot plot = panel->plot(nullptr);
+        std::vector<std::string> key;
+        for (const plot::Note& note : plot.notes)
+            for (const plot::KeyEntry& entry : note.entries)
+                for (const plot::Text& words : entry.words) key.push_back(words.pieces[0].markup);
+        if (is_own) {
+            CHECK(plot.titles.at(0).pieces.at(0).markup == "They meet &amp; mix");
+            CHECK(plot.y.title.pieces.at(0).markup == "temperature");
+            CHECK(key == std::vector<std::string>{"light", "heavy"});
+        } else {
+            CHECK(plot.titles.at(0).pieces.at(1).markup == "Temperature");
+            CHECK(plot.y.title.empty());
+            CHECK(key.empty());
+        }
+    }
+}
+
 TEST_CASE("the bounds of the classes of speed are medium") {
     const std::array<double, 3> shares =
         class_shares(Eigen::ArrayXd{{0.0, 0.99, 1.0, 2.0, 3.0, 3.01, 7.0, 2.5}}, 2.0);

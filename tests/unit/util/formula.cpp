@@ -13,7 +13,9 @@ using formula::Part;
 
 namespace {
 
-std::string spoken(const std::string& tex) { return formula::spoken(formula::parsed(tex)); }
+std::string spoken(const std::string& tex) {
+    return formula::spoken(Language::english, formula::parsed(tex));
+}
 
 struct Refused {
     std::size_t at;
@@ -52,6 +54,17 @@ TEST_CASE("a formula is a tree of parts with their indices") {
               formula::parsed(command).front().symbol->letter);
 }
 
+TEST_CASE("a formula is said in the language of the picture") {
+    const formula::Parts parts = formula::parsed("\\sqrt{\\frac{kT}{m}} \\leq \\bar v^2");
+    CHECK(formula::spoken(Language::german, parts) ==
+          "Wurzel aus k mal T durch m, Ende der Wurzel höchstens v Strich hoch zwei");
+    CHECK(formula::spoken(Language::french, parts) ==
+          "la racine carrée de k fois T sur m, fin de la racine est au plus v barre au carré");
+    CHECK(formula::spoken(Language::spanish, parts) ==
+          "la raíz cuadrada de k por T entre m, fin de la raíz es como máximo v barra al "
+          "cuadrado");
+}
+
 TEST_CASE("a formula is said in words") {
     const std::vector<std::pair<std::string, std::string>> all{
         {"\\frac{kT}{m}", "k times T over m"},
@@ -75,7 +88,8 @@ TEST_CASE("a formula is said in words") {
         {"x^{n+1} y", "x to the power n plus 1, end of power times y"},
     };
     for (const auto& [tex, words] : all) CHECK(spoken(tex) == words);
-    CHECK(formula::spoken_text("it is $kT$, for \\$5") == "it is k times T, for $5");
+    CHECK(formula::spoken_text(Language::english, "it is $kT$, for \\$5") ==
+          "it is k times T, for $5");
 }
 
 TEST_CASE("formulae stand between dollar signs") {

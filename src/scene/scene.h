@@ -138,8 +138,8 @@ struct Field {
     FieldOf of = FieldOf::density;
     std::optional<std::size_t> species = {};  ///< of the concentration
     int cells = 32;                           ///< along the longer side of the box
-    double over = 0.5;     ///< simulated time before the present that it is averaged over
-    double opacity = 0.6;  ///< of its colours over the ground
+    double over = 0.5;      ///< simulated time before the present that it is averaged over
+    double opacity = 0.85;  ///< of its colours over the ground
 };
 
 /// A panel of a film with its options; those without a meaning for its kind are as here.

@@ -77,9 +77,10 @@ TEST_CASE("carom new replaces nothing") {
 
 TEST_CASE("a new scene may begin with another one, by its path or its name in the library") {
     const TemporaryFolder folder;
-    const std::string original = contents(root / "scenes/time-reversal.yaml");
-    for (const std::string& from :
-         std::vector<std::string>{"time-reversal", library_scene("time-reversal")}) {
+    for (const std::string& from : std::vector<std::string>{"time-reversal", "single-collision",
+                                                            library_scene("time-reversal")}) {
+        const std::string name = fs::path(from).stem().string();
+        const std::string original = contents(library_scene(name));
         fs::remove(folder.path() / "mine.yaml");
         CHECK(run({program, "new", "mine", "--from", from}, folder.path()).exit_code == 0);
         const std::string text = contents(folder.path() / "mine.yaml");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "support/library.h"
 #include "support/test_root.h"
 
 namespace carom::test {
@@ -13,7 +14,7 @@ inline const std::filesystem::path root = carom::test::checkout();
 
 /// The path of a scene of the library.
 inline std::string library_scene(const std::string& name) {
-    return (root / "scenes" / (name + ".yaml")).string();
+    return carom::test::library_file(name).string();
 }
 
 inline bool has(const std::string& text, const std::string& part) {

@@ -281,7 +281,7 @@ TEST_CASE("the schema of sets and carom check say the same of single faults") {
 }
 
 TEST_CASE("every good scene fits the schema") {
-    std::vector<fs::path> scenes = yaml_files(root / "scenes");
+    std::vector<fs::path> scenes = carom::test::library_files();
     for (const fs::path& scene : yaml_files(root / "tests/golden")) scenes.push_back(scene);
     CHECK(scenes.size() >= 5);
     const json found = verdicts(scenes);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "support/files.h"
+#include "support/library.h"
 #include "support/process.h"
 #include "support/test_root.h"
 
@@ -115,8 +116,8 @@ Pair draw(const std::string& scene, const std::string& at, const std::string& th
     CAPTURE(name);
     pin_fonts();
     const Pair pair = pair_of(name, fs::path(CAROM_GOLDEN_OUTPUT) / name);
-    fs::path file = carom::test::checkout() / "scenes" / (scene + ".yaml");
-    if (!fs::exists(file)) file = carom::test::checkout() / "tests/golden" / (scene + ".yaml");
+    fs::path file = carom::test::checkout() / "tests/golden" / (scene + ".yaml");
+    if (!fs::exists(file)) file = carom::test::library_file(scene);
     const Outcome outcome = run({CAROM_PROGRAM, "still", file.string(), "--at", at, "--theme",
                                  theme, "--size", "480x270", "-o", pair.drawn.string(), "--quiet"});
     CAPTURE(outcome.err);

@@ -1,15 +1,16 @@
 // carom new: a scene to start from, commented or made from another.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <system_error>
 
 #include "app/command.h"
 #include "app/resources.h"
 #include "panels/registry.h"
+#include "scene/reading/set_reading.h"
 #include "scene/starter.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -53,22 +54,24 @@ std::string schema_reference(const fs::path& file) {
     return as_reference(schema);
 }
 
-std::vector<std::string> library() {
-    std::vector<std::string> names;
+// The scenes of all its folders by their names; figure sets are none.
+std::map<std::string, fs::path> library() {
+    std::map<std::string, fs::path> scenes;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(library_folder(), error))
-        if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
-    return names;
+    for (const auto& entry : fs::recursive_directory_iterator(library_folder(), error))
+        if (entry.path().extension() == ".yaml" && !is_figure_set(entry.path()))
+            scenes.emplace(entry.path().stem().string(), entry.path());
+    return scenes;
 }
 
 // A file, or a scene of the library by its name.
 fs::path source(const std::string& from) {
     std::error_code error;
     if (from == standard_input || fs::exists(from, error)) return from;
-    const std::vector<std::string> names = library();
-    if (std::find(names.begin(), names.end(), from) != names.end())
-        return library_folder() / (from + ".yaml");
+    const std::map<std::string, fs::path> all = library();
+    if (const auto found = all.find(from); found != all.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [name, path] : all) names.push_back(name);
     const std::string scenes = fmt::format("its scenes are {}", fmt::join(names, ", "));
     throw UsageError(
         fmt::format("--from {}: there is no such file, and no such scene in the library; {}", from,

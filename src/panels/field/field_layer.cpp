@@ -173,12 +173,14 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
     return state;
 }
 
-// Not the disks': magma, or viridis where they have it or one that is like it.
+// Not the disks': magma, or viridis where they have it or one that is like it. On a dark ground
+// neither as dark as blank cells nor as light as the outlines of the disks.
 ColorMap FieldLayer::colors(const Theme& theme) const {
     if (theme.kind == ThemeKind::print) return grey_map();
     const std::string disks = context_.scene.film.palette.value_or("viridis");
     const bool is_warm = disks == "magma" || disks == "inferno" || disks == "plasma";
-    return color_map_on(is_warm ? "viridis" : "magma", theme);
+    const char* name = is_warm ? "viridis" : "magma";
+    return theme.dark ? color_map(name, 0.22, 0.84) : color_map_on(name, theme);
 }
 
 // The longest arrow of the scale is as long as a cell is wide.

@@ -19,6 +19,7 @@ constexpr double ring_line = 0.13;
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
 constexpr double arrows_apart = 0.9;   // units, from those to the right to those to the left
 constexpr double arrows_height = 2.0;  // units, that they take from the world lines
+constexpr double least_history = 2.5;  // units of height, from which world lines are drawn
 
 void draw_rod(Canvas& canvas, const DrawContext& dc, Point center, double radius, Color color,
               bool filled) {
@@ -39,9 +40,11 @@ LinePanel::View LinePanel::whole_view(const DrawContext& dc) const {
     const double u = dc.unit;
     const double arrows = arrows_.shown() ? arrows_height * u : 0.0;
     View view{};
-    view.line_y = dc.area.y + 3.4 * u;
+    const double below = dc.area.height - 8.0 * u - arrows;
+    view.has_lines = below >= least_history * u;
+    view.line_y = dc.area.y + (view.has_lines ? 3.4 * u : 0.5 * dc.area.height);
     view.plot = {dc.area.x + 3.4 * u, dc.area.y + 7.6 * u + arrows, dc.area.width - 4.0 * u,
-                 dc.area.height - 8.0 * u - arrows};
+                 view.has_lines ? below : 0.0};
     if (!ends_.is_plain()) view.plot.width -= 2.6 * u;  // for what is outside of the right end
     view.low = -ends_.before();
     view.scale = view.plot.width / (map_->length() + ends_.before() + ends_.beyond());
@@ -89,6 +92,7 @@ void LinePanel::Drawing::draw_ground() const {
     if (!panel.ends_.is_plain())
         panel.ends_.draw_gravity(canvas, dc, {v.plot.x + v.plot.width / 2, dc.area.y + 0.9 * u});
     canvas.stroke_line({v.plot.x, v.line_y}, {v.plot.right(), v.line_y}, 0.12 * u, dc.theme.wall);
+    if (!v.has_lines) return;
     AxisStyle axis = axis_style(dc);
     axis.language = context.language();
     draw_y_axis(canvas, v.plot, v.time, axis);
@@ -157,10 +161,12 @@ void LinePanel::Drawing::draw() const {
     if (now.view) canvas.clip_to({v.plot.x, dc.area.y, v.plot.width, dc.area.height});
     draw_acting_ends();
     if (now.view) canvas.release_clip();
-    canvas.clip_to(v.plot);
-    draw_lines();
-    draw_reversals();
-    canvas.release_clip();
+    if (v.has_lines) {
+        canvas.clip_to(v.plot);
+        draw_lines();
+        draw_reversals();
+        canvas.release_clip();
+    }
     canvas.clip_to({v.plot.x, dc.area.y, v.plot.width, v.plot.y - dc.area.y});
     if (now.field) draw_field();
     draw_ghosts();

@@ -20,6 +20,7 @@ struct LinePanel::View {
     double scale;      // pixels of a length
     double low;        // the place at the left end
     Scale time;        // time before now
+    bool has_lines;    // there is room for world lines
     bool rods;         // beads of true length are drawn as rods, else as disks
     bool larger_rods;  // and those drawn larger than they are
     double zoom = 1.0;

@@ -5,6 +5,7 @@ namespace carom {
 
 struct SurfaceSize {
     static constexpr double line = 0.11;    ///< of walls that reflect
+    static constexpr double chevron = 0.5;  ///< of joined sides: what reaches out of the box
     static constexpr double thick = 0.2;    ///< of partitions
     static constexpr double bath = 1.0;     ///< depth of a heat bath outside of the box
     static constexpr double bar = 0.6;      ///< thickness of a wall that moves

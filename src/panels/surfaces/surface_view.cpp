@@ -1,6 +1,7 @@
 #include "panels/surfaces/surface_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -73,6 +74,12 @@ SurfaceView::SurfaceView(const PanelContext& context)
                 temperatures_ = {std::min(temperatures_[0], bath->temperature),
                                  std::max(temperatures_[1], bath->temperature)};
     if (!plain_) margins_ = margins_of();
+    for (const int axis : {0, 1}) {
+        if (!context.scene.gas.box.is_periodic(axis)) continue;
+        for (double* margin : axis == 0 ? std::array{&margins_.left, &margins_.right}
+                                        : std::array{&margins_.top, &margins_.bottom})
+            *margin = std::max(*margin, SurfaceSize::chevron);
+    }
 }
 
 // Of a side, the most that it ever has.

@@ -1,5 +1,7 @@
 // The library of scenes and templates: every scene has a description and makes a picture with every
 // template, and is what it says it is.
+#include "support/library.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -28,7 +30,7 @@ namespace {
 const fs::path root = carom::test::checkout();
 
 Scene scene(const std::string& name, const Overrides& overrides = {}) {
-    return load_scene(root / "scenes" / (name + ".yaml"), test::resources(), overrides);
+    return load_scene(test::library_file(name), test::resources(), overrides);
 }
 
 void draw_to(const fs::path& picture, const Scene& loaded, double at) {
@@ -46,8 +48,8 @@ CollisionCounts collisions_in(const Scene& loaded) {
 
 TEST_CASE("every scene of the library says what is seen, and makes a picture") {
     const carom::test::TemporaryFolder folder;
-    const std::vector<fs::path> files = test::yaml_files(root / "scenes");
-    CHECK(files.size() >= 17);
+    const std::vector<fs::path> files = test::library_files();
+    CHECK(files.size() >= 25);
     for (const fs::path& file : files) {
         CAPTURE(file.string());
         const Scene loaded =
@@ -63,7 +65,7 @@ TEST_CASE("every scene of the library says what is seen, and makes a picture") {
 
 TEST_CASE("every scene of the library tells editors where its schema is") {
     const std::string mark = "# yaml-language-server: $schema=";
-    for (const fs::path& file : test::yaml_files(root / "scenes")) {
+    for (const fs::path& file : test::library_files()) {
         CAPTURE(file.string());
         const std::string text = carom::test::contents(file);
         const std::string line = text.substr(0, text.find('\n'));

@@ -8,6 +8,7 @@
 
 #include "panels/frame.h"
 #include "panels/gas/velocity_arrows.h"
+#include "panels/surfaces/surface_sizes.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 
@@ -45,8 +46,11 @@ struct Shot {
         const FrameData frame = panels.frame_data(tick, simulation.sample(), advanced);
         painter = std::make_unique<FramePainter>(panels);
         view = painter->paint(frame).pixels();
-        box = panels.gas().frame_in(
-            Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas), 1.0);
+        const Rect place = Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas);
+        const bool is_joined = scene.gas.box.dimension == 2 && scene.gas.box.is_periodic(0);
+        const double margin = is_joined ? SurfaceSize::chevron * unit() : 0.0;
+        box = panels.gas().frame_in(place, is_joined ? unit() : 1.0);
+        box = {box.x + margin, box.y + margin, box.width - 2.0 * margin, box.height - 2.0 * margin};
     }
 
     double scale() const { return box.width / scene.gas.box.size[0]; }

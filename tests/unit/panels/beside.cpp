@@ -146,3 +146,19 @@ TEST_CASE("beads on a wire stand one above the other") {
     FramePainter painter(*both.panels);
     painter.paint(both.frames.back());
 }
+
+TEST_CASE("beads on a wire have world lines only where there is room for them") {
+    for (const auto& [layout, lines] : {std::pair{"wide-gas", 2}, std::pair{"side-by-side", 0}}) {
+        CAPTURE(layout);
+        const test::Shot both(test::scene_from(
+            "title: T\nbox: {length: 12}\ngas: [{count: 6, radius: 0.1, speed: 1}]\nrun: {until: "
+            "8}\nfilm: {fps: 1, seconds: 2, panels: [], beside: {own_label: a, label: b, set: "
+            "seed=7}, "
+            "template: " +
+            std::string(layout) + "}\n"));
+        const TextLog log;
+        FramePainter(*both.panels).paint(both.frames.back());
+        CHECK(std::ranges::count(log.lines, "world lines", &DrawnLine::markup) == lines);
+        CHECK(std::ranges::count(log.lines, "time before now", &DrawnLine::markup) == lines);
+    }
+}

@@ -14,6 +14,7 @@
 #include "scene/load.h"
 #include "support/files.h"
 #include "support/first_frame.h"
+#include "support/library.h"
 #include "support/pixels.h"
 #include "support/resources.h"
 #include "support/scene_text.h"
@@ -101,13 +102,11 @@ TEST_CASE("all words that are drawn can be read, in every theme") {
         for (const Color& behind : {colors.page, colors.ground})
             for (const Color& word : {colors.ink, colors.muted, colors.highlight})
                 CHECK(contrast(word, behind) >= least);
-        for (const char* name :
-             {"mixed-masses", "heat-flow", "slow-crowd", "time-reversal-in-double",
-              "circular-particles", "gas-under-a-weight"}) {
-            const Shot film(load_scene(
-                (checkout() / "scenes" / (std::string(name) + ".yaml")).string(), resources(),
-                {"film.fps=1", "run.precision=double",
-                 std::string("film.theme=") + name_of_theme(kind)}));
+        for (const char* name : {"mixed-masses", "heat-flow", "slow-crowd", "reversal-precision",
+                                 "circular-particles", "gas-under-a-weight"}) {
+            const Shot film(load_scene(test::library_file(name), resources(),
+                                       {"film.fps=1", "run.precision=double",
+                                        std::string("film.theme=") + name_of_theme(kind)}));
             FramePainter(*film.panels).paint(film.frames.front());
             const TextLog log;
             FramePainter painter(*film.panels);
@@ -285,9 +284,8 @@ TEST_CASE("words on plates, and on captions, can be read over anything that move
 }
 
 TEST_CASE("a print of a scene that names no colours has none") {
-    const std::filesystem::path root = carom::test::checkout();
     int scenes = 0;
-    for (const std::filesystem::path& file : yaml_files(root / "scenes")) {
+    for (const std::filesystem::path& file : test::library_files()) {
         CAPTURE(file.stem().string());
         Scene scene = load_scene(file, test::resources(), {"film.theme=print", "film.fps=1"});
         const bool has_own =

@@ -267,8 +267,9 @@ TEST_CASE("the title of the distances tells the bits, where there is room") {
 }
 
 TEST_CASE("the words at the level of a radius keep clear of a line that ends near it") {
-    const Scene scene = load_scene(carom::test::checkout().string() + "/scenes/time-reversal.yaml",
-                                   test::resources(), {"film.template=portrait", "film.fps=5"});
+    const Scene scene = load_scene(
+        carom::test::checkout().string() + "/scenes/time-reversal.yaml", test::resources(),
+        {"film.template=portrait", "film.panels=[return-distance]", "film.fps=5"});
     const test::Shot film(scene);
     const TextLog log;
     FramePainter painter(*film.panels);

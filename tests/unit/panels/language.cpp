@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "draw/text.h"
+#include "support/library.h"
 #include "support/resources.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
@@ -88,7 +89,7 @@ std::vector<std::string> lines_of(const Scene& scene) {
 }
 
 Scene library_scene(const std::string& name, const std::string& language) {
-    return load_scene((test::checkout() / "scenes" / (name + ".yaml")).string(), test::resources(),
+    return load_scene(test::library_file(name), test::resources(),
                       {"film.language=" + language, "film.fps=2", "film.size=[1280, 720]",
                        "run.precision=double"});
 }
@@ -98,7 +99,7 @@ Scene library_scene(const std::string& name, const std::string& language) {
 TEST_CASE("frames speak the scene's language, and write its numbers") {
     for (const char* name :
          {"one-hot-particle", "mixed-masses", "single-collision", "heat-flow", "tonks-gas",
-          "equal-masses-in-one-dimension", "time-reversal-in-double", "gas-under-a-weight"}) {
+          "equal-masses-in-one-dimension", "reversal-precision", "gas-under-a-weight"}) {
         for (const auto& [language, code] :
              {std::pair{Language::german, "de"}, {Language::spanish, "es"}}) {
             const Scene scene = library_scene(name, code);

@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +97,30 @@ TEST_CASE("a box with nothing but walls that reflect has no states of surfaces")
     const Recording run(
         Simulation(scene.gas, scene.run), timeline(scene), {},
         [](const Tick&, const Sample&, const AdvanceResult& its) { CHECK(its.surfaces.empty()); });
+}
+
+TEST_CASE("the chevrons of joined sides stay within the place of the gas") {
+    for (const std::string walls : {"periodic", "{left: periodic, right: periodic}", "solid"}) {
+        CAPTURE(walls);
+        const Scene scene = test::scene_from("title: T\nbox: {size: [20, 10], walls: " + walls +
+                                             "}\ngas: [{count: 3}]\nrun: {until: 1}\n");
+        const Simulation simulation(scene.gas, scene.run);
+        const std::optional<EquilibriumGas> none;
+        const SurfaceView view(PanelContext{scene, simulation.particles(), 30, none});
+        constexpr double unit = 10.0;
+        const Rect place{100.0, 50.0, 400.0, 200.0};  // of the shape of the box
+        const BoxMap map = view.map_in(place, unit, false);
+        const std::array joined{scene.gas.box.is_periodic(0), scene.gas.box.is_periodic(1)};
+        const double line = SurfaceSize::line * unit + 1e-9;  // walls are drawn around the box
+        for (const std::vector<Point>& stroke : outline_of_box(map.frame, joined, unit))
+            for (const Point& at : stroke) {
+                CHECK(at.x >= place.x - line);
+                CHECK(at.x <= place.right() + line);
+                CHECK(at.y >= place.y - line);
+                CHECK(at.y <= place.bottom() + line);
+            }
+        if (walls == "solid") CHECK(map.frame.width == doctest::Approx(place.width));
+    }
 }
 
 namespace {

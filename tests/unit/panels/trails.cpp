@@ -11,6 +11,7 @@
 #include "panels/frame.h"
 #include "panels/layout.h"
 #include "panels/line/world_lines.h"
+#include "panels/surfaces/surface_sizes.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
@@ -84,7 +85,10 @@ std::vector<double> row_of_trail(const std::string& gas, const std::string& wall
     const PixelView view = painter.paint(with.frames.back()).pixels();
     const PixelView ground = plain.paint(without.frames.back()).pixels();
     const Grid grid(with.scene.film.layout, with.scene.film.size);
-    const Rect area = grid.place(with.scene.film.layout.gas);
+    const Rect place = grid.place(with.scene.film.layout.gas);
+    const double margin = walls == "periodic" ? SurfaceSize::chevron * grid.unit() : 0.0;
+    const Rect area{place.x + margin, place.y + margin, place.width - 2.0 * margin,
+                    place.height - 2.0 * margin};
     const double scale = std::min(area.width / 64.0, area.height / 48.0);
     const int y = static_cast<int>(area.y + area.height / 2.0);
     std::vector<double> row;

@@ -8,6 +8,7 @@
 #include "panels/frame.h"
 #include "scene/load.h"
 #include "support/files.h"
+#include "support/library.h"
 #include "support/pixels.h"
 #include "support/resources.h"
 #include "support/scene_text.h"
@@ -62,7 +63,7 @@ TEST_CASE(
     std::vector<std::pair<fs::path, std::string>> layouts;
     for (const fs::path& layout : test::yaml_files(root / "templates/films"))
         for (const std::string theme : {"dark", "print"}) layouts.emplace_back(layout, theme);
-    for (const fs::path& file : test::yaml_files(root / "scenes"))
+    for (const fs::path& file : test::library_files())
         for (const auto& [layout, theme] : layouts) {
             CAPTURE(theme);
             CAPTURE(file.stem().string());

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/files.h"
+#include "support/library.h"
 #include "support/resources.h"
 #include "support/scene_text.h"
 #include "support/test_root.h"
@@ -80,7 +81,7 @@ TEST_CASE("the first scene of the book") {
 }
 
 TEST_CASE("every scene of the library loads") {
-    for (const fs::path& file : test::yaml_files(root / "scenes")) {
+    for (const fs::path& file : test::library_files()) {
         CAPTURE(file.string());
         CHECK_NOTHROW(load_scene(file, test::resources()));
     }

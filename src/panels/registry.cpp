@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "panels/collision/collision_map_keys.h"
+#include "panels/correlations/correlation_keys.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
@@ -19,35 +20,6 @@ std::vector<Binding<PanelSpec>> reference_key() {
     return {bind_key("reference", &PanelSpec::reference_initial,
                      one_of<bool>({{"now", false}, {"initial", true}}),
                      "The mean speed that defines slow and fast: at present, or at the start.")};
-}
-
-std::vector<Binding<PanelSpec>> displacement_keys() {
-    return {bind_key("from", &PanelSpec::from, number(not_negative),
-                     "The simulated time from which displacements are measured."),
-            bind_key("fit_from", &PanelSpec::fit_from, number(not_negative),
-                     "The simulated time from which the line 2 d D t is fitted; D is the diffusion "
-                     "coefficient.")
-                .default_text("half-way to the end of the run")};
-}
-
-// The line needs a part of the run, and displacements in it.
-void check_displacements(PanelSpec& panel, const Node& node, Reading& reading) {
-    const double until = reading.run.until;
-    const Node *from = given(node, "from"), *fit_from = given(node, "fit_from");
-    if (!(until > 0.0)) return;
-    const auto is_late = [&](const Node* key, double time) {
-        if (key == nullptr || time < until) return false;
-        reading.errors.add(*key, fmt::format("the run ends at {}", until),
-                           fmt::format("expected a time below {}", until));
-        return true;
-    };
-    if (is_late(from, panel.from) || fit_from == nullptr || is_late(fit_from, *panel.fit_from))
-        return;
-    if (*panel.fit_from < panel.from)
-        reading.errors.add(
-            *fit_from,
-            fmt::format("displacements are measured from {}, which is later", panel.from),
-            "give a time from there on, or an earlier `from`");
 }
 
 std::vector<Binding<PanelSpec>> against_key() {
@@ -198,6 +170,35 @@ std::vector<PanelKind> all_kinds() {
          .abilities = {of, means, comparison},
          .keys = displacement_keys(),
          .rule = check_displacements},
+        {.name = "velocity-autocorrelation",
+         .words = Phrase{"velocity autocorrelation"},
+         .make = make_velocity_autocorrelation,
+         .abilities = {of, theory, means, comparison},
+         .keys = autocorrelation_keys(),
+         .rule = check_autocorrelation},
+        {.name = "pair-correlation",
+         .words = Phrase{"pair correlation"},
+         .make = make_pair_correlation,
+         .abilities = {of, over, theory, means, comparison},
+         .keys = pair_correlation_keys(),
+         .rule = check_pair_correlation},
+        {.name = "free-path",
+         .words = Phrase{"free path"},
+         .make = make_free_path,
+         .abilities = {of, over, theory, means, comparison},
+         .keys = free_flight_keys(),
+         .rule = check_free_flights},
+        {.name = "free-time",
+         .words = Phrase{"free time"},
+         .make = make_free_time,
+         .abilities = {of, over, theory, means, comparison},
+         .keys = free_flight_keys(),
+         .rule = check_free_flights},
+        {.name = "orientational-order",
+         .words = Phrase{"hexagonal order"},
+         .make = make_orientational_order,
+         .abilities = {means, comparison},
+         .rule = check_orientational_order},
         {.name = "return-distance",
          .words = Phrase{"return distance"},
          .make = make_return_distance,

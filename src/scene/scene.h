@@ -161,7 +161,12 @@ struct PanelSpec {
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
     double from = 0.0;               ///< displacements: the time that they are since
     std::optional<double> fit_from = {};  ///< displacements: of their line; none: by kind
-    bool against_collisions = false;      ///< return distances; otherwise against the time
+    bool all_origins = false;             ///< displacements: averaged over all starting times
+    std::optional<double> to = {};    ///< pair correlations: the largest distance; none: by kind
+    std::optional<double> lags = {};  ///< the longest time between two values; none: by kind
+    bool logarithmic = false;         ///< free flights: the axis up
+    bool ends_at_walls = false;       ///< free flights: at walls and partitions, too
+    bool against_collisions = false;  ///< return distances; otherwise against the time
     FieldOf quantity = FieldOf::density;  ///< of a profile
     std::vector<Monitor> numbers = {};    ///< monitors: those shown; none: all
     std::string words = {};               ///< text

@@ -12,20 +12,6 @@ namespace {
 
 constexpr double slices_of_window = 32.0;
 
-// The way that is gone in a time: the integral of the speed, with this velocity in the middle.
-double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span) {
-    const double speed = middle.matrix().norm(), pull = gravity.matrix().norm();
-    const double change = pull * span;
-    if (change < 1e-3 * speed || change == 0.0) return span * speed;  // to the sixth digit
-    const double along = (middle * gravity).sum() / pull;
-    const double across = std::sqrt(std::max(0.0, speed * speed - along * along));
-    const auto primitive = [&](double w) {
-        const double bent = across > 0.0 ? across * across * std::asinh(w / across) : 0.0;
-        return 0.5 * (w * std::hypot(across, w) + bent) / pull;
-    };
-    return primitive(along + 0.5 * change) - primitive(along - 0.5 * change);
-}
-
 }  // namespace
 
 Region Cells::region(Eigen::Index cell) const {
@@ -56,14 +42,13 @@ Eigen::ArrayXd CellSums::temperature() const {
 }
 
 CellAverages::CellAverages(const Box& box, const Particles& particles, const Cells& cells,
-                           Wanted wanted, std::vector<double> events)
+                           Wanted wanted, std::vector<double> velocity_changes)
     : box_(box),
       particles_(particles),
       cells_(cells),
       wanted_(std::move(wanted)),
-      events_(std::move(events)) {
-    for (int axis = 0; axis < box.dimension; ++axis) gravity_[axis] = box.surfaces.gravity[axis];
-}
+      paths_(box, std::move(velocity_changes)),
+      gravity_(paths_.gravity()) {}
 
 CellSums CellAverages::no_sums() const {
     const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(cells_.all());
@@ -108,30 +93,22 @@ CellSums& CellAverages::slice_at(double time) {
 }
 
 void CellAverages::see(const Sample& sample, std::span<const Collision> collisions) {
-    const Eigen::Index count = particles_.count();
-    const bool is_first = last_.empty();
-    if (is_first)
-        for (Eigen::Index i = 0; i < count; ++i) last_.push_back(at(sample, i));
     const double until = sample.time;
     start_ = wanted_.window ? until - *wanted_.window : -std::numeric_limits<double>::infinity();
     const bool is_moment = wanted_.window == 0.0;
-    if (!is_first && !is_moment && until > from_) {
+    const bool integrates = !is_first_ && !is_moment && until > from_;
+    if (integrates && wanted_.window) {
         // Whole slices only: what is older than the first is not looked at.
-        if (wanted_.window) {
-            const double length = *wanted_.window / slices_of_window;
-            start_ = static_cast<double>(slice_number(start_ + 0.5 * length)) * length;
-            while (!slices_.empty() && slices_.front().number < slice_number(start_ + 0.5 * length))
-                slices_.pop_front();
-        }
-        stays_.clear();
-        for (const Collision& one : collisions) {
-            meet(one.first, {one.time, one.first_position, one.first_before}, one.first_after);
-            if (one.second.is_particle())
-                meet(one.second.particle(), {one.time, one.second_position, one.second_before},
-                     one.second_after);
-        }
-        for (Eigen::Index i = 0; i < count; ++i)
-            fly(i, last_[static_cast<std::size_t>(i)], at(sample, i));
+        const double length = *wanted_.window / slices_of_window;
+        start_ = static_cast<double>(slice_number(start_ + 0.5 * length)) * length;
+        while (!slices_.empty() && slices_.front().number < slice_number(start_ + 0.5 * length))
+            slices_.pop_front();
+    }
+    stays_.clear();
+    paths_(sample, collisions, [&](const PathPiece& piece) {
+        if (integrates) fly(piece);
+    });
+    if (integrates) {
         if (wanted_.temperature) add_temperatures();
         // The time itself, of each slice.
         for (double time = std::max(from_, start_); time < until;) {
@@ -144,30 +121,15 @@ void CellAverages::see(const Sample& sample, std::span<const Collision> collisio
             time = end;
         }
     }
-    for (Eigen::Index i = 0; i < count; ++i) last_[static_cast<std::size_t>(i)] = at(sample, i);
+    is_first_ = false;
     if (slices_.empty()) add_moment(sample);
     from_ = until;
 }
 
-void CellAverages::meet(Eigen::Index particle, const Point& before, const Eigen::Array2d& after) {
-    Point& last = last_[static_cast<std::size_t>(particle)];
-    if (before.time < last.time) return;  // on the way to the first sample
-    fly(particle, last, before);
-    last = {before.time, before.place, after};
-}
-
-// Where velocities change at a time in between, forward until then and backward from the end.
-void CellAverages::fly(Eigen::Index particle, const Point& from, const Point& to) {
-    if (!(to.time > from.time) || !is_member(particle)) return;
-    const auto event = std::ranges::lower_bound(events_, from.time);
-    const bool is_changed = event != events_.end() && *event < to.time;
-    fly_freely(particle, from, from.time, is_changed ? *event : to.time);
-    if (is_changed) fly_freely(particle, to, *event, to.time);
-}
-
-// With this place and velocity at the origin's time, which may be the end.
-void CellAverages::fly_freely(Eigen::Index particle, const Point& origin, double from, double to) {
-    from = std::max(from, start_);
+void CellAverages::fly(const PathPiece& piece) {
+    if (!is_member(piece.particle)) return;
+    const Point origin{piece.from, piece.place, piece.velocity};
+    const double from = std::max(piece.from, start_), to = piece.to;
     if (!(to > from)) return;
     crossed_.clear();
     add_crossings(origin, from, to);
@@ -175,10 +137,10 @@ void CellAverages::fly_freely(Eigen::Index particle, const Point& origin, double
     double time = from;
     for (const double next : crossed_) {
         if (!(next > time)) continue;
-        stay(particle, origin, time, next);
+        stay(piece.particle, origin, time, next);
         time = next;
     }
-    if (to > time) stay(particle, origin, time, to);
+    if (to > time) stay(piece.particle, origin, time, to);
 }
 
 // The times at which it goes from cell to cell, and from slice to slice.

@@ -12,6 +12,7 @@
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
+#include "stats/paths/paths.h"
 
 namespace carom {
 
@@ -62,9 +63,8 @@ class CellAverages {
         bool temperature = false;           ///< otherwise it is left out, which is faster
     };
 
-    /// `events`: times at which velocities change without a collision, in order.
     CellAverages(const Box& box, const Particles& particles, const Cells& cells, Wanted wanted,
-                 std::vector<double> events);
+                 std::vector<double> velocity_changes);
 
     /// Samples in order of time, with all collisions on the way from the one before.
     void see(const Sample& sample, std::span<const Collision> collisions);
@@ -97,9 +97,7 @@ class CellAverages {
     CellSums& slice_at(double time);
     std::int64_t slice_number(double time) const;
     Eigen::Index cell_at(const Eigen::Array2d& place) const;
-    void meet(Eigen::Index particle, const Point& before, const Eigen::Array2d& after);
-    void fly(Eigen::Index particle, const Point& from, const Point& to);
-    void fly_freely(Eigen::Index particle, const Point& origin, double from, double to);
+    void fly(const PathPiece& piece);
     void add_crossings(const Point& origin, double from, double to);
     void stay(Eigen::Index particle, const Point& origin, double from, double to);
     void add_temperatures();
@@ -109,11 +107,11 @@ class CellAverages {
     Particles particles_;
     Cells cells_;
     Wanted wanted_;
-    std::vector<double> events_;
+    Paths paths_;
     Eigen::Array2d gravity_{0.0, 0.0};
-    std::vector<Point> last_;  ///< of each particle
     std::deque<Slice> slices_;
     CellSums moment_;
+    bool is_first_ = true;         ///< nothing has been seen
     double from_ = 0.0;            ///< the time of the sample before
     double start_ = 0.0;           ///< of the window
     std::vector<double> crossed_;  ///< scratch: times

@@ -81,7 +81,10 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"overlap", several_places},
     {"overlap_around", several_places},
     {"packing", several_places},
+    {"panels_correlations", several_places},  // distances and times against the box and `until`
+    {"panels_correlations_obstacle", several_places},
     {"panels_displacement", several_places},  // times against `until`
+    {"panels_order_wire", several_places},
     {"panels_range", several_places},
     {"time_step_precision", several_places},  // the step against `precision`
     {"time_step_wire", several_places},

@@ -16,16 +16,6 @@ namespace {
 constexpr double share_above = 0.02;  // of the cells of all frames
 constexpr double key_height = 3.6;    // units, of the arrow that is the key of a flow
 
-// Of run events, after which velocities are others.
-std::vector<double> event_times(const Run& run) {
-    std::vector<double> times;
-    for (const RunEvent& event : run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action) ||
-            std::holds_alternative<Heat>(event.action))
-            times.push_back(event.at);
-    return times;
-}
-
 std::vector<bool> members_of(const PanelContext& context, std::optional<std::size_t> species) {
     std::vector<bool> members;
     for (const int its : context.particles.species)
@@ -91,11 +81,11 @@ CellQuantity::CellQuantity(const PanelContext& context, const Cells& cells, Fiel
     : of_(of),
       area_(cells.area()),
       all_(context.scene.gas.box, context.particles, cells,
-           {members, window, of == FieldOf::temperature}, event_times(context.scene.run)) {
+           {members, window, of == FieldOf::temperature}, velocity_changes(context.scene.run)) {
     if (of == FieldOf::concentration)
         part_.emplace(context.scene.gas.box, context.particles, cells,
                       CellAverages::Wanted{members_of(context, species), window},
-                      event_times(context.scene.run));
+                      velocity_changes(context.scene.run));
 }
 
 void CellQuantity::see(const FrameInput& input) {

@@ -28,26 +28,6 @@ Eigen::ArrayXd values_of(const std::vector<Eigen::Index>& members, const Eigen::
     return rows.reshaped();
 }
 
-// Nothing: over all samples since the start.
-std::optional<double> window_of(const PanelSpec& spec) {
-    const Over over = spec.over.value_or(Over{});
-    if (over.since == Over::Since::start) return std::nullopt;
-    return over.window;
-}
-
-// "now", "at time 20", "time 18 to 20".
-std::string time_words(Language language, const PanelSpec& spec) {
-    const std::optional<double> back = window_of(spec);
-    if (!spec.at) {
-        if (!back) return say(language, "so far");
-        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
-    }
-    const std::string at = plain_number(language, *spec.at);
-    if (!back) return say(language, "until time {}", at);
-    if (*back == 0.0) return say(language, "at time {}", at);
-    return say(language, "time {} to {}", plain_number(language, *spec.at - *back), at);
-}
-
 std::vector<HistogramCounts> counts_of(
     const std::vector<std::shared_ptr<const PanelState>>& states) {
     std::vector<HistogramCounts> counts;
@@ -64,6 +44,24 @@ std::shared_ptr<const PanelState> state_of(HistogramCounts counts) {
 }
 
 }  // namespace
+
+std::optional<double> window_of(const PanelSpec& spec) {
+    const Over over = spec.over.value_or(Over{});
+    if (over.since == Over::Since::start) return std::nullopt;
+    return over.window;
+}
+
+std::string time_words(Language language, const PanelSpec& spec) {
+    const std::optional<double> back = window_of(spec);
+    if (!spec.at) {
+        if (!back) return say(language, "so far");
+        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
+    }
+    const std::string at = plain_number(language, *spec.at);
+    if (!back) return say(language, "until time {}", at);
+    if (*back == 0.0) return say(language, "at time {}", at);
+    return say(language, "time {} to {}", plain_number(language, *spec.at - *back), at);
+}
 
 std::size_t HistogramState::bytes() const {
     std::size_t sum = 0;

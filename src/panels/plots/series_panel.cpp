@@ -88,6 +88,7 @@ void SeriesPanel::survey(const FrameInput& input) {
 void SeriesPanel::finish_record() {
     SeriesRun& run = record_.runs.front();
     if (subject_.reference) run.level = subject_.reference();
+    if (subject_.numbers) run.numbers = subject_.numbers();
     run.turns = reversal_times(context_.scene.run);
     const auto add = [&](double at, Phrase word) {
         if (!word.english.empty()) run.events.emplace_back(at, word.english);

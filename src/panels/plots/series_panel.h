@@ -26,6 +26,8 @@ struct SeriesSubject {
     bool last_title_names = true;         ///< the lines; if not, a key under it does
     std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
     std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
+    std::function<std::vector<std::vector<MeanError>>()> numbers =
+        {};                          ///< of each line, after the first pass
     std::optional<double> top = {};  ///< of the axis; none: as the run shows
     bool spreads = false;            ///< over powers of ten, if need be
     Phrase quantity = {};            ///< "entropy"

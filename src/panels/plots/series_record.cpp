@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "stats/mean_error.h"
 #include "util/text.h"
 
 namespace carom {
@@ -52,6 +51,10 @@ SeriesRecord mean_of(std::vector<SeriesRecord> records) {
             run.lines[k][i] = one.mean;
             run.errors[k][i] = one.error;
         }
+    for (std::size_t k = 0; k < run.numbers.size(); ++k)
+        for (std::size_t i = 0; i < run.numbers[k].size(); ++i)
+            run.numbers[k][i] =
+                over_runs([&](const SeriesRun& of) { return of.numbers[k][i].mean; });
     if (!run.level) return mean;
     std::erase_if(records, [](const SeriesRecord& one) { return !one.runs.front().level; });
     run.level->value = over_runs([](const SeriesRun& of) { return of.level->value; }).mean;
@@ -63,6 +66,7 @@ SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::s
     for (std::size_t k = 0; k < records.size(); ++k) {
         SeriesRun& run = all.runs.emplace_back(std::move(records[k].runs.front()));
         run.lines = {std::move(run.lines[all.compared])};
+        if (!run.numbers.empty()) run.numbers = {std::move(run.numbers[all.compared])};
         run.name = names[k];
     }
     return all;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "stats/mean_error.h"
 #include "util/archive.h"
 
 namespace carom {
@@ -25,10 +26,13 @@ struct SeriesRun {
     std::optional<ReferenceLevel> level = {};
     std::vector<double> turns = {};  ///< times of reversals
     std::vector<std::pair<double, std::string>> events =
-        {};                 ///< what happens to surfaces, and heat: times and a word each
-    std::string name = {};  ///< beside others
+        {};  ///< what happens to surfaces, and heat: times and a word each
+    std::vector<std::vector<MeanError>> numbers = {};  ///< of each line, beyond its points
+    std::string name = {};                             ///< beside others
 
-    void archive(Archive& archive) { archive(time, lines, errors, level, turns, events, name); }
+    void archive(Archive& archive) {
+        archive(time, lines, errors, level, turns, events, numbers, name);
+    }
 };
 
 struct SeriesRecord {

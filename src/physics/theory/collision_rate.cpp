@@ -81,16 +81,23 @@ double contact_density(const Box& box, double s) {
     return density * std::max(0.0, 1.0 - lost);
 }
 
+// Of a mixture with the mean radius over the mean square `inverse_size`, at this packing fraction.
+double correlation_at_contact(double packing, double inverse_size, double a, double b) {
+    const double free = 1.0 - packing;
+    return 1.0 / free + 9.0 / 8.0 * (a * b / (a + b)) * packing * inverse_size / (free * free);
+}
+
+double inverse_size(const Particles& particles) {
+    return particles.radius.sum() / particles.radius.square().sum();
+}
+
 double rate_in_plane(const Box& box, const Particles& particles, const Sample& sample) {
     const std::vector<Alike> groups = groups_of(particles);
     const double t = thermal_motion(box, particles, sample).temperature();
-    const double packing = packing_fraction(box, particles);
-    const double free = 1.0 - packing;
-    const double xi = packing * particles.radius.sum() / (2.0 * particles.radius.square().sum());
+    const double packing = packing_fraction(box, particles), size = inverse_size(particles);
     return sum_of_pairs(groups, [&](const Alike& a, const Alike& b) {
         const double s = a.radius + b.radius;
-        const double reduced_diameter = 2.0 * a.radius * b.radius / s;
-        const double chi = 1.0 / free + 9.0 / 8.0 * reduced_diameter * xi / (free * free);
+        const double chi = correlation_at_contact(packing, size, a.radius, b.radius);
         const double g = std::sqrt(0.5 * pi * t * (a.inverse_mass + b.inverse_mass));
         return 2.0 * s * chi * g * contact_density(box, s);
     });
@@ -122,6 +129,12 @@ double rate_on_line(const Box& box, const Particles& particles, const Sample& sa
 }
 
 }  // namespace
+
+double contact_correlation(const Box& box, const Particles& particles, double radius,
+                           double other_radius) {
+    return correlation_at_contact(packing_fraction(box, particles), inverse_size(particles), radius,
+                                  other_radius);
+}
 
 double packing_fraction(const Box& box, const Particles& particles) {
     return sum_of_sizes(box, particles.radius) / size_of(box, box.size);

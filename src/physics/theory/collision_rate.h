@@ -27,6 +27,10 @@ namespace carom {
 std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
                                               const Sample& sample);
 
+/// The pair correlation chi of disks with these radii at contact, in the rate above.
+double contact_correlation(const Box& box, const Particles& particles, double radius,
+                           double other_radius);
+
 /// The part of the box that particles cover: of the area, or of the length on a line.
 double packing_fraction(const Box& box, const Particles& particles);
 

@@ -253,7 +253,8 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                  "Whether to draw the equilibrium curve of this finite mixture, if it has an "
                  "equilibrium; `true` is an error where it has none. For return distances, the law "
                  "by which they grow for equal disks; for a density in gravity, that of an ideal "
-                 "gas of as many particles.")
+                 "gas of as many particles. For correlations and free flights, what theory says of "
+                 "them.")
             .only_with(kinds_that_can(kinds, Ability::theory))};
     return joined<PanelSpec>(what, over, component, bar_keys(kinds), theory, own_keys(kinds));
 }
@@ -291,8 +292,8 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
                  "Values at present, their mean since time 0, or their "
                  "mean over a time before the present.")
             .default_text(
-                "now; since the start for the pressure, and for "
-                "histograms of fewer than ten particles; a tenth of the run for profiles")
+                "now; since the start for the pressure, pair correlations and free flights, and "
+                "for histograms of fewer than ten particles; a tenth of the run for profiles")
             .only_with(kinds_that_can(kinds, Ability::over));
     const Binding<PanelSpec> show =
         bind_key("show", &PanelSpec::show, show_notation(),

@@ -41,6 +41,7 @@ struct Parts {
 const std::map<std::string, Parts> parts_of_module{
     {"util", {{"util", "formula"}, {}}},
     {"draw", {{"draw", "formula"}, {"formula/ink.h"}}},
+    {"stats", {{"paths", "stats"}, {}}},
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "surfaces", "placement", "theory", "events",
        "physics", "reversal"},
@@ -50,7 +51,8 @@ const std::map<std::string, Parts> parts_of_module{
      {{"yaml", "time", "keys", "lettering", "reading", "feasibility", "scene"},
       {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
     {"panels",
-     {{"plot", "surfaces", "field", "gas", "line", "plots", "echo", "collision", "words", "panels"},
+     {{"plot", "surfaces", "field", "gas", "line", "plots", "correlations", "echo", "collision",
+       "words", "panels"},
       {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "table.h"}}},
     {"app",
      {{"film", "figures", "report", "commands", "app"},

@@ -137,3 +137,45 @@ TEST_CASE("D is the slope of all pairs of frames from a time on, and the words s
     const double told = std::stod(plot.account.substr(plot.account.rfind("D = ") + 4));
     CHECK(told == relative(slope / 4.0, 5e-3));
 }
+
+TEST_CASE("the error of D is how the slopes of single disks scatter, or those of runs") {
+    PanelSpec spec = displacement();
+    spec.fit_from = 3.0;
+    const std::vector<double> times = up_to(8.0, 16);
+    Seen seen(gas, spec, times);
+    // The line of each disk by itself.
+    std::vector<double> each;
+    for (int i = 0; i < 60; ++i) {
+        PanelSpec alone = spec;
+        alone.of = {{.particle = i}};
+        Seen one(gas, alone, times);
+        each.push_back(
+            dynamic_cast<const SeriesPanel&>(*one.panel).record().runs[0].numbers[0][0].mean);
+    }
+    const MeanError expected = mean_error(each);
+    const auto& all = dynamic_cast<const SeriesPanel&>(*seen.panel).record();
+    CHECK(all.runs[0].numbers[0][0].mean == relative(expected.mean, 1e-9));
+    CHECK(all.runs[0].numbers[0][0].error == relative(expected.error, 1e-9));
+    SeriesRecord other = all;
+    other.runs[0].numbers[0][0].mean += 1.0;
+    const SeriesRecord mean = mean_of({all, other});
+    CHECK(mean.runs[0].numbers[0][0].mean == relative(expected.mean + 0.5, 1e-9));
+    CHECK(mean.runs[0].numbers[0][0].error == relative(0.5, 1e-9));
+}
+
+TEST_CASE("before collisions the squares lie on the parabola that is drawn") {
+    const std::vector<double> times = up_to(0.4, 8);
+    Seen seen(gas, displacement(), times);
+    const plot::Plot plot = dynamic_cast<const PlotPanel&>(*seen.panel).plot(nullptr);
+    Simulation fresh(seen.scene.gas, seen.scene.run);
+    const double square = fresh.sample().velocity.square().rowwise().sum().mean();
+    bool is_drawn = false;
+    for (const plot::AnyLayer& layer : plot.layers)
+        if (plot::common(layer).part == "ballistic") {
+            const auto& line = std::get<plot::Line>(layer);
+            is_drawn = true;
+            for (std::size_t i = 1; i < line.x.size(); ++i)
+                CHECK(line.y[i] == relative(square * line.x[i] * line.x[i], 1e-9));
+        }
+    CHECK(is_drawn);
+}

@@ -1,0 +1,343 @@
+#include "panels/correlations/curve_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/axis.h"
+#include "panels/chosen.h"
+#include "stats/mean_error.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr int probes = 40;              // frames that decide the height of the axis
+constexpr double settled = 0.3;         // of the film: what was measured before is not looked at
+constexpr double alpha_of_steps = 0.3;  // of the area under steps
+constexpr int depth_of_curves = 2;
+
+MeanError mean_over(const std::vector<const CurveState*>& states, const auto& number) {
+    std::vector<double> all;
+    for (const CurveState* state : states) all.push_back(number(state->runs.front()));
+    return mean_error(all);
+}
+
+// The means of one table of numbers of each line, and their errors.
+using Numbers = std::vector<std::vector<double>>;
+void add_means(const std::vector<const CurveState*>& states, Numbers CurveValues::*table,
+               Numbers& means, Numbers* errors) {
+    const Numbers& first = states.front()->runs.front().*table;
+    for (std::size_t line = 0; line < first.size(); ++line) {
+        means.emplace_back();
+        if (errors != nullptr) errors->emplace_back();
+        for (std::size_t k = 0; k < first[line].size(); ++k) {
+            const MeanError one =
+                mean_over(states, [&](const CurveValues& run) { return (run.*table)[line][k]; });
+            means.back().push_back(one.mean);
+            if (errors != nullptr) errors->back().push_back(one.error);
+        }
+    }
+}
+
+}  // namespace
+
+double CurveRecord::reach() const {
+    return std::ranges::max_element(runs, {}, &CurveRun::reach)->reach;
+}
+
+CurveRecord mean_of(const std::vector<CurveRecord>& records) {
+    CurveRecord mean = records.front();
+    mean.runs_in_mean = static_cast<int>(records.size());
+    CurveRun& all = mean.runs.front();
+    for (const CurveRecord& record : records) {
+        const CurveRun& run = record.runs.front();
+        all.reach = std::max(all.reach, run.reach);
+        all.least = std::min(all.least, run.least);
+        all.most = std::max(all.most, run.most);
+        all.least_positive = std::min(all.least_positive, run.least_positive);
+    }
+    return mean;
+}
+
+CurveRecord compare(const std::vector<CurveRecord>& records,
+                    const std::vector<std::string>& names) {
+    CurveRecord all{.runs = {}};
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        all.runs.push_back(records[k].runs.front());
+        all.runs.back().name = names[k];
+    }
+    return all;
+}
+
+void name_curves(CurveSubject& subject, const PanelContext& context, const PanelSpec& spec,
+                 const std::string& what, const std::string& time) {
+    const std::vector<Chosen> chosen = choices(spec);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        subject.lines.push_back(
+            {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
+    const plot::Text base = spec.title ? escape_markup(*spec.title) : what;
+    const bool has_names = !spec.of.empty() && !spec.title;
+    const plot::Text named = has_names ? shown_of(context, base, chosen, plot::Sample::line) : base;
+    if (!time.empty())
+        subject.titles.push_back(
+            plot::text_of(context.language(), Phrase{"{}: {}"}, {named, time}));
+    subject.titles.push_back(named);
+    subject.names_axis = spec.title.has_value();
+    if (!has_names) return;
+    subject.titles.push_back(base);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        subject.names.push_back(
+            {.sample = plot::Stroke{.role = subject.lines[k].role,
+                                    .print_dashes = plot::dashes_in_print(k, chosen.size()),
+                                    .shade = plot::Shade::legible},
+             .words = {plot::named(name_of(context.scene, chosen[k]), subject.lines[k].role)}});
+}
+
+std::size_t CurveState::bytes() const {
+    std::size_t sum = 0;
+    for (const CurveValues& run : runs)
+        for (const std::vector<double>& curve : run.curves) sum += curve.size() * sizeof(double);
+    return 2 * sum;  // with the readouts
+}
+
+CurvePanel::CurvePanel(const PanelContext& context, CurveSubject subject)
+    : context_(context), subject_(std::move(subject)), surveyed_(subject_.meter()) {
+    if (subject_.reach) surveyed_->fix_reach(*subject_.reach);
+}
+
+void CurvePanel::take_in(const CurveValues& values) {
+    CurveRun& run = record_.runs.front();
+    for (const std::vector<double>& curve : values.curves)
+        for (const double value : curve) {
+            if (!std::isfinite(value)) continue;
+            run.least = std::min(run.least, value);
+            run.most = std::max(run.most, value);
+            if (value > 0.0) run.least_positive = std::min(run.least_positive, value);
+        }
+}
+
+void CurvePanel::survey(const FrameInput& input) {
+    surveyed_->see(input);
+    const bool is_probe = frames_seen_ >= settled * context_.frames &&
+                          frames_seen_ % std::max(1, context_.frames / probes) == 0;
+    if (is_probe && subject_.reach) take_in(surveyed_->values());
+    ++frames_seen_;
+}
+
+void CurvePanel::finish_record() {
+    CurveRun& run = record_.runs.front();
+    run.reach = subject_.reach ? *subject_.reach : surveyed_->reach();
+    if (!subject_.reach) surveyed_->fix_reach(run.reach);
+    take_in(surveyed_->values());
+    surveyed_ = nullptr;
+}
+
+void CurvePanel::take_axes(const RecordPanel& of) {
+    record_ = of.record();
+    make_axes();
+}
+
+void CurvePanel::archive(Archive& archive) {
+    archive(record_);
+    if (archive.is_reading()) make_axes();
+}
+
+plot::Axis CurvePanel::axis_up() const {
+    double least = 0.0, most = 0.0, least_positive = 1.0;
+    for (const CurveRun& run : record_.runs) {
+        least = std::min(least, run.least);
+        most = std::max(most, run.most);
+        least_positive = std::min(least_positive, run.least_positive);
+    }
+    plot::Axis axis;
+    if (subject_.logarithmic) {
+        constexpr double most_decades = 5.0;
+        axis.kind = plot::Axis::Kind::logarithmic;
+        axis.high = most > 0.0 ? std::ceil(std::log10(most)) : 0.0;
+        axis.low = std::max(std::floor(std::log10(least_positive)), axis.high - most_decades);
+        axis.low = std::min(axis.low, axis.high - 1.0);
+        return axis;
+    }
+    axis.high = subject_.top
+                    ? *subject_.top
+                    : round_up_for_axis(1.05 * std::max({most, subject_.level.value_or(0.0),
+                                                         subject_.least_top}));
+    if (!(axis.high > 0.0)) axis.high = 1.0;
+    // Less than a fiftieth below 0 is noise, of which the axis need not speak.
+    constexpr double step = 0.2, noise = 0.02;
+    if (least < -noise * axis.high) axis.low = step * std::floor(least / step);
+    return axis;
+}
+
+void CurvePanel::make_axes() {
+    shown_ = subject_.meter();
+    shown_->fix_reach(record_.reach());
+    const int steps =
+        subject_.shape == CurveSubject::Shape::steps ? subject_.points : subject_.points - 1;
+    at_.clear();
+    for (int k = 0; k <= steps; ++k) at_.push_back(record_.reach() * k / steps);
+    make_plot();
+}
+
+void CurvePanel::make_plot() {
+    const Language language = context_.language();
+    const bool is_steps = subject_.shape == CurveSubject::Shape::steps;
+    whole_ = {};
+    whole_.language = language;
+    whole_.titles = subject_.titles;
+    whole_.x = {.title = say(language, subject_.along), .high = at_.back()};
+    whole_.y = axis_up();
+    if (subject_.height)
+        whole_.y.title = subject_.height(at_[1] - at_[0]);
+    else if (subject_.names_axis)
+        whole_.y.title = say(language, subject_.up);
+    if (!subject_.names.empty() && !record_.compares())
+        whole_.notes.push_back(
+            {.entries = subject_.names, .wraps = true, .is_of_short_title = true});
+    const std::string along(subject_.along.english);
+    const std::string up = column_name(std::string(subject_.up.english), subject_.unit_up);
+    if (is_steps)
+        whole_.columns = {column_name(along + " from", subject_.unit_along),
+                          column_name(along + " to", subject_.unit_along), up};
+    else
+        whole_.columns = {column_name(along, subject_.unit_along), up};
+    if (record_.runs_in_mean > 1) whole_.columns.push_back("standard error of " + up);
+    std::vector<std::string> names;
+    for (const CurveRun& run : record_.runs) names.push_back(run.name);
+    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    std::vector<double> levels;
+    if (subject_.level) levels.push_back(*subject_.level);
+    if (whole_.y.low < 0.0 && !subject_.logarithmic) levels.push_back(0.0);
+    for (const double value : levels) {
+        plot::Level level;
+        level.still = true;
+        level.value = value;
+        level.stroke = {.width = 0.06, .dashes = {0.3, 0.4}};
+        whole_.layers.emplace_back(std::move(level));
+    }
+}
+
+std::shared_ptr<const PanelState> CurvePanel::state(const FrameInput& input) {
+    shown_->see(input);
+    auto state = std::make_shared<CurveState>();
+    state->runs = {shown_->values()};
+    if (input.refreshes_readouts || !readouts_)
+        readouts_ = std::make_shared<const CurveValues>(state->runs.front());
+    state->readouts = readouts_;
+    return state;
+}
+
+std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    std::vector<const CurveState*> all;
+    for (const auto& state : states) all.push_back(&dynamic_cast<const CurveState&>(*state));
+    auto both = std::make_shared<CurveState>();
+    if (record_.compares()) {
+        for (const CurveState* state : all) both->runs.push_back(state->runs.front());
+        return both;
+    }
+    CurveValues mean;
+    add_means(all, &CurveValues::curves, mean.curves, &both->errors);
+    add_means(all, &CurveValues::numbers, mean.numbers, nullptr);
+    both->runs = {mean};
+    both->readouts = std::make_shared<const CurveValues>(std::move(mean));
+    return both;
+}
+
+plot::Bars CurvePanel::bars_of(const std::vector<double>& values) const {
+    plot::Bars bars;
+    bars.part = "bar";
+    bars.from = plot::column(whole_.columns[0], {at_.begin(), at_.end() - 1});
+    bars.to = plot::column(whole_.columns[1], {at_.begin() + 1, at_.end()});
+    std::vector<double> heights;
+    for (const double value : values) heights.push_back(std::isfinite(value) ? value : 0.0);
+    bars.value = plot::column(whole_.columns[2], std::move(heights));
+    return bars;
+}
+
+plot::Line CurvePanel::line_of(const std::vector<double>& values) const {
+    plot::Line line;
+    line.part = "curve";
+    line.x = plot::column(whole_.columns[0], at_);
+    line.y = plot::column(whole_.columns[1], values);
+    line.is_thinned = false;
+    return line;
+}
+
+void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
+                           std::size_t line) const {
+    const bool compares = record_.compares();
+    const std::vector<double>& values = state.runs[run].curves[line];
+    const std::size_t count = compares ? state.runs.size() : state.runs[run].curves.size();
+    const plot::Role role = subject_.lines[line].role;
+    plot::Stroke stroke = {.role = role,
+                           .print_dashes = plot::dashes_in_print(line, count),
+                           .shade = plot::Shade::legible};
+    if (compares) stroke = plot::stroke_of_run(run);
+    const auto add = [&](auto layer) {
+        layer.of = subject_.lines[line].name;
+        if (compares) layer.run = run;
+        layer.depth = depth_of_curves + static_cast<int>(compares ? run : line);
+        plot.layers.emplace_back(std::move(layer));
+    };
+    if (subject_.shape == CurveSubject::Shape::steps) {
+        plot::Bars bars = bars_of(values);
+        bars.role = stroke.role;
+        bars.alpha = count > 1 ? 0.0 : alpha_of_steps;
+        bars.edge = stroke;
+        if (!state.errors.empty()) bars.error = plot::column(whole_.columns[3], state.errors[line]);
+        bars.error_stroke.role = {.of = plot::Role::Of::ink};
+        add(std::move(bars));
+        return;
+    }
+    plot::Line curve = line_of(values);
+    curve.stroke = stroke;
+    if (!state.errors.empty()) {
+        plot::Band band;
+        band.x = curve.x;
+        band.y = curve.y;
+        band.error = plot::column(whole_.columns[2], state.errors[line]);
+        band.role = role;
+        curve.more = {band.error};
+        add(std::move(band));
+    }
+    add(std::move(curve));
+}
+
+// What is least missed where there is no room for it.
+std::string CurvePanel::remark() const {
+    if (record_.runs_in_mean == 1) return subject_.remark;
+    const Language language = context_.language();
+    const std::string mean = counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
+                                     Phrase{"mean of {} runs"});
+    return subject_.remark.empty() ? mean : say(language, "{}, {}", subject_.remark, mean);
+}
+
+plot::Plot CurvePanel::plot(const PanelState* state) const {
+    plot::Plot now = whole_;
+    const auto* shown = static_cast<const CurveState*>(state);
+    const bool compares = record_.compares();
+    if (!compares && subject_.add) subject_.add(shown ? shown->readouts.get() : nullptr, now);
+    if (const std::string words = remark(); !words.empty())
+        now.notes.push_back({.entries = {{.words = {plot::Text(words)}}}});
+    if (shown == nullptr) return now;
+    for (std::size_t run = 0; run < shown->runs.size(); ++run) {
+        const std::size_t lines = compares ? 1 : shown->runs[run].curves.size();
+        std::vector<std::string> accounts;
+        for (std::size_t line = 0; line < lines; ++line) {
+            add_curve(now, *shown, run, line);
+            const std::string words =
+                subject_.account ? subject_.account(shown->runs[run], line) : "";
+            if (!words.empty()) accounts.push_back(words);
+        }
+        if (compares)
+            now.accounts_of_runs.push_back(accounts.empty() ? say(context_.language(), "unknown")
+                                                            : accounts.front());
+        else
+            for (const std::string& words : accounts)
+                now.account += (now.account.empty() ? "" : " ") + capitalised(words) + ".";
+    }
+    return now;
+}
+
+}  // namespace carom

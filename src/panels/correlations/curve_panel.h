@@ -1,0 +1,147 @@
+// Curves over a distance, a length or a lag of time, measured from the run so far: one for each
+// choice of particles, that come to rest as the film goes on. What is measured, and what theory
+// says of it, is given by the panel's own file.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "panels/plot/plot_panel.h"
+#include "panels/plots/series_panel.h"
+
+namespace carom {
+
+/// The room that a number takes in a note while it changes.
+inline const std::string longest_number = "\u22120.0000";
+
+/// What has been measured up to a frame.
+struct CurveValues {
+    std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
+    std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
+};
+
+/// Follows a run.
+class CurveMeter {
+  public:
+    virtual ~CurveMeter() = default;
+
+    /// Every frame in order, with the collisions on the way.
+    virtual void see(const FrameInput& input) = 0;
+
+    /// How far the axis along should reach, after all frames; for subjects that do not say.
+    virtual double reach() const { return 1.0; }
+
+    /// How far it does: before values(), of what was seen and of what will be.
+    virtual void fix_reach(double) {}
+
+    virtual CurveValues values() const = 0;
+};
+
+/// What the curves show.
+struct CurveSubject {
+    enum class Shape {
+        steps,  ///< bins, with a mean in each
+        line    ///< points from 0 on
+    };
+    Shape shape = Shape::line;
+    int points = 0;  ///< or bins
+    std::function<std::unique_ptr<CurveMeter>()> meter = {};
+    std::vector<SeriesSubject::Line> lines = {};
+    std::vector<plot::Text> titles = {};     ///< from the longest on
+    std::vector<plot::KeyEntry> names = {};  ///< what the last of the titles leaves out
+    bool names_axis = false;                 ///< up; else the title says what it is
+    std::string remark = {};                 ///< under the title, where there is room
+    Phrase along = {}, up = {};              ///< the quantities of the axes
+    std::string unit_along = {}, unit_up = {};
+    std::function<std::string(double width)> height = {};  ///< the title of the axis up, for bins
+                                                           ///< of this width; none: its quantity
+    std::optional<double> reach = {};                      ///< of the axis along
+    std::optional<double> top = {};                        ///< of the axis up; none: as it shows
+    std::optional<double> level = {};                      ///< across the plot
+    double least_top = 0.0;                                ///< of the axis up, in any case
+    bool logarithmic = false;                              ///< the axis up
+    std::function<std::string(const CurveValues&, std::size_t line)> account =
+        {};  ///< "mean free path 1.25": of a line, if it is known
+
+    /// Theory and notes, from the numbers that a viewer is told, or from none before there are any.
+    /// Not where runs are compared.
+    std::function<void(const CurveValues*, plot::Plot&)> add = {};
+};
+
+/// What the first pass of a run has shown.
+struct CurveRun {
+    std::string name = {};  ///< beside others
+    double reach = 1.0, least = 0.0, most = 0.0;
+    double least_positive = 1.0;
+    void archive(Archive& archive) { archive(name, reach, least, most, least_positive); }
+};
+
+struct CurveRecord {
+    std::vector<CurveRun> runs = {{}};
+    int runs_in_mean = 1;
+
+    bool compares() const { return runs.size() > 1; }
+    double reach() const;
+    void archive(Archive& archive) { archive(runs, runs_in_mean); }
+};
+
+/// Of runs that differ in their seeds.
+CurveRecord mean_of(const std::vector<CurveRecord>& records);
+
+/// Of runs side by side, a line of each.
+CurveRecord compare(const std::vector<CurveRecord>& records, const std::vector<std::string>& names);
+
+/// What a frame shows.
+struct CurveState : PanelState {
+    std::vector<CurveValues> runs;                     ///< one, or those side by side
+    std::vector<std::vector<double>> errors = {};      ///< of a mean: of each line at each point
+    std::shared_ptr<const CurveValues> readouts = {};  ///< what words tell: of one run
+    std::size_t bytes() const override;
+};
+
+/// A line for each choice of particles that the panel shows, and titles that name them and the time
+/// that is averaged over (no words: not said). `what` is markup.
+void name_curves(CurveSubject& subject, const PanelContext& context, const PanelSpec& spec,
+                 const std::string& what, const std::string& time);
+
+class CurvePanel : public RecordPanel<CurveRecord> {
+  public:
+    CurvePanel(const PanelContext& context, CurveSubject subject);
+
+    void survey(const FrameInput& input) override;
+    void archive(Archive& archive) override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    std::shared_ptr<const PanelState> state_of_runs(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    plot::Plot plot(const PanelState* state) const override;
+    bool surveys_collisions() const override { return true; }
+    bool wants_collisions() const override { return true; }
+
+  protected:
+    void finish_record() override;
+    void make_axes() override;
+    void take_axes(const RecordPanel& of) override;
+
+  private:
+    void take_in(const CurveValues& values);
+    plot::Axis axis_up() const;
+    void make_plot();
+    std::string remark() const;
+    void add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
+                   std::size_t line) const;
+    plot::Bars bars_of(const std::vector<double>& values) const;
+    plot::Line line_of(const std::vector<double>& values) const;
+
+    PanelContext context_;
+    CurveSubject subject_;
+    std::unique_ptr<CurveMeter> surveyed_, shown_;
+    int frames_seen_ = 0;
+    std::shared_ptr<const CurveValues> readouts_;
+    plot::Plot whole_;
+    std::vector<double> at_;  ///< points, or edges of bins
+};
+
+}  // namespace carom

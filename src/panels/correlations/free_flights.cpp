@@ -1,0 +1,269 @@
+// How long particles fly freely from one collision to the next, as lengths or as times: the share
+// of flights in each bin, with the exponential law that a flight without memory would have.
+#include "stats/paths/free_flights.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/chosen.h"
+#include "panels/correlations/curve_panel.h"
+#include "panels/plots/histogram_panel.h"
+#include "panels/registry.h"
+#include "stats/histogram.h"
+#include "stats/paths/sliding_sum.h"
+#include "stats/thinning.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr int flight_bins = 40;
+constexpr double shown_share = 0.985;  // of all flights, that the axis holds
+constexpr double percent = 100.0;
+
+enum class Flown { path, time };
+
+// Of each line, as numbers: the exact mean, how many flights have ended, and the mean speed.
+class FlightMeter : public CurveMeter {
+  public:
+    FlightMeter(const PanelContext& context, const PanelSpec& spec, Flown flown,
+                std::optional<double> window)
+        : flown_(flown),
+          window_(window),
+          flights_(context.scene.gas.box, spec.ends_at_walls, velocity_changes(context.scene.run)),
+          lists_(members(context, choices(spec))),
+          lists_of_(static_cast<std::size_t>(context.particles.count())),
+          kept_(lists_.size()),
+          sums_(lists_.size(), SlidingSum(flight_bins + 4, window)) {
+        for (std::size_t k = 0; k < lists_.size(); ++k)
+            for (const Eigen::Index i : lists_[k])
+                lists_of_[static_cast<std::size_t>(i)].push_back(k);
+    }
+
+    void see(const FrameInput& input) override {
+        const double now = input.sample.time;
+        for (const FreeFlight& flight : flights_.see(input.sample, input.advanced.collisions)) {
+            const double value = flown_ == Flown::path ? flight.length : flight.duration;
+            for (const std::size_t k : lists_of_[static_cast<std::size_t>(flight.particle)]) {
+                if (!reach_)
+                    keep(k, value);
+                else
+                    add(k, value, now);
+            }
+        }
+        for (std::size_t k = 0; k < lists_.size(); ++k) {
+            Eigen::ArrayXd& sums = sums_[k].at(now);
+            for (const Eigen::Index i : lists_[k]) {
+                const FlightTotals& one = flights_.totals()[static_cast<std::size_t>(i)];
+                sums[flight_bins + 1] += one.collisions;
+                sums[flight_bins + 2] += one.way;
+                sums[flight_bins + 3] += one.time;
+            }
+        }
+    }
+
+    double reach() const override {
+        std::vector<double> all;
+        for (const std::vector<double>& values : kept_)
+            all.insert(all.end(), values.begin(), values.end());
+        const double most = all.empty() ? 0.0 : quantile(all, shown_share);
+        return most > 0.0 ? round_up_for_axis(most) : 1.0;
+    }
+
+    void fix_reach(double reach) override {
+        reach_ = reach;
+        for (std::size_t k = 0; k < kept_.size(); ++k) {
+            for (const double value : kept_[k]) add(k, value, 0.0);
+            kept_[k] = {};
+        }
+    }
+
+    CurveValues values() const override {
+        CurveValues now;
+        for (const SlidingSum& one : sums_) {
+            const Eigen::ArrayXd sums = one.sum();
+            const double ended = sums.head(flight_bins + 1).sum();
+            const Eigen::ArrayXd shares = percent * sums.head(flight_bins) / ended;
+            now.curves.emplace_back(shares.begin(), shares.end());
+            const double hits = sums[flight_bins + 1], way = sums[flight_bins + 2],
+                         time = sums[flight_bins + 3];
+            now.numbers.push_back({(flown_ == Flown::path ? way : time) / hits, ended, way / time});
+        }
+        return now;
+    }
+
+  private:
+    // Thinned, as all of them are looked at again: every second one once there are too many.
+    void keep(std::size_t k, double value) {
+        if (seen_++ % stride_ != 0) return;
+        kept_[k].push_back(value);
+        if (static_cast<double>(kept_[k].size()) < most_kept_of_film) return;
+        stride_ *= 2;
+        for (std::vector<double>& values : kept_) {
+            for (std::size_t i = 0; 2 * i < values.size(); ++i) values[i] = values[2 * i];
+            values.resize((values.size() + 1) / 2);
+        }
+    }
+
+    // The last bin but these has all that is longer.
+    void add(std::size_t k, double value, double now) {
+        const double bin = std::floor(value / *reach_ * flight_bins);
+        sums_[k].at(now)[static_cast<Eigen::Index>(std::min(bin, double(flight_bins)))] += 1.0;
+    }
+
+    Flown flown_;
+    std::optional<double> window_, reach_;
+    FreeFlights flights_;
+    std::vector<std::vector<Eigen::Index>> lists_;
+    std::vector<std::vector<std::size_t>> lists_of_;  // of each particle
+    std::vector<std::vector<double>> kept_;           // of each list, before the reach is known
+    std::size_t seen_ = 0, stride_ = 1;
+    std::vector<SlidingSum> sums_;  // bins, beyond, collisions, way, time
+};
+
+plot::Stroke stroke_of_law(const PanelContext& context, const std::vector<Chosen>& chosen,
+                           std::size_t k) {
+    plot::Stroke stroke{.role = {.of = plot::Role::Of::accent},
+                        .width = 0.12,
+                        .dashes = {0.5, 0.35},
+                        .shade = plot::Shade::legible};
+    if (chosen.size() > 1) stroke.role = choice_role(context, chosen[k], k);
+    return stroke;
+}
+
+// The share of flights in each bin if none remembered how long it is: an exponential law with the
+// mean that was measured.
+plot::Line law_of(const plot::Plot& plot, double mean) {
+    const double reach = plot.x.high, width = reach / flight_bins;
+    const double share_at_0 = percent * (1.0 - std::exp(-width / mean));
+    std::vector<double> along, up;
+    constexpr int points = 100;
+    for (int i = 0; i <= points; ++i) {
+        along.push_back(reach * i / points);
+        up.push_back(share_at_0 * std::exp(-(along.back() - 0.5 * width) / mean));
+    }
+    plot::Line line;
+    line.part = "memoryless";
+    line.x = plot::column(plot.columns[0], std::move(along));
+    line.y = plot::column(plot.columns[2], std::move(up));
+    line.beyond = plot::Beyond::cut;
+    line.is_thinned = false;
+    line.depth = 1;
+    return line;
+}
+
+// Of a single particle that moves among fixed disks.
+std::optional<double> exact_mean(const PanelContext& context, const PanelSpec& spec, Flown flown,
+                                 double speed) {
+    if (context.particles.count() != 1 || !velocity_changes(context.scene.run).empty()) return {};
+    const auto path = mean_path_of_billiard(context.scene.gas.box, context.particles.radius[0],
+                                            spec.ends_at_walls);
+    return path && flown == Flown::time ? std::optional(*path / speed) : path;
+}
+
+struct FlightNotes {
+    PanelContext context;
+    std::vector<Chosen> chosen;
+    PanelSpec spec;
+    Flown flown;
+
+    void operator()(const CurveValues* values, plot::Plot& plot) const {
+        const Language language = context.language();
+        plot::Note note{.wraps = true, .changes = true};
+        for (std::size_t k = 0; k < chosen.size(); ++k) {
+            const plot::Stroke stroke = stroke_of_law(context, chosen, k);
+            static const std::vector<double> unknown{NAN, NAN, 1.0};
+            const std::vector<double>& numbers = values != nullptr ? values->numbers[k] : unknown;
+            add_mean(k, numbers, note, plot);
+            if (!spec.theory || !std::isfinite(numbers.front())) continue;
+            plot::Line line = law_of(plot, numbers.front());
+            line.of = column_name_of(context.scene, chosen[k]);
+            line.stroke = stroke;
+            plot.layers.emplace_back(std::move(line));
+        }
+        if (spec.theory)
+            note.entries.push_back(
+                {.sample = stroke_of_law(context, chosen, 0),
+                 .words = {say(language, "Boltzmann, memoryless"), say(language, "memoryless")}});
+        plot.notes.push_back(std::move(note));
+    }
+
+    void add_mean(std::size_t k, const std::vector<double>& numbers, plot::Note& note,
+                  plot::Plot& plot) const {
+        const Language language = context.language();
+        const bool is_one = chosen.size() == 1;
+        const double mean = numbers.front();
+        plot::Marker marker;
+        marker.part = "mean";
+        marker.of = column_name_of(context.scene, chosen[k]);
+        marker.column = plot.columns[0];
+        marker.value = mean;
+        marker.stroke.width = 0.12;
+        marker.stroke.role =
+            is_one ? plot::Role{plot::Role::Of::ink} : choice_role(context, chosen[k], k);
+        const auto exact =
+            spec.theory ? exact_mean(context, spec, flown, numbers.back()) : std::nullopt;
+        const auto words = [&](const std::string& number) {
+            std::string all = say(language, "mean {}", number);
+            if (exact) all = say(language, "{}, exactly {}", all, three_digits(language, *exact));
+            if (!is_one) all = say(language, "{}: {}", name_of(context.scene, chosen[k]), all);
+            return plot::Text(all);
+        };
+        const bool is_known = std::isfinite(mean);
+        note.entries.push_back({.sample = marker.stroke,
+                                .words = {words(is_known ? three_digits(language, mean) : "")},
+                                .longest = words(longest_number)});
+        if (is_known) plot.layers.emplace_back(std::move(marker));
+    }
+};
+
+std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const PanelSpec& spec,
+                                         Flown flown) {
+    const Language language = context.language();
+    const std::vector<Chosen> chosen = choices(spec);
+    const bool is_path = flown == Flown::path;
+    PanelSpec timed = spec;
+    if (!timed.over) timed.over = Over{Over::Since::start, 0.0};
+    CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = flight_bins};
+    subject.meter = [context, spec, flown, window = window_of(timed)] {
+        return std::make_unique<FlightMeter>(context, spec, flown, window);
+    };
+    name_curves(subject, context, spec,
+                is_path ? say(language, "Free paths") : say(language, "Free times"),
+                time_words(language, timed));
+    subject.along = is_path ? Phrase{"free path"} : Phrase{"free time"};
+    subject.unit_along = is_path ? reduced::length : reduced::time;
+    subject.up = Phrase{"share"};
+    subject.unit_up = "per cent";
+    subject.height = [language](double width) {
+        return say(language, "% per {}", localised(language, fmt::format("{:.3g}", width)));
+    };
+    subject.logarithmic = spec.logarithmic;
+    subject.account = [language, context, chosen, is_path](const CurveValues& values,
+                                                           std::size_t line) -> std::string {
+        const double mean = values.numbers[line].front();
+        if (!std::isfinite(mean)) return "";
+        const std::string number = three_digits(language, mean);
+        const std::string words = is_path ? say(language, "mean free path {}", number)
+                                          : say(language, "mean free time {}", number);
+        return chosen.size() > 1
+                   ? say(language, "{}: {}", name_of(context.scene, chosen[line]), words)
+                   : words;
+    };
+    subject.add = FlightNotes{context, chosen, spec, flown};
+    return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_free_path(const PanelContext& context, const PanelSpec& spec) {
+    return make_free_flights(context, spec, Flown::path);
+}
+
+std::unique_ptr<Panel> make_free_time(const PanelContext& context, const PanelSpec& spec) {
+    return make_free_flights(context, spec, Flown::time);
+}
+
+}  // namespace carom

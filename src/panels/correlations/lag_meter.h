@@ -1,0 +1,31 @@
+// Follows averages over pairs of times that are a lag apart.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "panels/chosen.h"
+#include "panels/correlations/curve_panel.h"
+#include "stats/paths/lag_averages.h"
+
+namespace carom {
+
+/// How many lags a curve has.
+inline constexpr int lag_count = 61;
+
+class LagMeter : public CurveMeter {
+  public:
+    LagMeter(const PanelContext& context, LagAverages::Of of,
+             std::vector<std::vector<Eigen::Index>> members, double from, double lags)
+        : averages_(context.scene.gas.box, of, std::move(members), from, lags, lag_count,
+                    velocity_changes(context.scene.run)) {}
+
+    void see(const FrameInput& input) override {
+        averages_.see(input.sample, input.advanced.collisions);
+    }
+
+  protected:
+    LagAverages averages_;
+};
+
+}  // namespace carom

@@ -1,0 +1,38 @@
+// The hexagonal order of disks against time: of each disk's own neighbours, and of the whole gas,
+// in which crystals of other directions cancel.
+#include "panels/chosen.h"
+#include "panels/plots/series_panel.h"
+#include "panels/registry.h"
+#include "stats/paths/bond_order.h"
+#include "util/text.h"
+
+namespace carom {
+
+std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
+                                                const PanelSpec& spec) {
+    const Language language = context.language();
+    SeriesSubject subject{.measure = [context](const FrameInput& o) -> std::vector<double> {
+                              const Eigen::ArrayXcd order = bond_order(
+                                  context.scene.gas.box, context.particles, o.sample.position);
+                              return {std::abs(order.mean()), order.abs().mean()};
+                          },
+                          .lines = {{"whole gas", {.of = plot::Role::Of::accent}},
+                                    {"neighbours of each", {.of = plot::Role::Of::bar}}},
+                          .titles = {},
+                          .top = 1.0,
+                          .quantity = Phrase{"hexagonal order"},
+                          .unit = "1"};
+    const std::string title = say(language, "Hexagonal order");
+    subject.names = {say(language, "whole gas"), say(language, "neighbours of each")};
+    std::vector<plot::Text> names;
+    for (std::size_t k = 0; k < subject.names.size(); ++k)
+        names.push_back(
+            plot::named(subject.names[k], subject.lines[k].role, plot::Sample::line, k));
+    subject.titles = {plot::text_of(language, Phrase{"{}: {}"}, {title, joined(language, names)}),
+                      title};
+    subject.last_title_names = false;
+    subject.compared_title = title;
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

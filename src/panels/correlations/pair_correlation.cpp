@@ -1,0 +1,150 @@
+// The pair correlation g(r) of disks or beads, by exact times at each distance, with the value that
+// theory has for equal disks at contact.
+#include "stats/paths/pair_correlation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/chosen.h"
+#include "panels/correlations/correlation_keys.h"
+#include "panels/correlations/curve_panel.h"
+#include "panels/plots/histogram_panel.h"
+#include "panels/registry.h"
+#include "panels/surfaces/surface_words.h"
+#include "physics/theory/collision_rate.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double usual_diameters = 5.0;  // up to where g(r) is shown
+constexpr double rings_along = 100.0;    // about
+constexpr double densest_fluid = 0.69;   // beyond, disks freeze
+
+// What of a scene decides the rings.
+struct Rings {
+    double contact = 0.0;  // of the first disks of both choices
+    double to = 1.0;
+    int count = 1;
+};
+
+// Contact is at the edge of a ring where there is one.
+Rings rings_of(const PanelContext& context, const PanelSpec& spec,
+               const std::vector<std::vector<Eigen::Index>>& lists) {
+    const double most = most_distance(context.scene.gas.box);
+    Rings rings;
+    rings.contact = context.particles.radius[lists.front().front()] +
+                    context.particles.radius[lists.back().front()];
+    const double usual = rings.contact > 0.0 ? usual_diameters * rings.contact : 0.5 * most;
+    const double to = spec.to.value_or(std::min(usual, most));
+    double width = to / rings_along;
+    if (rings.contact > width) width = rings.contact / std::round(rings.contact / width);
+    rings.count = std::max(1, static_cast<int>(std::floor(to / width * (1.0 + 1e-12))));
+    rings.to = rings.count * width;
+    return rings;
+}
+
+class PairMeter : public CurveMeter {
+  public:
+    PairMeter(const PanelContext& context, const PairCorrelation::Wanted& wanted)
+        : box_(context.scene.gas.box),
+          pairs_(box_, context.particles, wanted, velocity_changes(context.scene.run)) {}
+
+    void see(const FrameInput& input) override {
+        BoxSides sides = sides_of(box_);
+        for (std::size_t axis = 0; axis < static_cast<std::size_t>(box_.dimension); ++axis)
+            sides[axis] = {place_of_surface(box_, input.advanced.surfaces, 2 * axis),
+                           place_of_surface(box_, input.advanced.surfaces, 2 * axis + 1)};
+        pairs_.see(input.sample, input.advanced.collisions, sides);
+    }
+    CurveValues values() const override {
+        const Eigen::ArrayXd g = pairs_.values();
+        return {{{g.begin(), g.end()}}};
+    }
+
+  private:
+    Box box_;
+    PairCorrelation pairs_;
+};
+
+// Of equal disks in a fluid, that nothing but walls acts on.
+std::optional<double> value_at_contact(const PanelContext& context) {
+    const Gas& gas = context.scene.gas;
+    const double packing = packing_fraction(gas.box, context.particles);
+    const bool is_fluid = packing > 0.0 && packing < densest_fluid;
+    const bool is_still = std::ranges::none_of(gas.box.surfaces.sides, [](const Behaviour& side) {
+        return std::holds_alternative<Driven>(side) || std::holds_alternative<Piston>(side);
+    });
+    if (gas.box.dimension != 2 || !context.particles.are_equal() || !is_fluid || !is_still ||
+        (gas.box.surfaces.gravity != 0.0).any())
+        return {};
+    const double radius = context.particles.radius[0];
+    return contact_correlation(gas.box, context.particles, radius, radius);
+}
+
+void add_contact(Language language, double contact, double value, plot::Plot& plot) {
+    const plot::Mark mark{.role = {.of = plot::Role::Of::accent}, .radius = 0.35, .halo = 0.1};
+    plot::Points points;
+    points.part = "contact";
+    points.still = true;
+    points.x = plot::column(plot.columns[0], {contact});
+    points.y = plot::column(plot.columns[2], {value});
+    points.mark = mark;
+    plot.layers.emplace_back(std::move(points));
+    const std::string number = three_digits(language, value);
+    plot.notes.push_back({.entries = {{.words = {say(language, "{}: Henderson at contact", number),
+                                                 say(language, "{}: Henderson", number), number},
+                                       .mark = mark}}});
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const std::vector<Chosen> chosen = choices(spec);
+    const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
+    const Rings rings = rings_of(context, spec, lists);
+    PairCorrelation::Wanted wanted{.to = rings.to, .rings = rings.count};
+    for (auto* part : {&wanted.first, &wanted.second}) {
+        part->resize(static_cast<std::size_t>(context.particles.count()));
+        for (const Eigen::Index i : part == &wanted.first ? lists.front() : lists.back())
+            (*part)[static_cast<std::size_t>(i)] = true;
+    }
+    PanelSpec timed = spec;
+    if (!timed.over) timed.over = Over{Over::Since::start, 0.0};
+    wanted.window = window_of(timed);
+
+    CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = rings.count};
+    subject.meter = [context, wanted] { return std::make_unique<PairMeter>(context, wanted); };
+    const std::string what = say(language, "Pair correlation") + " <i>g</i>(<i>r</i>)";
+    name_curves(subject, context, spec, what, time_words(language, timed));
+    if (chosen.size() > 1) {  // one curve, of pairs
+        subject.lines = {
+            {subject.lines[0].name + " and " + subject.lines[1].name, {.of = plot::Role::Of::bar}}};
+        subject.names = {{.words = {names_of(context, chosen, plot::Sample::none)}}};
+    }
+    subject.along = Phrase{"distance"};
+    subject.unit_along = reduced::length;
+    subject.up = Phrase{"pair correlation"};
+    subject.unit_up = "1";
+    subject.reach = rings.to;
+    subject.level = 1.0;
+    subject.account = [language, rings](const CurveValues& values, std::size_t) -> std::string {
+        const std::vector<double>& g = values.curves.front();
+        const auto highest = std::ranges::max_element(g);
+        if (highest == g.end() || !(*highest > 0.0)) return "";
+        const double at = (static_cast<double>(highest - g.begin()) + 0.5) * rings.to / rings.count;
+        return say(language, "the pair correlation is highest, {}, at a distance of {}",
+                   three_digits(language, *highest), three_digits(language, at));
+    };
+    const std::optional<double> contact = value_at_contact(context);
+    if (spec.theory && contact) {
+        subject.least_top = 1.1 * *contact;
+        subject.add = [language, rings, contact](const CurveValues*, plot::Plot& plot) {
+            add_contact(language, rings.contact, *contact, plot);
+        };
+    }
+    return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace carom

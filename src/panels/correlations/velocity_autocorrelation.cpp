@@ -1,0 +1,155 @@
+// The velocity autocorrelation <v(0) v(t)> / <v^2>, over all starting times, with the slope that it
+// begins with in equilibrium.
+#include <algorithm>
+#include <cmath>
+
+#include "panels/chosen.h"
+#include "panels/correlations/correlation_keys.h"
+#include "panels/correlations/lag_meter.h"
+#include "panels/registry.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+const plot::Stroke of_slope{.role = {.of = plot::Role::Of::accent},
+                            .width = 0.1,
+                            .dashes = {0.5, 0.35},
+                            .shade = plot::Shade::legible};
+
+// In equilibrium a collision with a mass M takes 4 / d M / (m + M) of the velocity of a particle
+// of mass m on average, whatever its speed was before: of as many particles as collide, -d C / d t
+// at 0 is the sum of that over all collisions in a unit of time. A wall is an infinite mass.
+class AutocorrelationMeter : public LagMeter {
+  public:
+    AutocorrelationMeter(const PanelContext& context,
+                         const std::vector<std::vector<Eigen::Index>>& members, double from,
+                         double lags)
+        : LagMeter(context, LagAverages::Of::velocities, members, from, lags),
+          context_(context),
+          from_(from),
+          lists_of_(static_cast<std::size_t>(context.particles.count())),
+          sizes_(members.size()),
+          loss_(members.size()) {
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            sizes_[k] = static_cast<double>(members[k].size());
+            for (const Eigen::Index i : members[k])
+                lists_of_[static_cast<std::size_t>(i)].push_back(k);
+        }
+    }
+
+    void see(const FrameInput& input) override {
+        LagMeter::see(input);
+        time_ = input.sample.time;
+        for (const Collision& one : input.advanced.collisions) {
+            if (one.time < from_) continue;
+            const bool is_pair = one.second.is_particle();
+            add(one.first, is_pair ? inverse_mass(one.second.particle()) : 0.0);
+            if (is_pair) add(one.second.particle(), inverse_mass(one.first));
+        }
+    }
+
+    // Of each line the slope at 0.
+    CurveValues values() const override {
+        CurveValues now;
+        for (std::size_t k = 0; k < sizes_.size(); ++k) {
+            const Eigen::ArrayXd means = averages_.means(k);
+            const Eigen::ArrayXd shares = means / means[0];
+            now.curves.emplace_back(shares.begin(), shares.end());
+            const double time = sizes_[k] * (time_ - from_);
+            now.numbers.push_back({time > 0.0 ? -loss_[k] / time : NAN});
+        }
+        return now;
+    }
+
+  private:
+    double inverse_mass(Eigen::Index i) const { return context_.particles.inverse_mass[i]; }
+
+    void add(Eigen::Index particle, double others_inverse_mass) {
+        const double sum = inverse_mass(particle) + others_inverse_mass;
+        if (!(sum > 0.0)) return;  // two infinite masses
+        const double lost = 4.0 / context_.scene.gas.box.dimension * inverse_mass(particle) / sum;
+        for (const std::size_t k : lists_of_[static_cast<std::size_t>(particle)]) loss_[k] += lost;
+    }
+
+    PanelContext context_;
+    double from_, time_ = 0.0;
+    std::vector<std::vector<std::size_t>> lists_of_;  // of each particle
+    std::vector<double> sizes_, loss_;
+};
+
+// Where nothing but collisions at rest changes velocities.
+bool has_slope(const PanelContext& context) {
+    const Surfaces& surfaces = context.scene.gas.box.surfaces;
+    const auto reflects = [](const auto& surface) {
+        return std::holds_alternative<Reflecting>(surface);
+    };
+    return context.equilibrium && velocity_changes(context.scene.run).empty() &&
+           (surfaces.gravity == 0.0).all() && std::ranges::all_of(surfaces.sides, reflects) &&
+           std::ranges::all_of(surfaces.partitions, reflects, &Partition::behaviour);
+}
+
+void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, double lags,
+                const CurveValues* values, plot::Plot& plot) {
+    const Language language = context.language();
+    plot::Note note{.wraps = true, .changes = true};
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+        plot::Stroke stroke = of_slope;
+        if (chosen.size() > 1) stroke.role = choice_role(context, chosen[k], k);
+        const double slope = values != nullptr ? values->numbers[k].front() : 0.0;
+        const auto words = [&](const std::string& number) {
+            return plot::Text(chosen.size() > 1 ? say(language, "slope {}", number)
+                                                : say(language, "slope by collisions: {}", number));
+        };
+        note.entries.push_back({.sample = stroke,
+                                .words = {words(slope < 0.0 ? three_digits(language, slope) : "")},
+                                .longest = words(longest_number)});
+        if (!(slope < 0.0)) continue;
+        const double end = std::min(lags, -1.0 / slope);
+        plot::Line line;
+        line.part = "slope at 0";
+        line.of = column_name_of(context.scene, chosen[k]);
+        line.x = plot::column(plot.columns[0], {0.0, end});
+        line.y = plot::column(plot.columns[1], {1.0, 1.0 + slope * end});
+        line.stroke = stroke;
+        line.depth = 1;
+        plot.layers.emplace_back(std::move(line));
+    }
+    plot.notes.push_back(std::move(note));
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context,
+                                                     const PanelSpec& spec) {
+    const Language language = context.language();
+    const std::vector<Chosen> chosen = choices(spec);
+    const double lags = usual_lags(spec, context.scene.run);
+    CurveSubject subject{.points = lag_count};
+    subject.meter = [context, lists = members(context, chosen), from = spec.from, lags] {
+        return std::make_unique<AutocorrelationMeter>(context, lists, from, lags);
+    };
+    name_curves(subject, context, spec, say(language, "Velocity autocorrelation"), "");
+    subject.along = Phrase{"time lag"};
+    subject.unit_along = reduced::time;
+    subject.up = Phrase{"velocity autocorrelation"};
+    subject.unit_up = "1";
+    subject.reach = lags;
+    subject.top = 1.0;
+    subject.account = [language, context, chosen, lags](const CurveValues& values,
+                                                        std::size_t line) -> std::string {
+        const std::vector<double>& curve = values.curves[line];
+        const auto half = std::ranges::find_if(curve, [](double value) { return value < 0.5; });
+        if (half == curve.end()) return "";
+        const double at = lags * static_cast<double>(half - curve.begin()) / (lag_count - 1);
+        return say(language, "{}: half of the velocity is forgotten after a time of {}",
+                   name_of(context.scene, chosen[line]), three_digits(language, at));
+    };
+    if (spec.theory && has_slope(context))
+        subject.add = [context, chosen, lags](const CurveValues* values, plot::Plot& plot) {
+            add_slopes(context, chosen, lags, values, plot);
+        };
+    return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,99 @@
+#include "stats/paths/free_flights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace carom {
+
+FreeFlights::FreeFlights(const Box& box, bool ends_at_walls, std::vector<double> velocity_changes)
+    : paths_(box, std::move(velocity_changes)),
+      first_obstacle_(box.surfaces.first_obstacle()),
+      ends_at_walls_(ends_at_walls) {}
+
+bool FreeFlights::ends(const Collision& collision) const {
+    return ends_at_walls_ || collision.second.is_particle() ||
+           collision.second.surface() >= first_obstacle_;
+}
+
+const std::vector<FreeFlight>& FreeFlights::see(const Sample& sample,
+                                                std::span<const Collision> collisions) {
+    const auto count = static_cast<std::size_t>(sample.position.rows());
+    now_.resize(count);
+    is_begun_.resize(count);
+    ended_.clear();
+    totals_.assign(count, {});
+    paths_(sample, collisions, [this](const PathPiece& piece) {
+        const auto i = static_cast<std::size_t>(piece.particle);
+        const double span = piece.span();
+        const double way =
+            length_of_way(piece.velocity + 0.5 * span * paths_.gravity(), paths_.gravity(), span);
+        now_[i].length += way;
+        now_[i].duration += span;
+        totals_[i].way += way;
+        totals_[i].time += span;
+        if (piece.ended_by == nullptr || !ends(*piece.ended_by)) return;
+        totals_[i].collisions += 1.0;
+        if (is_begun_[i])
+            ended_.push_back({piece.particle, piece.to, now_[i].length, now_[i].duration});
+        is_begun_[i] = true;
+        now_[i] = {};
+    });
+    return ended_;
+}
+
+namespace {
+
+// Whether no two of the disks, as the centre of another meets them, touch each other, one of their
+// own images or a solid wall.
+bool are_apart(const Box& box, const std::vector<Obstacle::Disk>& disks, double radius) {
+    for (std::size_t i = 0; i < disks.size(); ++i) {
+        const double reach = disks[i].radius + radius;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double at = disks[i].center[axis], length = box.length(axis);
+            const double room =
+                box.is_periodic(axis) ? 0.5 * length : std::min(at, length - at) - radius;
+            if (room < reach) return false;
+        }
+        for (std::size_t j = 0; j < i; ++j)
+            if (box.nearest(disks[i].center - disks[j].center).matrix().norm() <
+                reach + disks[j].radius + radius)
+                return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool ends_at_walls) {
+    const Surfaces& surfaces = box.surfaces;
+    const bool is_still = std::ranges::all_of(surfaces.sides, [](const Behaviour& side) {
+        return std::holds_alternative<Reflecting>(side);
+    });
+    const bool has_walls = !box.is_periodic(0) || !box.is_periodic(1);
+    if (box.dimension != 2 || !is_still || !surfaces.partitions.empty() ||
+        (surfaces.gravity != 0.0).any() || (has_walls && !ends_at_walls))
+        return {};
+    std::vector<Obstacle::Disk> disks;
+    for (const Obstacle& obstacle : surfaces.obstacles) {
+        const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape);
+        if (disk == nullptr) return {};
+        disks.push_back(*disk);
+    }
+    if (!are_apart(box, disks, radius)) return {};
+    const auto room = [&](int axis) {
+        return box.is_periodic(axis) ? box.length(axis) : box.length(axis) - 2.0 * radius;
+    };
+    double area = room(0) * room(1), perimeter = 0.0;
+    for (int axis = 0; axis < 2; ++axis)
+        if (!box.is_periodic(axis)) perimeter += 2.0 * room(1 - axis);
+    for (const Obstacle::Disk& disk : disks) {
+        const double reach = disk.radius + radius;
+        area -= std::numbers::pi * reach * reach;
+        perimeter += 2.0 * std::numbers::pi * reach;
+    }
+    if (!(perimeter > 0.0) || !(area > 0.0)) return {};
+    return std::numbers::pi * area / perimeter;
+}
+
+}  // namespace carom

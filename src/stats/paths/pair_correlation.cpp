@@ -1,0 +1,312 @@
+#include "stats/paths/pair_correlation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "stats/paths/near_pairs.h"
+
+namespace carom {
+namespace {
+
+constexpr std::size_t most_radii = 12;  // told apart: their squares change g by the rest
+
+// How much of an axis two points have to themselves that are `apart` on it: a constant up to the
+// difference of their rooms, from there on less by what they are apart more.
+struct Room {
+    double first, second;
+    bool is_periodic;
+    double flat() const { return is_periodic ? INFINITY : 0.5 * std::abs(first - second); }
+    double end() const { return is_periodic ? INFINITY : 0.5 * (first + second); }
+};
+
+// The integral over all directions of a distance of the product of both rooms, in closed form
+// between the angles at which one of them bends.
+double rooms_around(const Room& x, const Room& y, double r) {
+    std::vector<double> angles{0.0, 0.5 * std::numbers::pi};
+    for (const double bend : {x.flat(), x.end()})
+        if (bend < r) angles.push_back(std::acos(bend / r));
+    for (const double bend : {y.flat(), y.end()})
+        if (bend < r) angles.push_back(std::asin(bend / r));
+    std::ranges::sort(angles);
+    double sum = 0.0;
+    for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
+        const double from = angles[k], to = angles[k + 1], middle = 0.5 * (from + to);
+        const double at_x = r * std::cos(middle), at_y = r * std::sin(middle);
+        if (at_x > x.end() || at_y > y.end()) continue;
+        // (a - b cos)(c - d sin)
+        const bool x_bends = at_x > x.flat(), y_bends = at_y > y.flat();
+        const double a = x_bends ? x.end() : std::min(x.first, x.second), b = x_bends ? r : 0.0;
+        const double c = y_bends ? y.end() : std::min(y.first, y.second), d = y_bends ? r : 0.0;
+        const double sine_to = std::sin(to), sine_from = std::sin(from);
+        sum += a * c * (to - from) - b * c * (sine_to - sine_from) -
+               a * d * (std::cos(from) - std::cos(to)) +
+               0.5 * b * d * (sine_to * sine_to - sine_from * sine_from);
+    }
+    return 4.0 * r * sum;
+}
+
+double room_between(const Room& x, double r) {
+    if (r > x.end()) return 0.0;
+    return 2.0 * (r > x.flat() ? x.end() - r : std::min(x.first, x.second));
+}
+
+// Gauss and Legendre's rule of five points.
+double integral(double low, double high, const auto& value) {
+    constexpr std::array<double, 3> nodes{0.0, 0.5384693101056831, 0.9061798459386640};
+    constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665,
+                                            0.2369268850561891};
+    const double half = 0.5 * (high - low), middle = 0.5 * (low + high);
+    double sum = weights[0] * value(middle);
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+        sum += weights[k] * (value(middle - half * nodes[k]) + value(middle + half * nodes[k]));
+    return half * sum;
+}
+
+}  // namespace
+
+BoxSides sides_of(const Box& box) { return {{{0.0, box.size[0]}, {0.0, box.size[1]}}}; }
+
+double ring_probability(const Box& box, const BoxSides& sides, std::pair<double, double> radii,
+                        double low, double high) {
+    const auto room = [&](std::size_t axis) {
+        const double length = sides[axis].second - sides[axis].first;
+        const bool is_periodic = box.is_periodic(axis);
+        const auto its = [&](double radius) {
+            return is_periodic ? length : std::max(0.0, length - 2.0 * radius);
+        };
+        return Room{its(radii.first), its(radii.second), is_periodic};
+    };
+    const Room x = room(0);
+    if (box.dimension == 1) {
+        const double all = x.first * x.second;
+        return all > 0.0 ? integral(low, high, [&](double r) { return room_between(x, r); }) / all
+                         : 0.0;
+    }
+    const Room y = room(1);
+    const double all = x.first * x.second * y.first * y.second;
+    return all > 0.0 ? integral(low, high, [&](double r) { return rooms_around(x, y, r); }) / all
+                     : 0.0;
+}
+
+PairCorrelation::PairCorrelation(const Box& box, const Particles& particles, Wanted wanted,
+                                 std::vector<double> velocity_changes)
+    : box_(box),
+      particles_(particles),
+      wanted_(std::move(wanted)),
+      width_(wanted_.to / wanted_.rings),
+      paths_(box, std::move(velocity_changes)),
+      pairs_(wanted_.rings, wanted_.window == 0.0 ? std::nullopt : wanted_.window),
+      expected_(pairs_),
+      pieces_(static_cast<std::size_t>(particles.count())) {
+    find_kinds();
+}
+
+bool PairCorrelation::is_wanted(Eigen::Index i, Eigen::Index j) const {
+    const auto is_in = [](const std::vector<bool>& list, Eigen::Index k) {
+        return list.empty() || list[static_cast<std::size_t>(k)];
+    };
+    return (is_in(wanted_.first, i) && is_in(wanted_.second, j)) ||
+           (is_in(wanted_.first, j) && is_in(wanted_.second, i));
+}
+
+// How many pairs are of which radii; of very many radii groups have their mean.
+void PairCorrelation::find_kinds() {
+    const Eigen::Index count = particles_.count();
+    std::vector<Eigen::Index> by_radius;
+    for (Eigen::Index i = 0; i < count; ++i) by_radius.push_back(i);
+    std::ranges::stable_sort(by_radius, {}, [&](Eigen::Index i) { return particles_.radius[i]; });
+    std::vector<std::vector<Eigen::Index>> groups;
+    for (const Eigen::Index i : by_radius) {
+        if (groups.empty() || particles_.radius[groups.back().front()] != particles_.radius[i])
+            groups.emplace_back();
+        groups.back().push_back(i);
+    }
+    if (groups.size() > most_radii) {
+        groups.assign(most_radii, {});
+        for (std::size_t k = 0; k < by_radius.size(); ++k)
+            groups[k * most_radii / by_radius.size()].push_back(by_radius[k]);
+    }
+    // Of each group how many are of the first, of the second and of both sorts.
+    struct Group {
+        double radius = 0.0, first = 0.0, second = 0.0, both = 0.0;
+    };
+    std::vector<Group> all;
+    for (const std::vector<Eigen::Index>& group : groups) {
+        Group sum;
+        for (const Eigen::Index i : group) {
+            const auto k = static_cast<std::size_t>(i);
+            const bool first = wanted_.first.empty() || wanted_.first[k];
+            const bool second = wanted_.second.empty() || wanted_.second[k];
+            sum.radius += particles_.radius[i] / static_cast<double>(group.size());
+            sum.first += first ? 1.0 : 0.0;
+            sum.second += second ? 1.0 : 0.0;
+            sum.both += first && second ? 1.0 : 0.0;
+        }
+        all.push_back(sum);
+    }
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = a; b < all.size(); ++b) {
+            const Group &one = all[a], &other = all[b];
+            const double ordered = one.first * other.second + one.second * other.first;
+            const double pairs = a == b ? 0.5 * (ordered - one.both * one.both - one.both)
+                                        : ordered - one.both * other.both;
+            if (pairs > 0.0) kinds_.push_back({{one.radius, other.radius}, pairs});
+        }
+}
+
+// Pairs of points in each ring. The sides seldom move.
+Eigen::ArrayXd PairCorrelation::expected(const BoxSides& sides) {
+    if (last_expected_ && last_expected_->first == sides) return last_expected_->second;
+    Eigen::ArrayXd pairs = Eigen::ArrayXd::Zero(wanted_.rings);
+    for (const auto& [radii, count] : kinds_)
+        for (int k = 0; k < wanted_.rings; ++k)
+            pairs[k] += count * ring_probability(box_, sides, radii, k * width_, (k + 1) * width_);
+    last_expected_ = {sides, pairs};
+    return pairs;
+}
+
+void PairCorrelation::see(const Sample& sample, std::span<const Collision> collisions,
+                          const BoxSides& sides) {
+    for (std::vector<PathPiece>& pieces : pieces_) pieces.clear();
+    paths_(sample, collisions, [&](const PathPiece& piece) {
+        pieces_[static_cast<std::size_t>(piece.particle)].push_back(piece);
+    });
+    if (sides_ && sample.time > time_ && wanted_.window != 0.0) {
+        const double middle = 0.5 * (time_ + sample.time);
+        add_flights(sample.position, pairs_.at(middle));
+        BoxSides between = sides;
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            between[axis] = {0.5 * (sides[axis].first + (*sides_)[axis].first),
+                             0.5 * (sides[axis].second + (*sides_)[axis].second)};
+        expected_.at(middle) += (sample.time - time_) * expected(between);
+    }
+    if (!sides_ || wanted_.window == 0.0) add_moment(sample, sides);
+    sides_ = sides;
+    time_ = sample.time;
+}
+
+void PairCorrelation::add_moment(const Sample& sample, const BoxSides& sides) {
+    moment_ = Eigen::ArrayXd::Zero(wanted_.rings);
+    moment_expected_ = expected(sides);
+    NearPairs(box_, sample.position, wanted_.to).for_each([&](Eigen::Index i, Eigen::Index j) {
+        if (!is_wanted(i, j)) return;
+        Eigen::Array2d apart{0.0, 0.0};
+        for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
+            apart[axis] = sample.position(j, axis) - sample.position(i, axis);
+        add_at(box_.nearest(apart).matrix().norm(), 1.0, moment_);
+    });
+}
+
+// The paths of all pairs that may come near, found by where they are at the end.
+void PairCorrelation::add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time) {
+    double farthest = 0.0;
+    for (const std::vector<PathPiece>& pieces : pieces_) {
+        double way = 0.0;
+        for (const PathPiece& piece : pieces)
+            way += piece.span() * (piece.velocity.matrix().norm() +
+                                   piece.span() * paths_.gravity().matrix().norm());
+        farthest = std::max(farthest, way);
+    }
+    NearPairs(box_, positions, wanted_.to + 2.0 * farthest)
+        .for_each([&](Eigen::Index i, Eigen::Index j) {
+            if (is_wanted(i, j))
+                add_pair(pieces_[static_cast<std::size_t>(i)], pieces_[static_cast<std::size_t>(j)],
+                         time);
+        });
+}
+
+// While both keep their velocities; what falls, falls alike.
+void PairCorrelation::add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
+                               Eigen::ArrayXd& time) {
+    for (std::size_t i = 0, j = 0; i < first.size() && j < second.size();) {
+        const PathPiece &one = first[i], &other = second[j];
+        const double from = std::max(one.from, other.from), to = std::min(one.to, other.to);
+        if (to > from) {
+            const auto place = [&](const PathPiece& piece) -> Eigen::Array2d {
+                const double after = from - piece.from;
+                return piece.place + after * (piece.velocity + 0.5 * after * paths_.gravity());
+            };
+            const auto velocity = [&](const PathPiece& piece) -> Eigen::Array2d {
+                return piece.velocity + (from - piece.from) * paths_.gravity();
+            };
+            add_images(place(other) - place(one), velocity(other) - velocity(one), to - from, time);
+        }
+        ++(one.to < other.to ? i : j);
+    }
+}
+
+// All images that come near on the way, in most boxes but the nearest.
+void PairCorrelation::add_images(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
+                                 double span, Eigen::ArrayXd& time) const {
+    const Eigen::Array2d nearest =
+        box_.dimension == 2
+            ? box_.nearest(place)
+            : Eigen::Array2d{place[0] - box_.size[0] * box_.turns(0, place[0]), 0.0};
+    std::array<int, 2> others{0, 0};
+    for (int axis = 0; axis < box_.dimension; ++axis)
+        if (box_.is_periodic(axis) &&
+            wanted_.to + std::abs(velocity[axis]) * span > 0.5 * box_.length(axis))
+            others[static_cast<std::size_t>(axis)] = static_cast<int>(
+                std::ceil((wanted_.to + std::abs(velocity[axis]) * span) / box_.length(axis)));
+    for (int y = -others[1]; y <= others[1]; ++y)
+        for (int x = -others[0]; x <= others[0]; ++x)
+            add_flight({nearest[0] + x * box_.length(0), nearest[1] + y * box_.length(1)}, velocity,
+                       span, time);
+}
+
+// Nearer until the closest approach, farther from there on.
+void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
+                                 double span, Eigen::ArrayXd& time) const {
+    const double square = velocity.square().sum(), along = (place * velocity).sum();
+    const Eigen::Array2d end = place + span * velocity;
+    const double from = place.matrix().norm(), to = end.matrix().norm();
+    const double speed = std::sqrt(square);
+    if (!(speed * span > 1e-12 * wanted_.to)) {
+        add_at(from, span, time);
+        return;
+    }
+    // The closest distance, by the cross product: without cancellation.
+    const double least = std::abs(place[0] * velocity[1] - place[1] * velocity[0]) / speed;
+    if (least >= wanted_.to) return;
+    const double closest = -along / square;
+    if (closest <= 0.0 || closest >= span) {
+        add_between(std::min(from, to), std::max(from, to), least, speed, time);
+        return;
+    }
+    add_between(least, from, least, speed, time);
+    add_between(least, to, least, speed, time);
+}
+
+void PairCorrelation::add_at(double distance, double time, Eigen::ArrayXd& sums) const {
+    const double ring = std::floor(distance / width_);
+    if (ring < wanted_.rings) sums[static_cast<Eigen::Index>(ring)] += time;
+}
+
+// The time of a straight flight with this closest distance between two others.
+void PairCorrelation::add_between(double from, double to, double least, double speed,
+                                  Eigen::ArrayXd& sums) const {
+    const auto when = [&](double distance) {
+        return std::sqrt(std::max(0.0, (distance - least) * (distance + least))) / speed;
+    };
+    double before = when(from);
+    for (int ring = static_cast<int>(std::min(from / width_, double(wanted_.rings)));
+         ring < wanted_.rings; ++ring) {
+        const double outer = (ring + 1) * width_;
+        const double at = when(std::min(outer, to));
+        sums[ring] += std::max(0.0, at - before);
+        before = at;
+        if (outer >= to) return;
+    }
+}
+
+Eigen::ArrayXd PairCorrelation::values() const {
+    const Eigen::ArrayXd expected = expected_.sum();
+    const bool is_moment = !(expected.sum() > 0.0);
+    const Eigen::ArrayXd pairs = is_moment ? moment_ : pairs_.sum();
+    const Eigen::ArrayXd& points = is_moment ? moment_expected_ : expected;
+    return (points > 0.0).select(pairs / points, std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace carom

@@ -1,0 +1,92 @@
+// The paths of particles between two samples of a run, in pieces on which nothing but gravity
+// changes a velocity: what averages by exact times are made of.
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+#include <span>
+#include <vector>
+
+#include "physics/run.h"
+#include "physics/simulation.h"
+
+namespace carom {
+
+/// A piece of a particle's path. On a line all that is along y is 0.
+struct PathPiece {
+    Eigen::Index particle = 0;
+    double from = 0.0, to = 0.0;          ///< times
+    Eigen::Array2d place{0.0, 0.0};       ///< at `from`
+    Eigen::Array2d velocity{0.0, 0.0};    ///< at `from`
+    const Collision* ended_by = nullptr;  ///< none: the sample, or an event of the run
+
+    double span() const { return to - from; }
+};
+
+/// Times at which the velocities of a run change without a collision.
+std::vector<double> velocity_changes(const Run& run);
+
+/// The length of a path: the integral of the speed over a time, with this velocity in its middle.
+double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span);
+
+class Paths {
+  public:
+    Paths(const Box& box, std::vector<double> changes);
+
+    /// Samples in order of time, with all collisions on the way from the one before: calls
+    /// `see(piece)` for each piece since then, those of one particle in order of time.
+    void operator()(const Sample& sample, std::span<const Collision> collisions,
+                    std::invocable<const PathPiece&> auto&& see) {
+        const bool is_first = last_.empty();
+        if (!is_first && sample.time > time_) {
+            for (const Collision& one : collisions) {
+                advance(one.first, {one.time, one.first_position, one.first_before}, &one, see);
+                last_[static_cast<std::size_t>(one.first)].velocity = one.first_after;
+                if (!one.second.is_particle()) continue;
+                const std::int32_t second = one.second.particle();
+                advance(second, {one.time, one.second_position, one.second_before}, &one, see);
+                last_[static_cast<std::size_t>(second)].velocity = one.second_after;
+            }
+            for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
+                advance(i, at(sample, i), nullptr, see);
+        }
+        last_.resize(static_cast<std::size_t>(sample.position.rows()));
+        for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
+            last_[static_cast<std::size_t>(i)] = at(sample, i);
+        time_ = sample.time;
+    }
+
+    const Eigen::Array2d& gravity() const { return gravity_; }
+
+  private:
+    struct Point {
+        double time = 0.0;
+        Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
+    };
+    static Point at(const Sample& sample, Eigen::Index particle);
+    Point moved(const Point& from, double time) const;
+    double change_between(double from, double to) const;
+
+    // Where velocities change at a time in between, forward until then and backward from the end.
+    void advance(Eigen::Index particle, const Point& to, const Collision* by, auto&& see) {
+        Point& from = last_[static_cast<std::size_t>(particle)];
+        if (to.time < from.time) return;             // on the way to the first sample
+        if (to.time > from.time || by != nullptr) {  // also of no time, where two fall together
+            const double change = change_between(from.time, to.time);
+            see(PathPiece{particle, from.time, change, from.place, from.velocity,
+                          change < to.time ? nullptr : by});
+            if (change < to.time) {
+                const Point middle = moved(to, change);
+                see(PathPiece{particle, change, to.time, middle.place, middle.velocity, by});
+            }
+        }
+        from = to;
+    }
+
+    Eigen::Array2d gravity_{0.0, 0.0};
+    std::vector<double> changes_;
+    std::vector<Point> last_;  ///< of each particle, its last collision or the last sample
+    double time_ = 0.0;        ///< of the last sample
+};
+
+}  // namespace carom

@@ -1,0 +1,45 @@
+// Sums of numbers over a time before the present, or since the start.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace carom {
+
+/// Sums what is added, over the window to a thirty-second of it.
+class SlidingSum {
+  public:
+    SlidingSum(Eigen::Index size, std::optional<double> window)
+        : none_(Eigen::ArrayXd::Zero(size)), window_(window) {}
+
+    /// What is to be added at a time; times do not fall. Valid until the next call.
+    Eigen::ArrayXd& at(double time) {
+        constexpr double slices = 32.0;
+        const auto number =
+            static_cast<std::int64_t>(window_ ? std::floor(time * slices / *window_) : 0.0);
+        if (slices_.empty() || slices_.back().number != number) slices_.push_back({number, none_});
+        while (slices_.front().number <= number - static_cast<std::int64_t>(slices))
+            slices_.pop_front();
+        return slices_.back().sums;
+    }
+
+    Eigen::ArrayXd sum() const {
+        Eigen::ArrayXd all = none_;
+        for (const Slice& slice : slices_) all += slice.sums;
+        return all;
+    }
+
+  private:
+    struct Slice {
+        std::int64_t number;
+        Eigen::ArrayXd sums;
+    };
+    Eigen::ArrayXd none_;
+    std::optional<double> window_;  ///< none: all
+    std::deque<Slice> slices_;
+};
+
+}  // namespace carom

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -49,7 +51,7 @@ CollisionCounts collisions_in(const Scene& loaded) {
 TEST_CASE("every scene of the library says what is seen, and makes a picture") {
     const carom::test::TemporaryFolder folder;
     const std::vector<fs::path> files = test::library_files();
-    CHECK(files.size() >= 25);
+    CHECK(files.size() >= 45);
     for (const fs::path& file : files) {
         CAPTURE(file.string());
         const Scene loaded =
@@ -213,4 +215,96 @@ TEST_CASE("a hundred disks never overlap, and steps of a hundredth would have mi
     }
     CHECK(exact < 1e-12);
     CHECK(stepped > 0.2);
+}
+
+namespace {
+
+// The mean kinetic energy of particles at a time, of those for which `is_meant` holds of their
+// place along x.
+double mean_energy(
+    Simulation& simulation, double time,
+    const std::function<bool(double)>& is_meant = [](double) { return true; }) {
+    simulation.advance_to(time);
+    const Eigen::ArrayXd energy = kinetic_energies(simulation.particles(), simulation.sample());
+    double sum = 0.0, count = 0.0;
+    for (Eigen::Index i = 0; i < energy.size(); ++i)
+        if (is_meant(simulation.sample().position(i, 0))) sum += energy[i], count += 1.0;
+    REQUIRE(count > 0.0);
+    return sum / count;
+}
+
+Simulation started(const std::string& name, const Overrides& overrides = {}) {
+    const Scene loaded = scene(name, overrides);
+    return {loaded.gas, loaded.run};
+}
+
+}  // namespace
+
+// As far as a mean over this many particles can tell: the margins are several standard errors.
+TEST_CASE("a demon makes one side hot, and what effuses is hotter than what is left") {
+    const auto right_of = [](double place) { return [=](double x) { return x > place; }; };
+    const auto left_of = [](double place) { return [=](double x) { return x < place; }; };
+    Simulation demon = started("maxwells-demon");
+    CHECK(mean_energy(demon, 200.0, right_of(32.0)) > 2.0 * mean_energy(demon, 200.0, left_of(32)));
+    Simulation slit = started("effusion");
+    double passed = 0.0, stayed = 0.0;
+    for (const double time : {40.0, 60.0, 80.0, 100.0}) {
+        passed += mean_energy(slit, time, right_of(36.5)) / 4.0;
+        stayed += mean_energy(slit, time, left_of(36.0)) / 4.0;
+    }
+    CHECK(passed > 1.2 * stayed);
+}
+
+TEST_CASE("pistons heat a gas by the work that they do, unless walls take the heat away") {
+    Simulation driven = started("moving-piston");
+    CHECK(mean_energy(driven, 14.0) > 3.0 * 50.0);  // slowly, 44/16 of the start, 137, and more
+    CHECK(mean_energy(driven, 28.0) < 1.2 * 50.0);
+    Simulation cooled = started("isothermal-piston");
+    CHECK(mean_energy(cooled, 480.0) == relative(1.0, 0.25));
+    Simulation falling = started("adiabatic-piston");
+    CHECK(mean_energy(falling, 30.0) > 2.5 * 50.0);
+    const double slow = mean_energy(*std::make_unique<Simulation>(started("jarzynski")), 80.0);
+    const double fast =
+        mean_energy(*std::make_unique<Simulation>(started(
+                        "jarzynski", {"run.events.1.velocity=-1.333333333", "run.events.3.at=25"})),
+                    80.0);
+    CHECK(slow > 2.0);  // the work of a stroke without haste
+    CHECK(slow < 2.4);
+    CHECK(fast > 1.3 * slow);
+}
+
+TEST_CASE("what is above the top of the atmosphere has escaped for good") {
+    const Scene loaded = scene("atmosphere");
+    const double top = loaded.gas.box.surfaces.partitions.front().at;
+    Simulation simulation(loaded.gas, loaded.run);
+    Eigen::Index before = 0;
+    for (double time = 0.0; time <= loaded.run.until; time += 5.0) {
+        simulation.advance_to(time);
+        const Eigen::Index above = (simulation.sample().position.col(1) > top).count();
+        CHECK(above >= before);
+        before = above;
+    }
+    CHECK(before > 10);
+    CHECK(before < 100);
+}
+
+TEST_CASE("gases that mix come to one mean energy, each as many as in the original") {
+    for (const auto& [name, counts] : {std::pair{"two-gas", std::pair{100, 217}},
+                                       std::pair{"hot-and-cold-mix", std::pair{150, 150}}}) {
+        CAPTURE(name);
+        Simulation simulation = started(name);
+        const auto& species = simulation.particles().species;
+        CHECK(std::ranges::count(species, 0) == counts.first);
+        CHECK(std::ranges::count(species, 1) == counts.second);
+        double first = 0.0, second = 0.0;
+        const double until = scene(name).run.until;
+        for (double share = 0.7; share <= 1.0; share += 0.05) {
+            simulation.advance_to(share * until);
+            const Eigen::ArrayXd energy =
+                kinetic_energies(simulation.particles(), simulation.sample());
+            first += energy.head(counts.first).mean();
+            second += energy.tail(counts.second).mean();
+        }
+        CHECK(first == relative(second, 0.2));
+    }
 }

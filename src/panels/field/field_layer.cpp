@@ -14,7 +14,8 @@ namespace carom {
 namespace {
 
 constexpr double share_above = 0.02;  // of the cells of all frames
-constexpr double key_height = 3.6;    // units, of the arrow that is the key of a flow
+constexpr double least_contrast_of_outlines = 2.2;
+constexpr double key_height = 3.6;  // units, of the arrow that is the key of a flow
 
 std::vector<bool> members_of(const PanelContext& context, std::optional<std::size_t> species) {
     std::vector<bool> members;
@@ -163,14 +164,21 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
     return state;
 }
 
-// Not the disks': magma, or viridis where they have it or one that is like it. On a dark ground
-// neither as dark as blank cells nor as light as the outlines of the disks.
+// Not the disks': magma, or viridis where they have it or one that is like it. It goes from where
+// it differs from blank cells to where the outlines of the disks still stand out.
 ColorMap FieldLayer::colors(const Theme& theme) const {
-    if (theme.kind == ThemeKind::print) return grey_map();
+    if (theme.kind == ThemeKind::print) return ColorMap({rgb(0xE4E4E4), rgb(0x8A8A8A)});
     const std::string disks = context_.scene.film.palette.value_or("viridis");
     const bool is_warm = disks == "magma" || disks == "inferno" || disks == "plasma";
     const char* name = is_warm ? "viridis" : "magma";
-    return theme.dark ? color_map(name, 0.22, 0.84) : color_map_on(name, theme);
+    const ColorMap whole = color_map(name);
+    const double first = theme.dark ? 0.22 : 0.93, step = theme.dark ? -0.01 : 0.01;
+    double last = theme.dark ? 1.0 : 0.0;
+    while (contrast(theme.ink, mix(theme.ground, whole.at(last), field_->opacity)) <
+               least_contrast_of_outlines &&
+           std::abs(last - first) > 0.3)
+        last += step;
+    return color_map(name, first, last);
 }
 
 // The longest arrow of the scale is as long as a cell is wide.

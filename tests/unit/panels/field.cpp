@@ -128,6 +128,33 @@ TEST_CASE("disks over a field hide nothing of it") {
     CHECK(at(15.0, 5.0) != at(5.0, 8.5));
 }
 
+TEST_CASE("the outlines of disks stand out from the darkest and the lightest cells of a field") {
+    const std::string gas =
+        "gas: [{name: many, count: 60, radius: 0.1, position: {within: [1, 1, 9, 9]}}, {name: few, "
+        "count: 3, radius: 0.1, position: {within: [11, 11, 19, 19]}}]\n";
+    for (const std::string kind : {"dark", "light", "print"})
+        for (const std::string palette : {"viridis", "magma"}) {
+            CAPTURE(kind + ", " + palette);
+            const test::FirstFrame first(
+                scene_with("of: density, cells: 2",
+                           "panels: [], theme: " + kind + ", palette: " + palette, gas));
+            const Theme& theme = theme_of(first.scene.film.theme);
+            const Rect box = first.box();
+            const auto at = [&](double x, double y) {
+                const PixelView& view = first.view;
+                return rgb(
+                    view.data[std::lround(box.bottom() - y * box.height / 20.0) * view.stride +
+                              std::lround(box.x + x * box.width / 20.0)] &
+                    0xFFFFFF);
+            };
+            const Color most = at(0.5, 0.5), least = at(19.5, 19.5);
+            CHECK(contrast(theme.ink, most) >= 2.0);
+            CHECK(contrast(theme.ink, least) >= 2.0);
+            CHECK(contrast(most, least) >= 1.5);
+            CHECK(to_pixel(least) != to_pixel(theme.ground));
+        }
+}
+
 TEST_CASE("a field is listed and told in words") {
     const test::FirstFrame first(scene_with("of: density, cells: 2"));
     const Table table = first.panels.gas().table(*first.frame.states.front(), Theme{});

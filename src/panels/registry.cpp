@@ -167,7 +167,7 @@ std::vector<PanelKind> all_kinds() {
         {.name = "mean-squared-displacement",
          .words = Phrase{"mean squared displacement"},
          .make = make_mean_squared_displacement,
-         .abilities = {of, means, comparison},
+         .abilities = {of, theory, means, comparison},
          .keys = displacement_keys(),
          .rule = check_displacements},
         {.name = "velocity-autocorrelation",

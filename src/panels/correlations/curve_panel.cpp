@@ -25,16 +25,16 @@ MeanError mean_over(const std::vector<const CurveState*>& states, const auto& nu
 // The means of one table of numbers of each line, and their errors.
 using Numbers = std::vector<std::vector<double>>;
 void add_means(const std::vector<const CurveState*>& states, Numbers CurveValues::*table,
-               Numbers& means, Numbers* errors) {
+               Numbers& means, Numbers& errors) {
     const Numbers& first = states.front()->runs.front().*table;
     for (std::size_t line = 0; line < first.size(); ++line) {
         means.emplace_back();
-        if (errors != nullptr) errors->emplace_back();
+        errors.emplace_back();
         for (std::size_t k = 0; k < first[line].size(); ++k) {
             const MeanError one =
                 mean_over(states, [&](const CurveValues& run) { return (run.*table)[line][k]; });
             means.back().push_back(one.mean);
-            if (errors != nullptr) errors->back().push_back(one.error);
+            errors.back().push_back(one.error);
         }
     }
 }
@@ -191,7 +191,7 @@ void CurvePanel::make_plot() {
         whole_.y.title = subject_.height(at_[1] - at_[0]);
     else if (subject_.names_axis)
         whole_.y.title = say(language, subject_.up);
-    if (!subject_.names.empty() && !record_.compares())
+    if (subject_.names.size() > 1 && !record_.compares())
         whole_.notes.push_back(
             {.entries = subject_.names, .wraps = true, .is_of_short_title = true});
     const std::string along(subject_.along.english);
@@ -237,8 +237,8 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
         return both;
     }
     CurveValues mean;
-    add_means(all, &CurveValues::curves, mean.curves, &both->errors);
-    add_means(all, &CurveValues::numbers, mean.numbers, nullptr);
+    add_means(all, &CurveValues::curves, mean.curves, both->errors);
+    add_means(all, &CurveValues::numbers, mean.numbers, mean.errors);
     both->runs = {mean};
     both->readouts = std::make_shared<const CurveValues>(std::move(mean));
     return both;
@@ -306,11 +306,9 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
 
 // What is least missed where there is no room for it.
 std::string CurvePanel::remark() const {
-    if (record_.runs_in_mean == 1) return subject_.remark;
-    const Language language = context_.language();
-    const std::string mean = counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
-                                     Phrase{"mean of {} runs"});
-    return subject_.remark.empty() ? mean : say(language, "{}, {}", subject_.remark, mean);
+    if (record_.runs_in_mean == 1) return "";
+    return counted(context_.language(), record_.runs_in_mean, Phrase{"mean of {} run"},
+                   Phrase{"mean of {} runs"});
 }
 
 plot::Plot CurvePanel::plot(const PanelState* state) const {
@@ -318,6 +316,8 @@ plot::Plot CurvePanel::plot(const PanelState* state) const {
     const auto* shown = static_cast<const CurveState*>(state);
     const bool compares = record_.compares();
     if (!compares && subject_.add) subject_.add(shown ? shown->readouts.get() : nullptr, now);
+    if (subject_.names.size() == 1 && !compares)  // less missed than what was added
+        now.notes.push_back({.entries = subject_.names, .is_of_short_title = true});
     if (const std::string words = remark(); !words.empty())
         now.notes.push_back({.entries = {{.words = {plot::Text(words)}}}});
     if (shown == nullptr) return now;

@@ -21,6 +21,7 @@ inline const std::string longest_number = "\u22120.0000";
 struct CurveValues {
     std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
     std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
+    std::vector<std::vector<double>> errors = {};   ///< of these, where they are means of runs
 };
 
 /// Follows a run.
@@ -53,7 +54,6 @@ struct CurveSubject {
     std::vector<plot::Text> titles = {};     ///< from the longest on
     std::vector<plot::KeyEntry> names = {};  ///< what the last of the titles leaves out
     bool names_axis = false;                 ///< up; else the title says what it is
-    std::string remark = {};                 ///< under the title, where there is room
     Phrase along = {}, up = {};              ///< the quantities of the axes
     std::string unit_along = {}, unit_up = {};
     std::function<std::string(double width)> height = {};  ///< the title of the axis up, for bins

@@ -140,7 +140,7 @@ bool has_gravity(const PanelContext& context) {
 }
 
 // As far as it is to be seen, if it is; nothing falls there.
-bool add_ballistic(const PanelContext& context, double from, double square_speed,
+bool add_ballistic(const PanelContext& context, double from, double square_speed, bool is_still,
                    plot::Plot& plot) {
     constexpr double least_seen = 0.015;  // of the axis
     constexpr int points = 40;
@@ -155,7 +155,7 @@ bool add_ballistic(const PanelContext& context, double from, double square_speed
     }
     plot::Line line;
     line.part = "ballistic";
-    line.still = true;
+    line.still = is_still;
     line.x = plot::column(plot.columns[0], std::move(x));
     line.y = plot::column(plot.columns[1], std::move(y));
     line.beyond = plot::Beyond::cut;
@@ -165,10 +165,9 @@ bool add_ballistic(const PanelContext& context, double from, double square_speed
     return true;
 }
 
-void add_ballistic_note(Language language, plot::Plot& plot) {
+plot::KeyEntry ballistic_entry(Language language) {
     const std::string formula = "⟨<i>v</i>²⟩<i>t</i>²";
-    plot.notes.push_back(
-        {.entries = {{of_ballistic, {say(language, "without collisions {}", formula), formula}}}});
+    return {of_ballistic, {say(language, "without collisions {}", formula), formula}};
 }
 
 // The coefficients in words, each with the name of its line.
@@ -190,9 +189,7 @@ plot::KeyEntry coefficient_entry(Language language, const std::string& name,
         const std::string all = "<i>D</i> = " + number;
         return plot::Text(name.empty() ? all : say(language, "{}: {}", escape_markup(name), all));
     };
-    return {.sample = of_fit,
-            .words = {words(value)},
-            .longest = words(longest_number + " ± " + longest_number)};
+    return {.sample = of_fit, .words = {words(value)}, .longest = words("0.0000 ± 0.0000")};
 }
 
 std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec& spec) {
@@ -209,6 +206,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     subject.quantity = Phrase{"mean squared displacement"};
     subject.unit = "length^2";
     subject.needs_collisions = true;
+    if (!spec.theory) return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
     subject.add = [context, chosen, fit_from, from = spec.from](const SeriesRecord& record,
                                                                 plot::Plot& whole) {
         const bool compares = record.compares();
@@ -231,9 +229,9 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
             }
         add_coefficients(context.language(), fit_from, all, whole);
         if (!compares && chosen.size() == 1 &&
-            add_ballistic(context, from, record.runs.front().numbers[0][of_square_speed].mean,
+            add_ballistic(context, from, record.runs.front().numbers[0][of_square_speed].mean, true,
                           whole))
-            add_ballistic_note(context.language(), whole);
+            whole.notes.push_back({.entries = {ballistic_entry(context.language())}});
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
@@ -314,6 +312,12 @@ class DisplacementMeter : public LagMeter {
     int dimension_;
 };
 
+// Its error is that of the mean of runs, or of the groups of one.
+MeanError diffusion_of(const CurveValues& values, std::size_t line) {
+    const std::vector<double>& numbers = values.numbers[line];
+    return {numbers[0], values.errors.empty() ? numbers[1] : values.errors[line][0]};
+}
+
 std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
@@ -324,40 +328,37 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
         return std::make_unique<DisplacementMeter>(context, lists, from, lags, fit_from);
     };
     name_curves(subject, context, spec, say(language, "Mean squared displacement"), "");
-    subject.remark = say(language, "mean over all starting times");
+    if (spec.theory && spec.of.size() == 1) subject.names.clear();  // beside its coefficient
     subject.along = Phrase{"time lag"};
     subject.unit_along = reduced::time;
     subject.up = Phrase{"mean squared displacement"};
     subject.unit_up = "length^2";
     subject.reach = lags;
-    subject.account = [language](const CurveValues& values, std::size_t line) {
-        const std::vector<double>& numbers = values.numbers[line];
-        return std::isfinite(numbers[0]) ? "D = " + with_error(language, {numbers[0], numbers[1]})
-                                         : std::string();
+    subject.account = [language](const CurveValues& values, std::size_t line) -> std::string {
+        const MeanError diffusion = diffusion_of(values, line);
+        return std::isfinite(diffusion.mean) ? "D = " + with_error(language, diffusion) : "";
     };
-    subject.add = [context, language, chosen, lags, fit_from](const CurveValues* values,
-                                                              plot::Plot& plot) {
+    if (!spec.theory) return std::make_unique<CurvePanel>(context, std::move(subject));
+    subject.add = [context, language, chosen, lags, fit_from, has_names = !spec.of.empty()](
+                      const CurveValues* values, plot::Plot& plot) {
         plot::Note note{.wraps = true, .changes = true};
         std::vector<double> x;
         for (int i = 0; i < lag_count; ++i) x.push_back(lags * i / (lag_count - 1));
         for (std::size_t k = 0; k < chosen.size(); ++k) {
-            const std::string name = chosen.size() > 1 ? name_of(context.scene, chosen[k]) : "";
+            const std::string name = has_names ? name_of(context.scene, chosen[k]) : "";
             std::optional<plot::Line> line;
             if (values != nullptr) line = fit_of(plot, x, values->curves[k], fit_from, INFINITY);
-            const std::string value =
-                line ? with_error(language, {values->numbers[k][0], values->numbers[k][1]}) : "";
+            const std::string value = line ? with_error(language, diffusion_of(*values, k)) : "";
             note.entries.push_back(coefficient_entry(language, name, value));
-            if (chosen.size() > 1)
-                note.entries.back().sample->role = choice_role(context, chosen[k], k);
             if (!line) continue;
-            line->stroke = *note.entries.back().sample;
             line->still = false;
             line->of = column_name_of(context.scene, chosen[k]);
             plot.layers.emplace_back(std::move(*line));
-            if (chosen.size() == 1) add_ballistic(context, 0.0, values->numbers[k][2], plot);
+            if (chosen.size() == 1) add_ballistic(context, 0.0, values->numbers[k][2], false, plot);
         }
+        if (chosen.size() == 1 && !has_gravity(context))
+            note.entries.push_back(ballistic_entry(language));
         plot.notes.push_back(std::move(note));
-        if (chosen.size() == 1 && !has_gravity(context)) add_ballistic_note(language, plot);
     };
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }

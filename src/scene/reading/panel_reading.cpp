@@ -253,8 +253,8 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                  "Whether to draw the equilibrium curve of this finite mixture, if it has an "
                  "equilibrium; `true` is an error where it has none. For return distances, the law "
                  "by which they grow for equal disks; for a density in gravity, that of an ideal "
-                 "gas of as many particles. For correlations and free flights, what theory says of "
-                 "them.")
+                 "gas of as many particles. For correlations, free flights and displacements, "
+                 "what theory says of them.")
             .only_with(kinds_that_can(kinds, Ability::theory))};
     return joined<PanelSpec>(what, over, component, bar_keys(kinds), theory, own_keys(kinds));
 }

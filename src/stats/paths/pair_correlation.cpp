@@ -260,11 +260,18 @@ void PairCorrelation::add_images(const Eigen::Array2d& place, const Eigen::Array
 void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
                                  double span, Eigen::ArrayXd& time) const {
     const double square = velocity.square().sum(), along = (place * velocity).sum();
-    const Eigen::Array2d end = place + span * velocity;
-    const double from = place.matrix().norm(), to = end.matrix().norm();
-    const double speed = std::sqrt(square);
+    const double speed = std::sqrt(square), from = std::sqrt(place.square().sum());
+    if (from - speed * span >= wanted_.to) return;
     if (!(speed * span > 1e-12 * wanted_.to)) {
         add_at(from, span, time);
+        return;
+    }
+    const double to = std::sqrt((place + span * velocity).square().sum());
+    // Mostly within one ring, and not through its middle.
+    const auto ring = static_cast<Eigen::Index>(from / width_);
+    const bool is_one_way = along >= 0.0 || along + square * span <= 0.0;
+    if (is_one_way && ring == static_cast<Eigen::Index>(to / width_)) {
+        if (ring < wanted_.rings) time[ring] += span;
         return;
     }
     // The closest distance, by the cross product: without cancellation.

@@ -306,6 +306,8 @@ TEST_CASE("displacements over all origins are means over starts, and D has an er
     CHECK(std::stod(plot.account.substr(4)) == doctest::Approx(diffusion).epsilon(0.02));
     CHECK(plot.account.find(" ± 0.") != std::string::npos);
     const plot::Line ballistic = layers_of<plot::Line>(plot, "ballistic").at(0);
+    CHECK_FALSE(ballistic.still);  // what is drawn once is drawn before anything is measured
+    CHECK_FALSE(fit.still);
     CHECK(curve.y[1] == doctest::Approx(ballistic.y[40] / ballistic.x[40] / ballistic.x[40] *
                                         curve.x[1] * curve.x[1])
                             .epsilon(0.05));
@@ -341,6 +343,24 @@ TEST_CASE("a mean of runs has the mean of their curves, with its error") {
                   layers_of<plot::Line>(first, "curve").at(0).y,
                   layers_of<plot::Line>(second, "curve").at(0).y);
     }
+}
+
+TEST_CASE("the error of D is that of the mean, where it is one of several runs") {
+    const PanelSpec spec{.kind = "mean-squared-displacement", .all_origins = true, .lags = 4.0};
+    Run2 one(gas_of(""), spec), other(gas_of("", "[20, 20], walls: periodic", 2), spec);
+    one.plots().fix_axes_of_runs({other.panel.get()}, {});
+    one.show();
+    other.show();
+    const auto diffusion = [](const std::shared_ptr<const PanelState>& state) {
+        return dynamic_cast<const CurveState&>(*state).runs[0].numbers[0][0];
+    };
+    const double first = diffusion(one.state), second = diffusion(other.state);
+    const auto both = one.plots().state_of_runs({one.state, other.state});
+    const std::string words = one.plots().plot(both.get()).account;
+    CAPTURE(words);
+    CHECK(std::stod(words.substr(4)) == doctest::Approx(0.5 * (first + second)).epsilon(0.05));
+    CHECK(std::stod(words.substr(words.find("±") + 2)) ==
+          doctest::Approx(0.5 * std::abs(first - second)).epsilon(0.1));
 }
 
 TEST_CASE("runs side by side have a curve each on common axes") {

@@ -98,8 +98,7 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
         if (chosen.size() > 1) stroke.role = choice_role(context, chosen[k], k);
         const double slope = values != nullptr ? values->numbers[k].front() : 0.0;
         const auto words = [&](const std::string& number) {
-            return plot::Text(chosen.size() > 1 ? say(language, "slope {}", number)
-                                                : say(language, "slope by collisions: {}", number));
+            return plot::Text(say(language, "slope {}", number));
         };
         note.entries.push_back({.sample = stroke,
                                 .words = {words(slope < 0.0 ? three_digits(language, slope) : "")},

@@ -155,7 +155,7 @@ TEST_CASE("the velocity autocorrelation begins at 1 with the slope of the collis
     CHECK(found == doctest::Approx(-rate).epsilon(1e-9));
     // Of about a thousand collisions, at a lag of 0.05 within five per cent.
     CHECK((curve.y[1] - 1.0) / curve.x[1] == doctest::Approx(-rate).epsilon(0.15));
-    CHECK(words_in(plot).find("slope by collisions: \u2212") != std::string::npos);
+    CHECK(words_in(plot).find("slope \u2212") != std::string::npos);
     CHECK(plot.account.find("half of the velocity is forgotten") != std::string::npos);
 }
 

@@ -10,6 +10,7 @@
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
 #include "physics/theory/error_growth.h"
+#include "scene/instruments/instrument_reading.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/reading/panel_reading.h"
 
@@ -50,12 +51,49 @@ std::vector<Binding<PanelSpec>> numbers_key() {
             .default_text("time, collisions, mean-speed and mean-energy")};
 }
 
+Binding<PanelSpec> cells_key() {
+    return bind_key("cells", &PanelSpec::bins, whole(2, most_field_cells),
+                    "How many slabs are along the axis; of an entropy, how many cells are along "
+                    "the longer side of the box.")
+        .default_text("20; of an entropy, about as many as leave five particles in each");
+}
+
 std::vector<Binding<PanelSpec>> profile_keys() {
     return {bind_key("quantity", &PanelSpec::quantity, quantity_notation(false),
                      "What it shows; the flow is that along the axis."),
-            bind_key("cells", &PanelSpec::bins, whole(2, most_field_cells),
-                     "How many slabs are along the axis.")
-                .default_text("20")};
+            cells_key()};
+}
+
+std::vector<Binding<PanelSpec>> entropy_keys() {
+    return {bind_key("space", &PanelSpec::entropy_of,
+                     one_of<EntropyOf>({{"velocities", EntropyOf::velocities},
+                                        {"positions", EntropyOf::positions},
+                                        {"both", EntropyOf::both}}),
+                     "What is counted in cells: the velocities, the positions, or each of them."),
+            cells_key()};
+}
+
+std::vector<Binding<PanelSpec>> surfaces_key() {
+    return {bind_key("surfaces", &PanelSpec::surfaces, surfaces_notation(),
+                     "The walls or partitions that it measures at: `left`, `right`, `bottom`, "
+                     "`top` or the names of partitions.")
+                .default_text("all walls together for a pressure; else what moves, or the only "
+                              "partition")};
+}
+
+std::vector<Binding<PanelSpec>> sides_keys() {
+    std::vector<Binding<PanelSpec>> keys = surfaces_key();
+    keys.push_back(bind_key("regions", &PanelSpec::regions, regions_notation(),
+                            "Parts of the box instead of the two sides of a partition.")
+                       .default_text("none"));
+    keys.push_back(bind_key("measure", &PanelSpec::measure,
+                            one_of<PartMeasure>({{"count", PartMeasure::count},
+                                                 {"temperature", PartMeasure::temperature},
+                                                 {"mean-energy", PartMeasure::mean_energy},
+                                                 {"center", PartMeasure::center}}),
+                            "What it shows of the particles in each part: their number, "
+                            "temperature, mean energy, or centre of mass along `component`."));
+    return keys;
 }
 
 std::vector<Binding<PanelSpec>> view_key() {
@@ -159,11 +197,35 @@ std::vector<PanelKind> all_kinds() {
         {.name = "entropy",
          .words = Phrase{"entropy"},
          .make = make_entropy,
-         .abilities = {means, comparison}},
+         .abilities = {means, comparison},
+         .keys = entropy_keys()},
         {.name = "pressure",
          .words = Phrase{"pressure"},
          .make = make_pressure,
-         .abilities = {over, means, comparison}},
+         .abilities = {over, means, comparison},
+         .keys = surfaces_key()},
+        {.name = "pressure-volume",
+         .words = Phrase{"pressure and volume"},
+         .make = make_pressure_volume,
+         .abilities = {over, theory},
+         .keys = surfaces_key(),
+         .rule = check_pressure_volume},
+        {.name = "piston",
+         .words = Phrase{"piston"},
+         .make = make_piston,
+         .abilities = {theory, means, comparison},
+         .keys = surfaces_key(),
+         .rule = check_piston},
+        {.name = "sides",
+         .words = Phrase{"sides"},
+         .make = make_sides,
+         .abilities = {component, means, comparison},
+         .keys = sides_keys(),
+         .rule = check_sides},
+        {.name = "energy-account",
+         .words = Phrase{"energy account"},
+         .make = make_energy_account,
+         .abilities = {means, comparison}},
         {.name = "mean-squared-displacement",
          .words = Phrase{"mean squared displacement"},
          .make = make_mean_squared_displacement,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "physics/echo_measurement.h"
+#include "physics/energy_account.h"
 #include "physics/events/event_loop.h"
 #include "physics/events/fixed_step_loop.h"
 #include "physics/multiprecision/multiprecision.h"
@@ -184,7 +185,7 @@ struct Simulation::Implementation {
         });
         present.time = 0.0;
         sampled = run.equilibrate == 0.0;
-        at_start = energies();
+        at_start = energies_now();
     }
 
     template <typename Scalar, bool has_surfaces>
@@ -323,38 +324,15 @@ struct Simulation::Implementation {
         return std::visit([&](const auto& its) { return its.surfaces(present.time); }, loop);
     }
 
-    // Without a relative error.
-    EnergyAccount energies() const {
+    // Of the present; without a relative error.
+    EnergyAccount energies_now() const {
         Sample now;
         std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
-        EnergyAccount account;
-        const Eigen::Array2d& gravity = box.surfaces.gravity;
-        const Eigen::ArrayXd each = kinetic_energies(particles, now);
-        for (Eigen::Index i = 0; i < particles.count(); ++i) {
-            if (particles.inverse_mass[i] == 0.0) continue;
-            account.kinetic += each[i];
-            for (Eigen::Index axis = 0; axis < box.dimension; ++axis) {
-                const double g = gravity[axis], r = particles.radius[i];
-                const double lowest = g < 0.0 ? r : box.size[axis] - r;
-                account.potential +=
-                    -g * (now.position(i, axis) - lowest) / particles.inverse_mass[i];
-            }
-        }
-        const auto states = surfaces();
-        for (std::size_t k = 0; k < states.size(); ++k) {
-            const SurfaceState& state = states[k];
-            account.heat += state.heat;
-            const auto* piston = std::get_if<Piston>(&state.behaviour);
-            if (piston == nullptr) continue;
-            const double pull = gravity[box.surfaces.axis_of(k)];
-            account.pistons += piston->kinetic_energy(state.motion->velocity);
-            account.potential += piston->potential_energy(state.motion->place, pull);
-        }
-        return account;
+        return energies(box, particles, now, surfaces());
     }
 
     EnergyAccount energy_account() const {
-        EnergyAccount account = energies();
+        EnergyAccount account = energies_now();
         std::visit(
             [&](const auto& its) {
                 account.work = its.driven_work();

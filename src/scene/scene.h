@@ -142,6 +142,18 @@ struct Field {
     double opacity = 0.85;  ///< of its colours over the ground
 };
 
+/// A part of the box that a panel measures in.
+struct NamedRegion {
+    std::string name;
+    Region region = {{0.0, 0.0}, {0.0, 0.0}};
+};
+
+/// What is measured of the particles in each part of the box.
+enum class PartMeasure { count, temperature, mean_energy, center };
+
+/// What an entropy is of.
+enum class EntropyOf { velocities, positions, both };
+
 /// A panel of a film with its options; those without a meaning for its kind are as here.
 struct PanelSpec {
     std::string kind;
@@ -168,6 +180,10 @@ struct PanelSpec {
     bool ends_at_walls = false;       ///< free flights: at walls and partitions, too
     bool against_collisions = false;  ///< return distances; otherwise against the time
     FieldOf quantity = FieldOf::density;  ///< of a profile
+    std::vector<std::int32_t> surfaces = {};  ///< what is measured at, by their numbers
+    std::vector<NamedRegion> regions = {};    ///< parts of the box; none: beside a partition
+    PartMeasure measure = PartMeasure::count;
+    EntropyOf entropy_of = EntropyOf::velocities;
     std::vector<Monitor> numbers = {};    ///< monitors: those shown; none: all
     std::string words = {};               ///< text
     std::optional<GivenPair> given = {};  ///< collision maps: none: of the run

@@ -55,6 +55,49 @@ double VelocityEntropy::in_equilibrium(int dimension) const {
     return sum / samples;
 }
 
+PositionEntropy::PositionEntropy(const Box& box, const Particles& particles,
+                                 std::optional<int> along_longer)
+    : counted_((particles.inverse_mass > 0.0).cast<double>()) {
+    constexpr double wanted_in_cell = 5.0;
+    const double cells = std::max(1.0, counted_.sum() / wanted_in_cell);
+    const double stretch =
+        box.dimension == 1 ? cells : std::sqrt(cells * box.size.maxCoeff() / box.size.minCoeff());
+    cells_ = square_cells(
+        box, along_longer.value_or(std::max(2, 2 * static_cast<int>(std::floor(0.5 * stretch)))));
+}
+
+double PositionEntropy::of(const Eigen::ArrayXXd& position) const {
+    Eigen::ArrayXd found = Eigen::ArrayXd::Zero(cells_.all());
+    for (Eigen::Index i = 0; i < position.rows(); ++i) {
+        Eigen::Index cell = 0, stride = 1;
+        for (Eigen::Index axis = 0; axis < position.cols(); ++axis) {
+            const double place = std::floor(position(i, axis) / cells_.size[axis]);
+            cell += stride *
+                    static_cast<Eigen::Index>(std::clamp(place, 0.0, cells_.count[axis] - 1.0));
+            stride *= cells_.count[axis];
+        }
+        found[cell] += counted_[i];
+    }
+    const double all = counted_.sum();
+    double sum = 0.0;
+    for (const double count : found)
+        if (count > 0.0) sum -= count / all * std::log(count / all);
+    return sum;
+}
+
+double PositionEntropy::of_even_spread() const {
+    const double all = counted_.sum(), share = 1.0 / static_cast<double>(cells_.all());
+    if (share == 1.0) return 0.0;
+    double sum = 0.0;
+    for (double n = 1.0; n <= all; n += 1.0) {
+        const double chance =
+            std::exp(std::lgamma(all + 1.0) - std::lgamma(n + 1.0) - std::lgamma(all - n + 1.0) +
+                     n * std::log(share) + (all - n) * std::log1p(-share));
+        sum -= chance * n / all * std::log(n / all);
+    }
+    return sum / share;
+}
+
 int VelocityEntropy::cell_of(double u) const {
     constexpr double reach = 4.0;
     const double place = (u + reach) / (2.0 * reach) * cells_per_axis_;

@@ -335,6 +335,18 @@ void draw_zero_place(Canvas& canvas, const Frame& frame) {
     draw_text(canvas, {frame.area.x - 0.65 * u, frame.area.bottom() + 0.36 * u}, "0", style);
 }
 
+// Over the axis; a long one begins left of it, as far as the panel goes, and is smaller beyond
+// that.
+void draw_y_title(Canvas& canvas, const Frame& frame, const std::string& title) {
+    const DrawContext& dc = frame.dc;
+    TextStyle style = label_style(dc);
+    const double width = measure_text(title, style).width, gap = 0.4 * dc.unit;
+    const double x = std::clamp(frame.area.right() - width, dc.area.x, frame.area.x + gap);
+    style.size *= std::min(1.0, (frame.area.right() - x) / width);
+    style.max_width = (frame.area.right() - x) * (1.0 + 1e-3);  // letters have whole sizes
+    draw_text(canvas, {x, frame.area.y - 0.35 * dc.unit}, title, style);
+}
+
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
     const AxisStyle style = style_of(plot, plot.x, dc);
@@ -347,9 +359,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     above.height = frame.y_scale.from - frame.area.y;
     draw_y_axis(canvas, above, frame.y_scale, style_of(plot, plot.y, dc));
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
-    if (!plot.y.title.empty())
-        draw_text(canvas, {frame.area.x + 0.4 * dc.unit, frame.area.y - 0.35 * dc.unit},
-                  markup_of(plot.y.title, dc.theme), label_style(dc));
+    if (!plot.y.title.empty()) draw_y_title(canvas, frame, markup_of(plot.y.title, dc.theme));
 }
 
 // Labels keep clear of all that lines will show in the film, of levels and of some markers.

@@ -44,11 +44,11 @@ void PointsPanel::survey(const FrameInput& input) {
     paths_.resize(subject_.sets.size());
     for (std::size_t k = 0; k < paths_.size(); ++k) {
         const std::vector<Point> now = subject_.points(input, k);
-        if (now.size() == 1) {
+        if (now.size() <= 1) {
             Path& path = paths_[k];
             std::vector<Point> more =
                 subject_.corners ? subject_.corners(input, k) : std::vector<Point>{};
-            more.push_back(now.front());
+            more.insert(more.end(), now.begin(), now.end());
             for (const Point& point : more) {
                 path.x.push_back(point.x);
                 path.y.push_back(point.y);
@@ -65,13 +65,13 @@ void PointsPanel::survey(const FrameInput& input) {
 void PointsPanel::fix_axes() {
     const double most = pool_.empty() ? 0.0 : 1.1 * quantile(pool_, 0.995);
     const double high = most > 0.0 && std::isfinite(most) ? round_up_for_axis(most) : 1.0;
-    height_ = subject_.height.value_or(std::pair{-high, high});
+    height_ = subject_.height.value_or(std::pair{subject_.never_negative ? 0.0 : -high, high});
     pool_ = {};
     make_plot();
 }
 
 void PointsPanel::archive(Archive& archive) {
-    archive(paths_, height_, subject_.width);
+    archive(paths_, height_, subject_.width, subject_.found);
     if (archive.is_reading()) make_plot();
 }
 
@@ -96,6 +96,7 @@ void PointsPanel::make_plot() {
         equal.stroke = faint;
         whole_.layers.emplace_back(std::move(equal));
     }
+    if (subject_.add) subject_.add(subject_, whole_);
     lines_.clear();
     for (std::size_t k = 0; k < paths_.size(); ++k) lines_.push_back(line_of(k));
 }

@@ -125,7 +125,10 @@ bool SeriesPanel::rests_at_zero() const {
 plot::Axis SeriesPanel::axis_up() const {
     if (subject_.top) return {.high = *subject_.top};
     std::vector<double> all;
+    bool has_negative = false;
     const auto add = [&](double value) {
+        has_negative = has_negative || (subject_.is_signed && value < 0.0);
+        if (subject_.is_signed) value = std::abs(value);
         if (value > 0.0 && std::isfinite(value)) all.push_back(value);
     };
     for (const SeriesRun& run : record_.runs)
@@ -150,7 +153,8 @@ plot::Axis SeriesPanel::axis_up() const {
         return {.low = std::floor(std::log10(least)),
                 .high = std::ceil(std::log10(most)),
                 .kind = plot::Axis::Kind::logarithmic};
-    return {.high = round_up_for_axis(most)};
+    const double high = round_up_for_axis(most);
+    return {.low = has_negative ? -high : 0.0, .high = high};
 }
 
 // The clock of a film runs back after a reversal; this axis does not.

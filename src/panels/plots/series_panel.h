@@ -29,10 +29,12 @@ struct SeriesSubject {
     std::function<std::vector<std::vector<MeanError>>()> numbers =
         {};                          ///< of each line, after the first pass
     std::optional<double> top = {};  ///< of the axis; none: as the run shows
-    bool spreads = false;            ///< over powers of ten, if need be
-    Phrase quantity = {};            ///< "entropy"
-    std::string unit = {};           ///< "1"
-    std::size_t compared = 0;        ///< the line that stands for a run beside others
+    bool is_signed =
+        false;             ///< numbers may be negative: where any is, the axis is symmetric about 0
+    bool spreads = false;  ///< over powers of ten, if need be
+    Phrase quantity = {};  ///< "entropy"
+    std::string unit = {};     ///< "1"
+    std::size_t compared = 0;  ///< the line that stands for a run beside others
     std::optional<plot::Text> compared_title = {};  ///< of that line; none: the title
     bool needs_collisions = false;                  ///< to measure
     std::function<void(const SeriesRecord&, plot::Plot& whole)> add =

@@ -191,15 +191,15 @@ Notation<TimeSpan> show_notation() {
                    "{from: time, until: time}");
 }
 
-Notation<View> view_notation() {
-    const auto part = [](const std::vector<double>& ends, const Node& node,
-                         Reading& reading) -> std::optional<View> {
+Notation<Region> region_notation(const std::string& key, const std::string& instead) {
+    const auto part = [=](const std::vector<double>& ends, const Node& node,
+                          Reading& reading) -> std::optional<Region> {
         const Box& box = reading.gas.box;
         const auto axes = static_cast<std::size_t>(box.dimension);
         const char* form =
             axes == 1 ? "[x0, x1] with x0 < x1" : "[x0, y0, x1, y1] with x0 < x1 and y0 < y1";
         if (ends.size() != 2 * axes) {
-            reading.errors.add(node, fmt::format("expected `box` or {} for `view`", form));
+            reading.errors.add(node, fmt::format("expected {}{} for `{}`", instead, form, key));
             return std::nullopt;
         }
         Region region{{0.0, 0.0}, {0.0, 0.0}};
@@ -213,14 +213,18 @@ Notation<View> view_notation() {
         }
         if (is_right && (is_inside || !(box.size[0] > 0.0))) return region;
         reading.errors.add(node,
-                           is_right ? "this view lies outside of the box"
-                                    : fmt::format("expected {} for `view`", form),
+                           is_right ? fmt::format("this {} lies outside of the box",
+                                                  key == "view" ? "view" : "region")
+                                    : fmt::format("expected {} for `{}`", form, key),
                            is_right ? "the box begins at 0 and ends at its `size`" : "");
         return std::nullopt;
     };
-    const auto numbers = list_of(number(any_number), 2, {4}, "[x0, y0, x1, y1]");
+    return parsed(list_of(number(any_number), 2, {4}, "[x0, y0, x1, y1]"), part);
+}
+
+Notation<View> view_notation() {
     return either(as<View>(mapped(one_of<bool>({{"box", true}}), [](bool) { return WholeBox{}; })),
-                  parsed(numbers, part));
+                  as<View>(region_notation("view", "`box` or ")));
 }
 
 Notation<std::vector<CalloutDraft>> callouts_notation() {

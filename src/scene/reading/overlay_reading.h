@@ -16,6 +16,10 @@ namespace carom {
 /// When a panel is there.
 Notation<TimeSpan> show_notation();
 
+/// A part of the box, as the value of a key: [x0, y0, x1, y1], on a wire [x0, x1]. `instead`: what
+/// the key may have otherwise, for messages.
+Notation<Region> region_notation(const std::string& key, const std::string& instead = "");
+
 /// What is seen of the box: all of it or a part.
 Notation<View> view_notation();
 

@@ -123,3 +123,30 @@ TEST_CASE("no number of a gas depends on how its species are called or parted") 
     particles.species.setZero();
     CHECK(numbers(1) == as_two);
 }
+
+TEST_CASE("the entropy of positions counts particles in cells") {
+    Box box;
+    box.size = {8.0, 4.0};
+    Particles particles;
+    particles.radius = Eigen::ArrayXd::Zero(5);
+    particles.inverse_mass = Eigen::ArrayXd::Ones(5);
+    particles.inverse_mass[4] = 0.0;  // a wall: not counted
+    particles.species = Eigen::ArrayXi::Zero(5);
+    const PositionEntropy entropy(box, particles, 2);
+    REQUIRE(entropy.cells().all() == 2);
+    Eigen::ArrayXXd position(5, 2);
+    position << 1, 1, 2, 3, 3, 3, 1, 2, 7, 1;
+    CHECK(entropy.of(position) == 0.0);
+    position(0, 0) = 5.0;
+    CHECK(std::abs(entropy.of(position) + 0.25 * std::log(0.25) + 0.75 * std::log(0.75)) < 1e-15);
+    position(1, 0) = 9.0;  // beyond a side that has moved
+    CHECK(std::abs(entropy.of(position) - std::log(2.0)) < 1e-15);
+
+    // All 16 ways to put four into two cells, each as likely.
+    double sum = 0.0;
+    for (unsigned way = 0; way < 16; ++way) {
+        for (Eigen::Index i = 0; i < 4; ++i) position(i, 0) = (way >> i) % 2 == 1 ? 1.0 : 5.0;
+        sum += entropy.of(position);
+    }
+    CHECK(std::abs(entropy.of_even_spread() - sum / 16.0) < 1e-14);
+}

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <memory>
 
+#include "panels/instruments/surface_pressure.h"
+#include "panels/instruments/trailing.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
@@ -21,7 +22,7 @@ namespace {
 class Gauge {
   public:
     Gauge(const PanelContext& context, Over over)
-        : context_(context), over_(over), watch_(context.scene.gas.box) {}
+        : context_(context), accounts_(over), watch_(context.scene.gas.box) {}
 
     std::vector<double> operator()(const FrameInput& o) {
         const Box& box = context_.scene.gas.box;
@@ -31,12 +32,10 @@ class Gauge {
             accounts_.clear();
             return {nan_, nan_};
         }
-        if (accounts_.empty()) accounts_.push_back(*watch_.start());
-        if (o.tick.time > accounts_.back().time)
-            accounts_.push_back({o.tick.time, o.advanced.impulses});
-        drop_old();
-        const PressureStart& from = accounts_.front();
-        const PressureStart& to = accounts_.back();
+        if (accounts_.empty()) accounts_.add(*watch_.start());
+        accounts_.add({o.tick.time, o.advanced.impulses});
+        const PressureStart& from = accounts_.from();
+        const PressureStart& to = accounts_.to();
         if (!(to.time > from.time)) return {nan_, nan_};
         const ImpulseTotals change = from.since(to.impulses);
         const double time = to.time - from.time;
@@ -52,34 +51,19 @@ class Gauge {
     std::shared_ptr<const double> of_points() const { return of_points_; }
 
   private:
-    // The oldest account kept is the last that is a whole window ago.
-    void drop_old() {
-        if (over_.since == Over::Since::start) {
-            while (accounts_.size() > 2) accounts_.erase(accounts_.begin() + 1);
-            return;
-        }
-        const double since = accounts_.back().time - over_.window;
-        const std::size_t least = over_.since == Over::Since::now ? 2 : 1;
-        while (accounts_.size() > least && accounts_[1].time <= since) accounts_.pop_front();
-        while (over_.since == Over::Since::now && accounts_.size() > 2) accounts_.pop_front();
-    }
-
     static constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
     PanelContext context_;
-    Over over_;
+    Trailing<PressureStart> accounts_;  ///< what has been received by a time
     PressureWatch watch_;
-    std::deque<PressureStart> accounts_;  ///< what has been received by a time
     std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
 };
 
 // A gas that is parted has no one pressure before the last partition opens.
 std::string time_words(Language language, const Over& over, const Box& box) {
-    if (over.since == Over::Since::start)
-        return std::ranges::all_of(box.surfaces.partitions, &Partition::is_open)
-                   ? say(language, "mean since the start")
-                   : say(language, "mean since the last partition opened");
-    if (over.since == Over::Since::now) return say(language, "from frame to frame");
-    return say(language, "mean over the last {}", over.window);
+    const bool is_parted = !std::ranges::all_of(box.surfaces.partitions, &Partition::is_open);
+    return over.since == Over::Since::start && is_parted
+               ? say(language, "mean since the last partition opened")
+               : words_of_window(language, over);
 }
 
 // On the walls in the bars' colour, by the virial in the one of what should be looked at.
@@ -102,6 +86,7 @@ std::vector<plot::Text> titles(Language language, bool has_walls) {
 }  // namespace
 
 std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec) {
+    if (!spec.surfaces.empty()) return make_surface_pressure(context, spec);
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     const Box& box = context.scene.gas.box;
     const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));

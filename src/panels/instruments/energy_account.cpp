@@ -1,0 +1,91 @@
+// Where the energy is against time, as a stack: kinetic energy, on it the potential energy of
+// gravity and of forces on pistons, on these the kinetic energy of pistons.
+#include "physics/energy_account.h"
+
+#include <algorithm>
+#include <array>
+
+#include "panels/chosen.h"
+#include "panels/plots/series_panel.h"
+#include "panels/registry.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct Part {
+    Phrase name;
+    plot::Role role;
+};
+
+// The parts that this gas can have.
+std::vector<Part> parts_of(const PanelContext& context) {
+    const Surfaces& surfaces = context.scene.gas.box.surfaces;
+    const auto is_piston = [](const Behaviour& one) { return std::holds_alternative<Piston>(one); };
+    bool has_pistons = std::ranges::any_of(surfaces.sides, is_piston);
+    for (const Partition& one : surfaces.partitions)
+        has_pistons = has_pistons || is_piston(one.behaviour);
+    for (const RunEvent& event : context.scene.run.events)
+        if (const auto* change = std::get_if<ChangeSurface>(&event.action))
+            has_pistons = has_pistons || is_piston(change->behaviour);
+    std::vector<Part> parts{{Phrase{"kinetic"}, {.of = plot::Role::Of::bar}}};
+    if (has_pistons || (surfaces.gravity != 0.0).any())
+        parts.push_back({Phrase{"potential"}, {.of = plot::Role::Of::accent}});
+    if (has_pistons) parts.push_back({Phrase{"pistons"}, {.of = plot::Role::Of::highlight}});
+    return parts;
+}
+
+// Between each line of the record and the one below.
+void fill_stack(const SeriesRecord& record, const std::vector<Part>& parts, plot::Plot& whole) {
+    if (record.compares()) return;
+    const SeriesRun& run = record.runs.front();
+    for (std::size_t k = 0; k < run.lines.size(); ++k) {
+        std::vector<double> middle, half;
+        for (std::size_t i = 0; i < run.time.size(); ++i) {
+            const double high = run.lines[k][i], low = k == 0 ? 0.0 : run.lines[k - 1][i];
+            middle.push_back(0.5 * (low + high));
+            half.push_back(0.5 * std::abs(high - low));
+        }
+        plot::Band band;
+        band.x = plot::column("", run.time);
+        band.y = plot::column("", std::move(middle));
+        band.error = plot::column("", std::move(half));
+        band.role = parts[k].role;
+        band.alpha = 0.45;
+        band.depth = 2000;  // behind all lines
+        whole.layers.emplace_back(std::move(band));
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const std::vector<Part> parts = parts_of(context);
+    SeriesSubject subject{.quantity = Phrase{"energy"}, .unit = reduced::energy};
+    std::vector<plot::Text> names;
+    std::string column;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        column += (column.empty() ? "" : " + ") + std::string(parts[k].name.english);
+        subject.names.push_back(say(language, parts[k].name));
+        subject.lines.push_back({column, parts[k].role});
+        names.push_back(plot::named(subject.names[k], parts[k].role, plot::Sample::line, k));
+    }
+    subject.titles = {plot::text_of(language, Phrase{"{}: {}"},
+                                    {say(language, "Energy"), joined(language, names)}),
+                      say(language, "Energy")};
+    subject.last_title_names = false;
+    subject.compared = parts.size() - 1;
+    subject.measure = [context, parts = parts.size()](const FrameInput& o) {
+        const EnergyAccount now =
+            energies(context.scene.gas.box, context.particles, o.sample, o.advanced.surfaces);
+        const std::array all{now.kinetic, now.kinetic + now.potential, now.in_all()};
+        return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(parts));
+    };
+    subject.add = [parts](const SeriesRecord& record, plot::Plot& whole) {
+        fill_stack(record, parts, whole);
+    };
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

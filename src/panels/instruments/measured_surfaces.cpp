@@ -1,0 +1,57 @@
+#include "panels/instruments/measured_surfaces.h"
+
+#include "panels/surfaces/surface_words.h"
+
+namespace carom {
+namespace {
+
+// Between the sides across an axis.
+double width_along(const Box& box, const std::vector<SurfaceState>& states, int axis) {
+    const auto low = static_cast<std::size_t>(2 * axis);
+    return place_of_surface(box, states, low + 1) - place_of_surface(box, states, low);
+}
+
+}  // namespace
+
+std::string short_name_of_surface(Language language, const Box& box, std::int32_t surface) {
+    switch (surface) {
+        case 0:
+            return say(language, "left wall");
+        case 1:
+            return say(language, "right wall");
+        case 2:
+            return say(language, "bottom wall");
+        case 3:
+            return say(language, "top wall");
+        default:
+            return box.surfaces.names()[static_cast<std::size_t>(surface)];
+    }
+}
+
+plot::Role surface_role(std::size_t place, std::size_t count) {
+    if (count == 1) return {.of = plot::Role::Of::bar};
+    return {.of = plot::Role::Of::run, .index = place};
+}
+
+double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,
+                         std::int32_t surface) {
+    if (box.dimension == 1) return 1.0;
+    double length = width_along(box, states, 1 - box.surfaces.axis_of(surface));
+    if (const Partition* line = box.surfaces.partition(surface))
+        for (const auto& [from, to] : line->gaps) length -= to - from;
+    return length;
+}
+
+double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32_t surface) {
+    const auto k = static_cast<std::size_t>(surface);
+    if (advanced.surfaces.empty()) return advanced.impulses.wall.at(k);
+    const double push = advanced.surfaces[k].impulse[box.surfaces.axis_of(surface)];
+    return Surfaces::is_side(surface) && !Surfaces::is_far_side(surface) ? -push : push;
+}
+
+double enclosed_area(const Box& box, const std::vector<SurfaceState>& states) {
+    const double along = width_along(box, states, 0);
+    return box.dimension == 1 ? along : along * width_along(box, states, 1);
+}
+
+}  // namespace carom

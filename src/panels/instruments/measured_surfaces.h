@@ -1,0 +1,32 @@
+// The surfaces that instruments measure at: what they are called in a picture, how far they reach,
+// and what has pushed them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "panels/panel.h"
+#include "panels/plot/plot.h"
+
+namespace carom {
+
+/// "left wall", or the name that the scene gives.
+std::string short_name_of_surface(Language language, const Box& box, std::int32_t surface);
+
+/// The colour of one of several surfaces in a plot; that of an only one is the bars'.
+plot::Role surface_role(std::size_t place, std::size_t count);
+
+/// The length of a side or a partition without its gaps, between the sides at their places of the
+/// moment; on a line 1.
+double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,
+                         std::int32_t surface);
+
+/// The momentum along its normal that particles have given it since t = 0: of a side outward, of a
+/// partition toward larger x or y.
+double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32_t surface);
+
+/// The area (on a line the length) that a side encloses with its opposite at their places of the
+/// moment.
+double enclosed_area(const Box& box, const std::vector<SurfaceState>& states);
+
+}  // namespace carom

@@ -1,0 +1,63 @@
+// The pressure on single walls and partitions against time: the momentum that particles give each,
+// over the time and its length. On a partition it is what its two sides leave.
+#include "panels/instruments/surface_pressure.h"
+
+#include <limits>
+
+#include "panels/chosen.h"
+#include "panels/instruments/measured_surfaces.h"
+#include "panels/plots/series_panel.h"
+
+namespace carom {
+
+SurfacePressures::SurfacePressures(const Box& box, std::vector<std::int32_t> surfaces, Over over)
+    : box_(box), surfaces_(std::move(surfaces)), received_(over) {}
+
+std::vector<double> SurfacePressures::operator()(double time, const AdvanceResult& advanced) {
+    if (!received_.empty() && time < received_.to().time) received_.clear();
+    const bool is_first = received_.empty();
+    Received now{.time = time};
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const double length = length_of_surface(box_, advanced.surfaces, surfaces_[i]);
+        const double before = is_first ? 0.0 : received_.to().reach[i];
+        const double step = is_first ? 0.0 : time - received_.to().time;
+        now.push.push_back(push_on_surface(advanced, box_, surfaces_[i]));
+        now.reach.push_back(before + 0.5 * step * (length + (is_first ? length : last_length_[i])));
+        last_length_.resize(surfaces_.size());
+        last_length_[i] = length;
+    }
+    received_.add(std::move(now));
+    const Received &from = received_.from(), &to = received_.to();
+    std::vector<double> pressures;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        pressures.push_back(to.time > from.time
+                                ? (to.push[i] - from.push[i]) / (to.reach[i] - from.reach[i])
+                                : std::numeric_limits<double>::quiet_NaN());
+    return pressures;
+}
+
+std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const Box& box = context.scene.gas.box;
+    const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
+    SeriesSubject subject{.quantity = Phrase{"pressure"},
+                          .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2"};
+    subject.measure = [meter = SurfacePressures(box, spec.surfaces, over)](
+                          const FrameInput& o) mutable { return meter(o.tick.time, o.advanced); };
+    std::vector<plot::Text> names;
+    for (std::size_t k = 0; k < spec.surfaces.size(); ++k) {
+        const plot::Role role = surface_role(k, spec.surfaces.size());
+        const std::int32_t surface = spec.surfaces[k];
+        subject.names.push_back(short_name_of_surface(language, box, surface));
+        subject.lines.push_back({box.surfaces.names()[static_cast<std::size_t>(surface)], role});
+        names.push_back(plot::named(subject.names[k], role, plot::Sample::line, k));
+        subject.is_signed = subject.is_signed || !Surfaces::is_side(surface);
+    }
+    subject.titles = {plot::text_of(language, Phrase{"Pressure: {}"}, {joined(language, names)}),
+                      say(language, "Pressure")};
+    subject.last_title_names = false;
+    subject.notes = {words_of_window(language, over)};
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,56 @@
+// What has added up in the course of a run, over the time that a panel looks back.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <utility>
+
+#include "scene/scene.h"
+#include "util/language.h"
+
+namespace carom {
+
+/// "mean over the last 5".
+inline std::string words_of_window(Language language, const Over& over) {
+    if (over.since == Over::Since::start) return say(language, "mean since the start");
+    if (over.since == Over::Since::now) return say(language, "from frame to frame");
+    return say(language, "mean over the last {}", over.window);
+}
+
+/// Accounts of a run, each with its `time`; kept as far back as the difference of two needs.
+template <class Account>
+class Trailing {
+  public:
+    explicit Trailing(Over over) : over_(over) {}
+
+    void clear() { all_.clear(); }
+
+    /// In order of time; one of the same time as the last is left out.
+    void add(Account account) {
+        if (all_.empty() || account.time > all_.back().time) all_.push_back(std::move(account));
+        drop_old();
+    }
+    bool empty() const { return all_.empty(); }
+
+    /// The present, and the last that is a whole window ago (of `now` the one before; of `start`
+    /// the first). The same one as long as no time has passed.
+    const Account& from() const { return all_.front(); }
+    const Account& to() const { return all_.back(); }
+
+  private:
+    void drop_old() {
+        if (over_.since == Over::Since::start) {
+            while (all_.size() > 2) all_.erase(all_.begin() + 1);
+            return;
+        }
+        const double since = all_.back().time - over_.window;
+        const std::size_t least = over_.since == Over::Since::now ? 2 : 1;
+        while (all_.size() > least && all_[1].time <= since) all_.pop_front();
+        while (over_.since == Over::Since::now && all_.size() > 2) all_.pop_front();
+    }
+
+    Over over_;
+    std::deque<Account> all_;
+};
+
+}  // namespace carom

@@ -1,0 +1,27 @@
+// The surfaces and the parts of the box that panels measure at, and which of them each kind of
+// panel can take.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/keys/notation.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// The name of a wall or a partition of the box, or a list of these.
+Notation<std::vector<std::int32_t>> surfaces_notation();
+
+/// A list of {name, within}.
+Notation<std::vector<NamedRegion>> regions_notation();
+
+/// What the kinds of panel need of the box: what moves
+/// at some time of the run for a piston; a wall that moves for a pressure against a volume; a
+/// partition, or regions, for the sides. They name the only one there is where the scene names
+/// none, and report what is wrong. The node is the panel's mapping, or its name alone.
+void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading);
+void check_piston(PanelSpec& panel, const Node& node, Reading& reading);
+void check_sides(PanelSpec& panel, const Node& node, Reading& reading);
+
+}  // namespace carom

@@ -179,7 +179,7 @@ struct PanelSpec {
     bool logarithmic = false;         ///< free flights: the axis up
     bool ends_at_walls = false;       ///< free flights: at walls and partitions, too
     bool against_collisions = false;  ///< return distances; otherwise against the time
-    FieldOf quantity = FieldOf::density;  ///< of a profile
+    FieldOf quantity = FieldOf::density;      ///< of a profile
     std::vector<std::int32_t> surfaces = {};  ///< what is measured at, by their numbers
     std::vector<NamedRegion> regions = {};    ///< parts of the box; none: beside a partition
     PartMeasure measure = PartMeasure::count;

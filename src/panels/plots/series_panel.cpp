@@ -193,9 +193,9 @@ void SeriesPanel::make_plot() {
     for (const auto& one : record_.runs) names.push_back(one.name);
     if (compares) plot::name_runs(whole_, std::move(names));
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
-    add_events();
-    add_levels();
+    add_levels();  // words find their places in this order
     add_turns();
+    add_events();
     if (subject_.add) subject_.add(record_, whole_);
 }
 
@@ -336,8 +336,10 @@ void SeriesPanel::add_events() {
         marker.is_kept_clear = true;
         if (events.size() <= most_named) {
             std::vector<std::string> said;
-            for (const std::string& word : words)
-                said.push_back(say(context_.language(), Phrase{word}));
+            for (const std::string& word : words) {
+                const std::string one = say(context_.language(), Phrase{word});
+                if (std::ranges::find(said, one) == said.end()) said.push_back(one);
+            }
             marker.label = label_beside(whole_.x, at, fmt::format("{}", fmt::join(said, ", ")));
             plot::Anchor other_side = marker.label->anchors[0];
             other_side.offset.x = -other_side.offset.x;

@@ -55,23 +55,26 @@ TEST_CASE("a GIF has the film's frames, length and colours") {
     CHECK(found["format"]["duration"] == "5.000000");
 
     // 255 colours for the thousands of shades on the edges of letters and disks, and for a scale
-    // of 256: most pixels are flat ground and as drawn. The largest error is that of a shade of a
-    // rare colour on some edge; another colour would be off by more than a hundred.
+    // of 256: most pixels are flat ground and as drawn. The largest errors are those of shades of a
+    // rare colour on some edge, a few pixels of a film; another colour would be off by more than a
+    // hundred.
     REQUIRE(render(folder.path(), "frames/").exit_code == 0);
     const std::string drawn = decoded(folder.path() / "frames/frame-%05d.png");
     const std::string shown = decoded(folder.path() / "film.gif");
     REQUIRE(drawn.size() == 150 * frame_bytes);
     REQUIRE(shown.size() == drawn.size());
-    double off = 0.0, squares = 0.0;
+    double off = 0.0, far = 0.0, squares = 0.0;
     int largest = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const int error = apart(drawn, shown, i);
         off += error > 2;
+        far += error > 64;
         squares += error * error;
         largest = std::max(largest, error);
     }
     CAPTURE(largest);
-    CHECK(largest <= 64);
+    CHECK(largest <= 100);
+    CHECK(far / double(drawn.size()) < 1e-6);
     CHECK(off / double(drawn.size()) < 0.05);
     CHECK(std::sqrt(squares / double(drawn.size())) < 1.5);
 

@@ -69,6 +69,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
+    {"instruments", several_places},  // names against the box, and what moves
     {"formula", "a formula has a grammar of its own"},
     {"jam_around", several_places},
     {"jam_lattice", several_places},

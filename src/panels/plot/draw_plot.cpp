@@ -335,16 +335,12 @@ void draw_zero_place(Canvas& canvas, const Frame& frame) {
     draw_text(canvas, {frame.area.x - 0.65 * u, frame.area.bottom() + 0.36 * u}, "0", style);
 }
 
-// Over the axis; a long one begins left of it, as far as the panel goes, and is smaller beyond
-// that.
+// Over the axis; one that has no room there is left out.
 void draw_y_title(Canvas& canvas, const Frame& frame, const std::string& title) {
-    const DrawContext& dc = frame.dc;
-    TextStyle style = label_style(dc);
-    const double width = measure_text(title, style).width, gap = 0.4 * dc.unit;
-    const double x = std::clamp(frame.area.right() - width, dc.area.x, frame.area.x + gap);
-    style.size *= std::min(1.0, (frame.area.right() - x) / width);
-    style.max_width = (frame.area.right() - x) * (1.0 + 1e-3);  // letters have whole sizes
-    draw_text(canvas, {x, frame.area.y - 0.35 * dc.unit}, title, style);
+    const TextStyle style = label_style(frame.dc);
+    const double x = frame.area.x + 0.4 * frame.dc.unit;
+    if (x + measure_text(title, style).width <= frame.area.right())
+        draw_text(canvas, {x, frame.area.y - 0.35 * frame.dc.unit}, title, style);
 }
 
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {

@@ -288,8 +288,10 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
           "      |                          ^^^^^^^\n"
           "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
-          "`position-histogram`, `temperature`, `entropy`, `pressure`, `mean-squared-displacement` "
-          "or `return-distance`");
+          "`position-histogram`, `temperature`, `entropy`, `pressure`, `piston`, `sides`, "
+          "`energy-account`, `mean-squared-displacement`, `velocity-autocorrelation`, "
+          "`pair-correlation`, `free-path`, `free-time`, `orientational-order` or "
+          "`return-distance`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
               .find("`compare` and `seeds` cannot be combined") != std::string::npos);
     CHECK(

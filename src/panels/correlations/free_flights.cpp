@@ -9,7 +9,7 @@
 
 #include "panels/chosen.h"
 #include "panels/correlations/curve_panel.h"
-#include "panels/plots/histogram_panel.h"
+#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "stats/histogram.h"
 #include "stats/paths/sliding_sum.h"
@@ -227,7 +227,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
     PanelSpec timed = spec;
     if (!timed.over) timed.over = Over{Over::Since::start, 0.0};
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = flight_bins};
-    subject.meter = [context, spec, flown, window = window_of(timed)] {
+    subject.meter = [context, spec, flown, window = window_of(*timed.over)] {
         return std::make_unique<FlightMeter>(context, spec, flown, window);
     };
     name_curves(subject, context, spec,

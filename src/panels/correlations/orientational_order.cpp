@@ -1,6 +1,5 @@
 // The hexagonal order of disks against time: of each disk's own neighbours, and of the whole gas,
 // in which crystals of other directions cancel.
-#include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "stats/paths/bond_order.h"
@@ -24,13 +23,7 @@ std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
                           .unit = "1"};
     const std::string title = say(language, "Hexagonal order");
     subject.names = {say(language, "whole gas"), say(language, "neighbours of each")};
-    std::vector<plot::Text> names;
-    for (std::size_t k = 0; k < subject.names.size(); ++k)
-        names.push_back(
-            plot::named(subject.names[k], subject.lines[k].role, plot::Sample::line, k));
-    subject.titles = {plot::text_of(language, Phrase{"{}: {}"}, {title, joined(language, names)}),
-                      title};
-    subject.last_title_names = false;
+    title_with_names(subject, language, title);
     subject.compared_title = title;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }

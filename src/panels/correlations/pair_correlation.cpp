@@ -8,7 +8,7 @@
 #include "panels/chosen.h"
 #include "panels/correlations/correlation_keys.h"
 #include "panels/correlations/curve_panel.h"
-#include "panels/plots/histogram_panel.h"
+#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/theory/collision_rate.h"
@@ -112,7 +112,7 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     }
     PanelSpec timed = spec;
     if (!timed.over) timed.over = Over{Over::Since::start, 0.0};
-    wanted.window = window_of(timed);
+    wanted.window = window_of(*timed.over);
 
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = rings.count};
     subject.meter = [context, wanted] { return std::make_unique<PairMeter>(context, wanted); };

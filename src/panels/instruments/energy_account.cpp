@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "util/text.h"
@@ -63,18 +62,13 @@ std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const Pa
     const Language language = context.language();
     const std::vector<Part> parts = parts_of(context);
     SeriesSubject subject{.quantity = Phrase{"energy"}, .unit = reduced::energy};
-    std::vector<plot::Text> names;
     std::string column;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         column += (column.empty() ? "" : " + ") + std::string(parts[k].name.english);
         subject.names.push_back(say(language, parts[k].name));
         subject.lines.push_back({column, parts[k].role});
-        names.push_back(plot::named(subject.names[k], parts[k].role, plot::Sample::line, k));
     }
-    subject.titles = {plot::text_of(language, Phrase{"{}: {}"},
-                                    {say(language, "Energy"), joined(language, names)}),
-                      say(language, "Energy")};
-    subject.last_title_names = false;
+    title_with_names(subject, language, say(language, "Energy"));
     subject.compared = parts.size() - 1;
     subject.measure = [context, parts = parts.size()](const FrameInput& o) {
         const EnergyAccount now =

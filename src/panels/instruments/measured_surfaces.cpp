@@ -11,9 +11,8 @@ double width_along(const Box& box, const std::vector<SurfaceState>& states, int 
     return place_of_surface(box, states, low + 1) - place_of_surface(box, states, low);
 }
 
-}  // namespace
-
-std::string short_name_of_surface(Language language, const Box& box, std::int32_t surface) {
+// "left wall", or the name that the scene gives.
+std::string short_name(Language language, const Box& box, std::int32_t surface) {
     switch (surface) {
         case 0:
             return say(language, "left wall");
@@ -28,9 +27,22 @@ std::string short_name_of_surface(Language language, const Box& box, std::int32_
     }
 }
 
+}  // namespace
+
 plot::Role surface_role(std::size_t place, std::size_t count) {
     if (count == 1) return {.of = plot::Role::Of::bar};
     return {.of = plot::Role::Of::run, .index = place};
+}
+
+void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
+                   const std::vector<std::int32_t>& surfaces, const std::string& what) {
+    const std::vector<std::string> columns = box.surfaces.names();
+    for (std::size_t k = 0; k < surfaces.size(); ++k) {
+        subject.names.push_back(short_name(language, box, surfaces[k]));
+        subject.lines.push_back(
+            {columns[static_cast<std::size_t>(surfaces[k])], surface_role(k, surfaces.size())});
+    }
+    title_with_names(subject, language, what);
 }
 
 double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,

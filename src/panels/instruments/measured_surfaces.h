@@ -7,14 +7,17 @@
 
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
+#include "panels/plots/series_panel.h"
 
 namespace carom {
 
-/// "left wall", or the name that the scene gives.
-std::string short_name_of_surface(Language language, const Box& box, std::int32_t surface);
-
-/// The colour of one of several surfaces in a plot; that of an only one is the bars'.
+/// The colour of one of several surfaces, or parts beside them, in a plot; that of an only one is
+/// the bars'.
 plot::Role surface_role(std::size_t place, std::size_t count);
+
+/// A line for each surface, and the title that names them.
+void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
+                   const std::vector<std::int32_t>& surfaces, const std::string& what);
 
 /// The length of a side or a partition without its gaps, between the sides at their places of the
 /// moment; on a line 1.

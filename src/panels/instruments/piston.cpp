@@ -2,9 +2,7 @@
 // mean that it would have over an ideal gas.
 #include <cmath>
 
-#include "panels/chosen.h"
 #include "panels/instruments/measured_surfaces.h"
-#include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/energy_account.h"
@@ -51,19 +49,9 @@ std::optional<double> mean_over_ideal_gas(const PanelContext& context, std::int3
 
 std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Box& box = context.scene.gas.box;
     SeriesSubject subject{.quantity = Phrase{"position"}, .unit = reduced::length};
-    std::vector<plot::Text> names;
-    for (std::size_t k = 0; k < spec.surfaces.size(); ++k) {
-        const plot::Role role = surface_role(k, spec.surfaces.size());
-        subject.names.push_back(short_name_of_surface(language, box, spec.surfaces[k]));
-        subject.lines.push_back(
-            {box.surfaces.names()[static_cast<std::size_t>(spec.surfaces[k])], role});
-        names.push_back(plot::named(subject.names[k], role, plot::Sample::line, k));
-    }
-    subject.titles = {plot::text_of(language, Phrase{"Position: {}"}, {joined(language, names)}),
-                      say(language, "Position")};
-    subject.last_title_names = false;
+    name_surfaces(subject, language, context.scene.gas.box, spec.surfaces,
+                  say(language, "Position"));
     const auto mean = std::make_shared<std::optional<double>>();
     subject.measure = [context, surfaces = spec.surfaces, mean,
                        is_first = true](const FrameInput& o) mutable {

@@ -12,6 +12,7 @@
 #include "panels/instruments/surface_pressure.h"
 #include "panels/instruments/trailing.h"
 #include "panels/plots/series_panel.h"
+#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 
@@ -63,7 +64,7 @@ std::string time_words(Language language, const Over& over, const Box& box) {
     const bool is_parted = !std::ranges::all_of(box.surfaces.partitions, &Partition::is_open);
     return over.since == Over::Since::start && is_parted
                ? say(language, "mean since the last partition opened")
-               : words_of_window(language, over);
+               : words_of_window(language, over, Phrase{"from frame to frame"});
 }
 
 // On the walls in the bars' colour, by the virial in the one of what should be looked at.
@@ -103,7 +104,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
             return ReferenceLevel{"ideal gas", *of_points};
         },
         .quantity = Phrase{"pressure"},
-        .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2",
+        .unit = unit_of_pressure(box),
         .compared = 1,
         .compared_title = say(language, "Pressure from collisions")};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

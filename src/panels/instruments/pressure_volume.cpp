@@ -102,8 +102,7 @@ std::unique_ptr<Panel> make_pressure_volume(const PanelContext& context, const P
         .never_negative = true,
         .columns = {column_name(std::string(area.english),
                                 box.dimension == 1 ? reduced::length : "length^2"),
-                    column_name("pressure",
-                                box.dimension == 2 ? "mass/time^2" : "mass length/time^2")}};
+                    column_name("pressure", unit_of_pressure(box))}};
     subject.add = [dimension = box.dimension](const PointsSubject& its, plot::Plot& plot) {
         add_curves(its, dimension, plot);
     };

@@ -1,13 +1,9 @@
 // What particles do in parts of the box against time: beside a partition, or in regions that the
 // scene names. How many they are, their temperature, mean energy, or centre of mass.
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "panels/chosen.h"
 #include "panels/instruments/measured_surfaces.h"
-#include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
@@ -130,16 +126,9 @@ std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& 
     SeriesSubject subject{.quantity = quantity, .unit = unit};
     subject.names = parts.names(language);
     const std::vector<std::string> columns = parts.names(Language::english);
-    std::vector<plot::Text> names;
-    for (std::size_t k = 0; k < parts.count(); ++k) {
-        const plot::Role role = surface_role(k, parts.count());
-        subject.lines.push_back({columns[k], role});
-        names.push_back(plot::named(subject.names[k], role, plot::Sample::line, k));
-    }
-    subject.titles = {
-        plot::text_of(language, Phrase{"{}: {}"}, {say(language, title), joined(language, names)}),
-        say(language, title)};
-    subject.last_title_names = false;
+    for (std::size_t k = 0; k < parts.count(); ++k)
+        subject.lines.push_back({columns[k], surface_role(k, parts.count())});
+    title_with_names(subject, language, say(language, title));
     const int axis = spec.component == Component::y ? 1 : 0;
     subject.measure = [context, parts, measure = spec.measure, axis](const FrameInput& o) {
         std::vector<double> now;

@@ -2,11 +2,11 @@
 // over the time and its length. On a partition it is what its two sides leave.
 #include "panels/instruments/surface_pressure.h"
 
+#include <algorithm>
 #include <limits>
 
-#include "panels/chosen.h"
 #include "panels/instruments/measured_surfaces.h"
-#include "panels/plots/series_panel.h"
+#include "panels/plots/window.h"
 
 namespace carom {
 
@@ -36,27 +36,21 @@ std::vector<double> SurfacePressures::operator()(double time, const AdvanceResul
     return pressures;
 }
 
+std::string unit_of_pressure(const Box& box) {
+    return box.dimension == 2 ? "mass/time^2" : "mass length/time^2";
+}
+
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
-    SeriesSubject subject{.quantity = Phrase{"pressure"},
-                          .unit = box.dimension == 2 ? "mass/time^2" : "mass length/time^2"};
+    SeriesSubject subject{.quantity = Phrase{"pressure"}, .unit = unit_of_pressure(box)};
     subject.measure = [meter = SurfacePressures(box, spec.surfaces, over)](
                           const FrameInput& o) mutable { return meter(o.tick.time, o.advanced); };
-    std::vector<plot::Text> names;
-    for (std::size_t k = 0; k < spec.surfaces.size(); ++k) {
-        const plot::Role role = surface_role(k, spec.surfaces.size());
-        const std::int32_t surface = spec.surfaces[k];
-        subject.names.push_back(short_name_of_surface(language, box, surface));
-        subject.lines.push_back({box.surfaces.names()[static_cast<std::size_t>(surface)], role});
-        names.push_back(plot::named(subject.names[k], role, plot::Sample::line, k));
-        subject.is_signed = subject.is_signed || !Surfaces::is_side(surface);
-    }
-    subject.titles = {plot::text_of(language, Phrase{"Pressure: {}"}, {joined(language, names)}),
-                      say(language, "Pressure")};
-    subject.last_title_names = false;
-    subject.notes = {words_of_window(language, over)};
+    name_surfaces(subject, language, box, spec.surfaces, say(language, "Pressure"));
+    subject.is_signed = !std::ranges::all_of(
+        spec.surfaces, [](std::int32_t surface) { return Surfaces::is_side(surface); });
+    subject.notes = {words_of_window(language, over, Phrase{"from frame to frame"})};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

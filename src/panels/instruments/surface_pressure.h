@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "panels/instruments/trailing.h"
@@ -32,6 +33,9 @@ class SurfacePressures {
     Trailing<Received> received_;
     std::vector<double> last_length_;
 };
+
+/// For a table; on a line a pressure is a force.
+std::string unit_of_pressure(const Box& box);
 
 /// Of the surfaces that the panel names, against time.
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec);

@@ -2,20 +2,11 @@
 #pragma once
 
 #include <deque>
-#include <string>
 #include <utility>
 
 #include "scene/scene.h"
-#include "util/language.h"
 
 namespace carom {
-
-/// "mean over the last 5".
-inline std::string words_of_window(Language language, const Over& over) {
-    if (over.since == Over::Since::start) return say(language, "mean since the start");
-    if (over.since == Over::Since::now) return say(language, "from frame to frame");
-    return say(language, "mean over the last {}", over.window);
-}
 
 /// Accounts of a run, each with its `time`; kept as far back as the difference of two needs.
 template <class Account>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "panels/chosen.h"
+#include "panels/plots/window.h"
 #include "panels/surfaces/side_extent.h"
 #include "stats/thinning.h"
 #include "util/text.h"
@@ -45,24 +46,6 @@ std::shared_ptr<const PanelState> state_of(HistogramCounts counts) {
 
 }  // namespace
 
-std::optional<double> window_of(const PanelSpec& spec) {
-    const Over over = spec.over.value_or(Over{});
-    if (over.since == Over::Since::start) return std::nullopt;
-    return over.window;
-}
-
-std::string time_words(Language language, const PanelSpec& spec) {
-    const std::optional<double> back = window_of(spec);
-    if (!spec.at) {
-        if (!back) return say(language, "so far");
-        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
-    }
-    const std::string at = plain_number(language, *spec.at);
-    if (!back) return say(language, "until time {}", at);
-    if (*back == 0.0) return say(language, "at time {}", at);
-    return say(language, "time {} to {}", plain_number(language, *spec.at - *back), at);
-}
-
 std::size_t HistogramState::bytes() const {
     std::size_t sum = 0;
     for (const MeanHistogram& one : counts.series) sum += one.counts.size() * sizeof(double);
@@ -98,7 +81,9 @@ const std::vector<std::vector<double>>& HistogramPanel::errors(const PanelState&
     return static_cast<const HistogramState&>(state).counts.errors;
 }
 
-std::optional<double> HistogramPanel::window() const { return window_of(spec_); }
+std::optional<double> HistogramPanel::window() const {
+    return window_of(spec_.over.value_or(Over{}));
+}
 
 void HistogramPanel::survey(const FrameInput& input) {
     const Eigen::ArrayXXd all = subject_.values(input);

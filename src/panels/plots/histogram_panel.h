@@ -15,12 +15,6 @@
 
 namespace carom {
 
-/// The time before the present that a panel's mean is over, 0 for the present alone; none: all.
-std::optional<double> window_of(const PanelSpec& spec);
-
-/// In words: "now", "at time 20", "time 18 to 20".
-std::string time_words(Language language, const PanelSpec& spec);
-
 /// What a histogram shows.
 struct HistogramSubject {
     Phrase title;     ///< "Speed distribution"

@@ -10,6 +10,7 @@
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
 #include "panels/plot/plot_panel.h"
+#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 #include "stats/barometric_law.h"
@@ -36,17 +37,6 @@ struct ProfileState : PanelState {
 
 Over over_of(const PanelContext& context, const PanelSpec& spec) {
     return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
-}
-
-std::optional<double> window_of(const Over& over) {
-    if (over.since == Over::Since::start) return std::nullopt;
-    return over.since == Over::Since::now ? 0.0 : over.window;
-}
-
-std::string time_words(Language language, const Over& over) {
-    if (over.since == Over::Since::now) return say(language, "now");
-    if (over.since == Over::Since::start) return say(language, "mean since the start");
-    return say(language, "mean over the last {}", plain_number(language, over.window));
 }
 
 // Energy is kept, and nothing but gravity and walls acts.
@@ -274,7 +264,8 @@ void ProfilePanel::make_plot() {
     const plot::Stroke of_law{.role = {.of = is_one ? Role::Of::accent : Role::Of::muted},
                               .dashes = is_one ? std::vector<double>{} : std::vector{0.5}};
     plot::Note note{.wraps = true};
-    note.entries.push_back({.words = {plot::Text(time_words(language, over_))}});
+    note.entries.push_back(
+        {.words = {plot::Text(words_of_window(language, over_, Phrase{"now"}))}});
     if (!laws_.empty())
         note.entries.push_back({.sample = of_law, .words = {say(language, "ideal gas")}});
     whole_.notes.push_back(std::move(note));
@@ -328,7 +319,8 @@ plot::Plot ProfilePanel::plot(const PanelState* state) const {
         now.account +=
             say(language, "{} of {} along {}, {}: between {} and {}.",
                 name_of_quantity(language, context_.scene, spec_.quantity, {}),
-                name_of(context_.scene, choices_[k]), axis, time_words(language, over_),
+                name_of(context_.scene, choices_[k]), axis,
+                words_of_window(language, over_, Phrase{"now"}),
                 three_digits(language, known.select(shown.values[k], infinite).minCoeff()),
                 three_digits(language, known.select(shown.values[k], -infinite).maxCoeff()));
     }

@@ -35,6 +35,16 @@ plot::Label label_beside(const plot::Axis& axis, double at, const std::string& w
 
 }  // namespace
 
+void title_with_names(SeriesSubject& subject, Language language, const std::string& what) {
+    std::vector<plot::Text> names;
+    for (std::size_t k = 0; k < subject.names.size(); ++k)
+        names.push_back(
+            plot::named(subject.names[k], subject.lines.at(k).role, plot::Sample::line, k));
+    subject.titles = {plot::text_of(language, Phrase{"{}: {}"}, {what, joined(language, names)}),
+                      what};
+    subject.last_title_names = false;
+}
+
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title) {
     const std::vector<Chosen> chosen = choices(spec);
     const std::string what = say(context.language(), title);

@@ -41,6 +41,10 @@ struct SeriesSubject {
         {};  ///< layers, notes and words that come from the whole record
 };
 
+/// Titles of a subject whose lines and names are set: what they show with their names in their
+/// colours, or where there is no room alone, over a key.
+void title_with_names(SeriesSubject& subject, Language language, const std::string& what);
+
 /// A line for each choice of particles that the panel shows, and the title that names them: what
 /// is measured of each is for the caller to add.
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title);

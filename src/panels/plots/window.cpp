@@ -1,0 +1,30 @@
+#include "panels/plots/window.h"
+
+#include "util/text.h"
+
+namespace carom {
+
+std::optional<double> window_of(const Over& over) {
+    if (over.since == Over::Since::start) return std::nullopt;
+    return over.window;
+}
+
+std::string words_of_window(Language language, const Over& over, Phrase alone) {
+    if (over.since == Over::Since::start) return say(language, "mean since the start");
+    if (over.since == Over::Since::now) return say(language, alone);
+    return say(language, "mean over the last {}", plain_number(language, over.window));
+}
+
+std::string time_words(Language language, const PanelSpec& spec) {
+    const std::optional<double> back = window_of(spec.over.value_or(Over{}));
+    if (!spec.at) {
+        if (!back) return say(language, "so far");
+        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
+    }
+    const std::string at = plain_number(language, *spec.at);
+    if (!back) return say(language, "until time {}", at);
+    if (*back == 0.0) return say(language, "at time {}", at);
+    return say(language, "time {} to {}", plain_number(language, *spec.at - *back), at);
+}
+
+}  // namespace carom

@@ -1,0 +1,21 @@
+// The time that a panel's numbers are taken over, and what it is called in a picture.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+#include "util/language.h"
+
+namespace carom {
+
+/// The time before the present that a mean is over, 0 for the present alone; none: all.
+std::optional<double> window_of(const Over& over);
+
+/// "mean since the start", "mean over the last 5"; `alone` for what is of the present alone.
+std::string words_of_window(Language language, const Over& over, Phrase alone);
+
+/// In a title, of a film or of a figure at its time: "now", "at time 20", "time 18 to 20".
+std::string time_words(Language language, const PanelSpec& spec);
+
+}  // namespace carom

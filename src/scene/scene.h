@@ -151,6 +151,25 @@ struct NamedRegion {
 /// What is measured of the particles in each part of the box.
 enum class PartMeasure { count, temperature, mean_energy, center };
 
+/// A straight line across the box, or from one place on it to another, that particles cross.
+struct CountingLine {
+    int axis = 0;     ///< that it is perpendicular to: 0 for x, 1 for y
+    double at = 0.0;  ///< its place on that axis
+    std::optional<std::pair<double, double>> between = {};  ///< along the other axis; none: all
+};
+
+/// What a counter counts at walls and partitions.
+enum class Counted { hits, crossings };
+
+/// What those that cross a line carry over it.
+enum class Carried { particles, energy, mean_energy };
+
+/// When a stopwatch starts.
+struct WatchStart {
+    double at = 0.0;                        ///< simulated time
+    std::optional<std::size_t> event = {};  ///< of Run::events, at that time, that starts it
+};
+
 /// What an entropy is of.
 enum class EntropyOf { velocities, positions, both };
 
@@ -184,10 +203,15 @@ struct PanelSpec {
     std::vector<NamedRegion> regions = {};    ///< parts of the box; none: beside a partition
     PartMeasure measure = PartMeasure::count;
     EntropyOf entropy_of = EntropyOf::velocities;
-    std::vector<Monitor> numbers = {};    ///< monitors: those shown; none: all
-    std::string words = {};               ///< text
-    std::optional<GivenPair> given = {};  ///< collision maps: none: of the run
-    bool walk = false;                    ///< collision maps: all collisions so far
+    bool gauge = false;                     ///< a pressure: a dial instead of a plot
+    std::optional<CountingLine> line = {};  ///< crossings: instead of a partition
+    std::optional<Counted> counted = {};    ///< none: by what the surfaces are
+    Carried carried = Carried::particles;   ///< of a flux
+    WatchStart since = {};                  ///< of a stopwatch
+    std::vector<Monitor> numbers = {};      ///< monitors: those shown; none: all
+    std::string words = {};                 ///< text
+    std::optional<GivenPair> given = {};    ///< collision maps: none: of the run
+    bool walk = false;                      ///< collision maps: all collisions so far
     std::optional<bool> scaled = {};  ///< collision maps: by the roots of the masses; none: walks
     TimeSpan show = {};               ///< of a film: when it is there
     std::optional<View> view = {};    ///< the gas in a figure; none: as in the film

@@ -8,6 +8,7 @@
 #include "scene/keys/binding.h"
 #include "scene/limits.h"
 #include "scene/reading/overlay_reading.h"
+#include "scene/yaml/scalar.h"
 #include "util/text.h"
 
 namespace carom {
@@ -102,7 +103,130 @@ void require_one(PanelSpec& panel, const Node& node, Reading& reading) {
         "choose one by `surfaces`: " + listed(names, "or", "`"));
 }
 
+// Whether particles can go through at some time of the run, at one place.
+bool lets_through(const Reading& reading, std::int32_t surface) {
+    const Partition* line = reading.gas.box.surfaces.partition(surface);
+    if (line == nullptr || may_move(reading, surface)) return false;
+    const auto is_membrane = [](const Behaviour& behaviour) {
+        return std::holds_alternative<Membrane>(behaviour);
+    };
+    if (line->is_open || !line->gaps.empty() || is_membrane(line->behaviour)) return true;
+    return std::ranges::any_of(reading.run.events, [&](const RunEvent& event) {
+        const auto* set = std::get_if<SetOpen>(&event.action);
+        const auto* change = std::get_if<ChangeSurface>(&event.action);
+        return (set != nullptr && set->surface == surface && set->is_open) ||
+               (change != nullptr && change->surface == surface && is_membrane(change->behaviour));
+    });
+}
+
+// Which surface an event acts on.
+std::optional<std::int32_t> surface_of(const RunEvent& event) {
+    return std::visit(
+        [](const auto& action) -> std::optional<std::int32_t> {
+            if constexpr (requires { action.surface; })
+                return action.surface;
+            else
+                return std::nullopt;
+        },
+        event.action);
+}
+
+// The first event of a run that a word names: a reversal, heat, or a surface that it acts on.
+std::optional<WatchStart> event_called(const std::string& word, const Node& node,
+                                       Reading& reading) {
+    std::vector<std::string> there{"start"};
+    const std::vector<std::string> names = reading.gas.box.surfaces.names();
+    const std::vector<RunEvent>& events = reading.run.events;
+    for (std::size_t k = 0; k < events.size(); ++k) {
+        std::string name;
+        if (std::holds_alternative<ReverseVelocities>(events[k].action)) name = "reversal";
+        if (std::holds_alternative<Heat>(events[k].action)) name = "heat";
+        if (const auto surface = surface_of(events[k]))
+            name = names.at(static_cast<std::size_t>(*surface));
+        if (name == word) return WatchStart{events[k].at, k};
+        if (!name.empty() && std::ranges::find(there, name) == there.end()) there.push_back(name);
+    }
+    reading.errors.add(node, fmt::format("no event of the run is called {}", in_quotes(word)),
+                       "`since` takes a time, " + listed(there, "or", "`"));
+    return std::nullopt;
+}
+
+void check_line(const PanelSpec& panel, const Node& node, Reading& reading) {
+    if (node.is_mapping() && find(node, "surfaces") != nullptr)
+        reading.errors.add(place_of_surfaces(node), "`surfaces` and `line` exclude one another",
+                           "leave one of them out");
+    if (panel.counted == Counted::hits)
+        reading.errors.add(*given(node, "count"), "nothing hits a `line`: it is not there",
+                           "leave out `count`, or name walls by `surfaces`");
+}
+
+bool is_written(const Node& node, const char* key) {
+    return node.is_mapping() && find(node, key) != nullptr;
+}
+
+constexpr const char* passable = "a partition that lets particles through and stands still";
+constexpr const char* how_to_pass =
+    "give a partition `gaps` or `passes`, let an event open it, or count at `line: {x: PLACE}`";
+
 }  // namespace
+
+Notation<CountingLine> counting_line_notation() {
+    struct Written {
+        std::optional<double> x, y;
+        std::optional<Eigen::Array2d> between;
+    };
+    const KeyTable<Written> table{
+        .name = "`line`",
+        .keys = {bind_key("x", &Written::x, number(not_negative),
+                          "The place of a line that is perpendicular to x."),
+                 bind_key("y", &Written::y, number(not_negative),
+                          "The place of a line that is perpendicular to y."),
+                 bind_key("between", &Written::between, pair_of(any_number, "[from, to]"),
+                          "Where it begins and ends, along the other axis.")
+                     .default_text("all across the box")},
+        .choices = {{{"x", "y"}, true}}};
+    const auto complete = [](const Written& written, const Node& node,
+                             Reading& reading) -> std::optional<CountingLine> {
+        if (written.x.has_value() == written.y.has_value()) return std::nullopt;  // reported
+        const Box& box = reading.gas.box;
+        CountingLine line{.axis = written.x ? 0 : 1, .at = written.x ? *written.x : *written.y};
+        if (line.axis >= box.dimension || (box.dimension == 1 && written.between)) {
+            reading.errors.add(node, "on a wire a `line` is a place: it has an `x` alone");
+            return std::nullopt;
+        }
+        if (box.size[line.axis] > 0.0 && line.at > box.size[line.axis]) {
+            reading.errors.add(node, "this line lies outside of the box",
+                               "the box begins at 0 and ends at its `size`");
+            return std::nullopt;
+        }
+        if (!written.between) return line;
+        line.between = std::pair((*written.between)[0], (*written.between)[1]);
+        if (line.between->first < line.between->second) return line;
+        reading.errors.add(*given(node, "between"),
+                           "expected [from, to] with from < to for `between`");
+        return std::nullopt;
+    };
+    return parsed(mapping(table, "{x: place} or {y: place}"), complete);
+}
+
+Notation<WatchStart> watch_start_notation() {
+    auto word = text(1, most_name_letters).called("a time or the name of what starts it");
+    word.forms.front().words = {"start"};
+    const auto read = [](const std::string& what, const Node& node,
+                         Reading& reading) -> std::optional<WatchStart> {
+        if (what == "start") return WatchStart{};
+        const auto time = number_in(node);
+        if (!time) return event_called(what, node, reading);
+        const double until = reading.run.until;
+        if (*time >= 0.0 && !(until > 0.0 && *time >= until)) return WatchStart{.at = *time};
+        reading.errors.add(
+            node, fmt::format("expected a time from 0 on and below `until` ({}) for `since`, found "
+                              "{}",
+                              until, in_quotes(node.text)));
+        return std::nullopt;
+    };
+    return parsed(word, read);
+}
 
 Notation<std::vector<std::int32_t>> surfaces_notation() {
     auto name = text(1, most_name_letters).called("the name of a wall or a partition");
@@ -159,6 +283,38 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
         "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, y0, x1, "
         "y1]}]`");
     require_one(panel, node, reading);
+}
+
+void check_flux(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (is_written(node, "line")) return check_line(panel, node, reading);
+    keep_suitable(
+        panel, node, reading, [&](std::int32_t surface) { return lets_through(reading, surface); },
+        passable, how_to_pass);
+    require_one(panel, node, reading);
+}
+
+void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (is_written(node, "line")) return check_line(panel, node, reading);
+    const bool is_named = is_written(node, "surfaces");
+    const auto can_pass = [&](std::int32_t surface) { return lets_through(reading, surface); };
+    if (!panel.counted) {
+        std::vector<std::int32_t> all = panel.surfaces;
+        if (!is_named)
+            for (std::int32_t k = Surfaces::first_partition;
+                 k < reading.gas.box.surfaces.first_obstacle(); ++k)
+                all.push_back(k);
+        const bool some = std::ranges::any_of(all, can_pass);
+        const bool every = std::ranges::all_of(all, can_pass);
+        panel.counted = some && (every || !is_named) ? Counted::crossings : Counted::hits;
+    }
+    if (panel.counted == Counted::crossings) {
+        keep_suitable(panel, node, reading, can_pass, passable, how_to_pass);
+    } else {
+        keep_suitable(
+            panel, node, reading,
+            [&](std::int32_t surface) { return is_named || Surfaces::is_side(surface); },
+            "a solid wall of the box", "make a wall solid, or count at `line: {x: PLACE}`");
+    }
 }
 
 }  // namespace carom

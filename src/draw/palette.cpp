@@ -75,20 +75,28 @@ constexpr Samples magma = {
     0xfeb67c, 0xfebb81, 0xfec185, 0xfec68a, 0xfecc8f, 0xfed194, 0xfed799, 0xfddc9e, 0xfde2a3,
     0xfde7a9, 0xfcecae, 0xfcf2b4, 0xfcf7b9, 0xfcfdbf};
 
+// With the colours that are furthest from all of its own, for every viewer, on a dark ground and on
+// a light one.
 struct NamedMap {
     const char* name;
     const Samples& samples;
+    Color beside_on_dark, beside_on_light;
 };
 
-const std::array named_maps = {NamedMap{"viridis", viridis}, NamedMap{"cividis", cividis},
-                               NamedMap{"plasma", plasma}, NamedMap{"inferno", inferno},
-                               NamedMap{"magma", magma}};
+constexpr Color sky = rgb(0x77CCFF), violet = rgb(0x9977FF);
+const std::array named_maps = {NamedMap{"viridis", viridis, rgb(0xFF88FF), rgb(0xA02000)},
+                               NamedMap{"cividis", cividis, sky, rgb(0x992200)},
+                               NamedMap{"plasma", plasma, sky, rgb(0x500000)},
+                               NamedMap{"inferno", inferno, sky, violet},
+                               NamedMap{"magma", magma, sky, violet}};
 
-const Samples& samples_of(std::string_view name) {
+const NamedMap& map_of(std::string_view name) {
     for (const NamedMap& map : named_maps)
-        if (map.name == name) return map.samples;
+        if (map.name == name) return map;
     throw std::invalid_argument("no colour map is named " + std::string(name));
 }
+
+const Samples& samples_of(std::string_view name) { return map_of(name).samples; }
 
 // Near Okabe and Ito's colours ("Color Universal Design", 2008, https://jfly.uni-koeln.de/color/):
 // blue, yellow, green, purple, sand and vermilion; in light and dark shades of them, so that each
@@ -100,6 +108,11 @@ constexpr std::array on_light = {rgb(0x205E85), rgb(0x2E9F85), rgb(0xA681CF),
                                  rgb(0x000000), rgb(0x984400), rgb(0xC68300)};
 // No more greys than four are so far apart; lines have dashes beside, and pale disks are rings.
 constexpr std::array in_print = {rgb(0x000000), rgb(0xE4E4E4), rgb(0x4E4E4E), rgb(0x8E8E8E)};
+
+// NetLogo's colours 105, 55 and 15, brighter or darker where the ground asks for it, and with green
+// lighter than red by so much that viewers who see no difference of hue see that.
+constexpr std::array netlogo_on_dark = {rgb(0x5A87D8), rgb(0x9CED6E), rgb(0xE5483F)};
+constexpr std::array netlogo_on_light = {rgb(0x345DA9), rgb(0x59A239), rgb(0xA21110)};
 
 }  // namespace
 
@@ -147,16 +160,25 @@ std::span<const std::string> color_map_names() {
     return names;
 }
 
-// NetLogo's colours 105, 55 and 15, brighter or darker where the ground asks for it, and with green
-// lighter than red by so much that viewers who see no difference of hue see that.
 ColorMap netlogo_map(bool dark_ground) {
-    if (dark_ground) return ColorMap({rgb(0x5A87D8), rgb(0x9CED6E), rgb(0xE5483F)});
-    return ColorMap({rgb(0x345DA9), rgb(0x59A239), rgb(0xA21110)});
+    const auto& colors = dark_ground ? netlogo_on_dark : netlogo_on_light;
+    return ColorMap({colors.begin(), colors.end()});
 }
 
-// Even in CIE's lightness: from 61, which has a contrast of 3 with white, to 14, which is no black.
+Color speed_class_color(std::size_t index, const Theme& theme) {
+    constexpr std::array greys = {in_print[3], in_print[2], in_print[0]};
+    if (theme.kind == ThemeKind::print) return greys.at(index);
+    return (theme.dark ? netlogo_on_dark : netlogo_on_light).at(index);
+}
+
+Color color_beside(std::string_view name, const Theme& theme) {
+    return theme.dark ? map_of(name).beside_on_dark : map_of(name).beside_on_light;
+}
+
+// Even in CIE's lightness: from 61, which has a contrast of 3 with white, to 31, which nobody takes
+// for black.
 ColorMap grey_map() {
-    constexpr double light = 61.0, dark = 14.0;
+    constexpr double light = 61.0, dark = 30.5;
     constexpr int steps = 64;
     std::vector<Color> greys;
     for (int i = 0; i <= steps; ++i) {
@@ -190,7 +212,9 @@ ColorMap direction_map(const Theme& theme) {
         case ThemeKind::print:
             break;
     }
-    return ColorMap({in_print[0], in_print[2], in_print[1], in_print[3], in_print[0]});
+    // Of five steps from black to white, which is left for what rests.
+    constexpr Color up = rgb(0x444444), left = rgb(0xA8A8A8), down = rgb(0x747474);
+    return ColorMap({in_print[0], up, left, down, in_print[0]});
 }
 
 std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme) {

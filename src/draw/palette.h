@@ -42,11 +42,18 @@ ColorMap color_map_on(std::string_view name, const Theme& theme);
 /// kinds are told apart by all viewers; between them the map is no scale for the colour-blind.
 ColorMap netlogo_map(bool dark_ground);
 
+/// Slow, medium and fast: NetLogo's blue, green and red, greys in print, the same whatever the
+/// scale of a film is.
+Color speed_class_color(std::size_t index, const Theme& theme);
+
+/// A colour that no viewer takes for one of a scale by name, for what has no place on it.
+Color color_beside(std::string_view name, const Theme& theme);
+
 /// Around the circle of directions, counterclockwise from the right, the first colour again at the
 /// end: right and left, blue and yellow or orange, are told apart by all viewers.
 ColorMap direction_map(const Theme& theme);
 
-/// Greys from light to dark by even steps, for print.
+/// Greys from light to dark by even steps, for print; all are far from black.
 ColorMap grey_map();
 
 /// Colours for kinds near those of Okabe and Ito, in a fixed order for each theme, greys in print;

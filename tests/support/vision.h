@@ -120,8 +120,8 @@ inline double lightness(Color color) { return lab_of(seen_by(visions[0], color))
 /// hall.
 inline constexpr double least_distance = 20.0;
 
-/// Colours of one scale keep this much: its ends are not far enough apart for more. Most maps have
-/// three that keep 18; plasma has 12 on a light ground.
+/// Neighbours on one scale, which are parted by numbers beside it, keep this much, and so do the
+/// colours of panels from those of a scale beside them.
 inline constexpr double least_distance_on_scale = 10.0;
 
 }  // namespace carom::test

@@ -48,6 +48,18 @@ ColorMap scale_colors(const Scene& scene, const Theme& theme) {
     return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
 }
 
+std::vector<Color> speed_class_colors(const Theme& theme) {
+    return {speed_class_color(0, theme), speed_class_color(1, theme), speed_class_color(2, theme)};
+}
+
+// Of infinite masses. NetLogo's green and red have all hues between them: there is no such colour.
+Color color_beside_scale(const Scene& scene, const Theme& theme) {
+    const std::string name = scale_name(scene);
+    const bool has_one = scene.film.palette || theme.kind != ThemeKind::print;
+    return has_one && name != "netlogo" && name != "direction" ? color_beside(name, theme)
+                                                               : theme.ink;
+}
+
 }  // namespace
 
 std::vector<std::string> palette_names() {
@@ -59,23 +71,19 @@ std::vector<std::string> palette_names() {
 
 Color kind_in(const Scene& scene, std::size_t index, const Theme& theme) {
     const ColorBy by = scene.film.color_by;
-    if (by == ColorBy::species || by == ColorBy::speed_class || theme.kind == ThemeKind::print)
-        return kind_color(index, theme);
+    if (by == ColorBy::species || theme.kind == ThemeKind::print) return kind_color(index, theme);
     // A set for each map and theme, made once: searching it takes a while.
     using Key = std::pair<std::string, ThemeKind>;
     static std::mutex mutex;
     static std::map<Key, std::vector<Color>> sets;
     const std::scoped_lock lock(mutex);
-    std::vector<Color>& set = sets[{scale_name(scene), theme.kind}];
-    if (set.empty()) set = kind_colors_beside(scale_colors(scene, theme).samples(), theme);
+    const std::string scale = by == ColorBy::speed_class ? "classes" : scale_name(scene);
+    std::vector<Color>& set = sets[{scale, theme.kind}];
+    if (set.empty())
+        set = by == ColorBy::speed_class
+                  ? kind_colors_beside(speed_class_colors(theme), theme)
+                  : kind_colors_beside(scale_colors(scene, theme).samples(), theme);
     return set[index % set.size()];
-}
-
-std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme) {
-    const ColorMap map = scale_colors(scene, theme);
-    // Of the perceptual maps this one is as far from both ends for viewers of all kinds.
-    const double middle = scale_name(scene) == "netlogo" ? 0.5 : 0.43;
-    return {map.at(0.0), map.at(middle), map.at(1.0)};
 }
 
 void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double radius) {
@@ -174,11 +182,13 @@ std::vector<Color> GasColors::of_shades(const Theme& theme) const {
 std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     std::vector<Color> colors(first_species, theme.ink);
     if (context_.scene.film.color_by == ColorBy::speed_class) {
-        std::ranges::copy(speed_class_colors(context_.scene, theme), colors.begin());
+        std::ranges::copy(speed_class_colors(theme), colors.begin());
     } else if (!is_plain_) {
         const ColorMap map = scale_colors(context_.scene, theme);
         for (std::size_t i = 0; i < scale_shades; ++i)
             colors[i] = map.at(double(i) / (scale_shades - 1));
+        colors[infinite_shade] = color_beside_scale(context_.scene, theme);
+        colors[resting_shade] = theme.ground;  // nothing but a rim
     }
     for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
         colors.push_back(plot::color_of(species_role(context_, k), theme));

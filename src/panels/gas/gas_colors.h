@@ -19,9 +19,6 @@ std::vector<std::string> palette_names();
 /// of these. Can be called from any thread.
 Color kind_in(const Scene& scene, std::size_t index, const Theme& theme);
 
-/// The colours of slow, medium and fast.
-std::vector<Color> speed_class_colors(const Scene& scene, const Theme& theme);
-
 /// Hatches a disk of infinite mass, as walls are in drawings of machines; small ones stay as they
 /// are.
 void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double radius);

@@ -251,7 +251,7 @@ void GasPanel::Drawing::draw_field() const {
 void GasPanel::Drawing::draw_outlines() const {
     const double line = std::max(1.0, 0.08 * dc.unit);
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        const Color color = gas.seen(colors[shade(i)], i, dc.theme.ground);
+        const Color color = gas.seen(edge_of(colors[shade(i)], dc.theme), i, dc.theme.ground);
         const double shown = std::max(least_radius, radius[i] * scale);
         for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
             if (shown < 2.0 * line)

@@ -2,8 +2,8 @@
 // their class.
 #include "stats/speed_classes.h"
 
+#include "draw/palette.h"
 #include "panels/chosen.h"
-#include "panels/gas/gas_colors.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "util/text.h"
@@ -46,8 +46,8 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .quantity = Phrase{"share"},
         .unit = "per cent"};
     for (std::size_t k = 0; k < subject.lines.size(); ++k)
-        subject.lines[k].role = plot::own_role(
-            [&](const Theme& theme) { return speed_class_colors(context.scene, theme)[k]; });
+        subject.lines[k].role =
+            plot::own_role([&](const Theme& theme) { return speed_class_color(k, theme); });
     subject.titles = titles(language, subject.lines);
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{},

@@ -113,14 +113,6 @@ TEST_CASE("the box stands in the middle where nothing is beside it, else at the 
     CHECK(Picture(std::move(beside)).panels.gas().frame_in(area, 1.0).x == doctest::Approx(area.x));
 }
 
-TEST_CASE("the colours of speed classes in NetLogo's models stand out from every ground") {
-    for (const ThemeKind kind : {ThemeKind::dark, ThemeKind::light, ThemeKind::print}) {
-        const Theme& colors = theme(kind);
-        for (const double share : {0.0, 0.5, 1.0})
-            CHECK(contrast(netlogo_map(colors.dark).at(share), colors.ground) >= 3.0);
-    }
-}
-
 TEST_CASE("a number on a bead may be shorter by a digit") {
     CHECK(shorter_number("8.18") == "8.2");
     CHECK(shorter_number("0.909") == "0.91");

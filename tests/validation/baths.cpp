@@ -1,0 +1,147 @@
+// Walls that are heat baths.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "physics/mechanics.h"
+#include "physics/simulation.h"
+#include "validation/study.h"
+
+namespace carom::validation {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr const char* field = "Heat baths";
+
+/// One disk carries heat from bath to bath, between sides that reflect.
+Study heat_flow() {
+    constexpr double length = 5.0, radius = 0.5, hot = 3.0, cold = 1.0, mass = 2.0;
+    Study study;
+    study.field = field;
+    study.runs = 40;
+    const double hits =
+        2.0 / ((length - 2.0 * radius) * (1.0 / std::sqrt(hot) + 1.0 / std::sqrt(cold)) *
+               std::sqrt(2.0 * pi * mass));
+    study.truths = {{"heat that one disk carries per time from a bath of 3 to one of 1",
+                     1.5 * (hot - cold) * hits, 0.0, 0.0,
+                     "exact: 1.5(*T*₁ − *T*₂)*G*, *G* = 2/((*L* − 2*r*)(*T*₁^−½ + "
+                     "*T*₂^−½)√(2π*m*))"},
+                    {"its hits of each bath per time, *G*", hits, 0.0, 0.0, "exact, the same"}};
+    study.measure = [=](const RunOf& run) {
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box.size = {length, 3.0};
+        gas.box.surfaces.sides[0] = Bath{hot};
+        gas.box.surfaces.sides[1] = Bath{cold};
+        gas.species = {{.name = "",
+                        .count = 1,
+                        .radius = radius,
+                        .mass = Quantity{mass},
+                        .velocity = Temperature{2.0}}};
+        Simulation simulation(gas, {});
+        const double time = 200'000.0 * run.effort;
+        simulation.advance_to(time);
+        const auto surfaces = simulation.surfaces();
+        return std::vector<double>{
+            0.5 * (surfaces[0].heat - surfaces[1].heat) / time,
+            0.5 * static_cast<double>(surfaces[0].hits + surfaces[1].hits) / time};
+    };
+    return study;
+}
+
+Study gas_beside_a_bath() {
+    constexpr int count = 20;
+    constexpr double temperature = 1.5;
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    study.truths = {
+        {"mean energy of a disk beside a bath of 1.5, of 20", temperature, 0.0, 0.0,
+         "exact: canonical, *T*"},
+        {"variance of the energy of all 20", count * temperature * temperature, 0.0, 0.0,
+         "exact: canonical, *NT*²"},
+        {"mean energy of disks that leave the bath", 1.5 * temperature, 0.0, 0.0, "exact: 1.5 *T*"},
+        {"mean of *mv*² along the normal as they leave", 2.0 * temperature, 0.0, 0.0,
+         "exact: flux law, 2*T*"}};
+    study.measure = [=](const RunOf& run) {
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box.size = {9.0, 8.0};
+        gas.box.surfaces.sides[0] = Bath{temperature};
+        gas.species = {
+            {.name = "", .count = count, .radius = 0.3, .velocity = Temperature{temperature}}};
+        Run how;
+        how.equilibrate = 200.0;
+        Simulation simulation(gas, how);
+        simulation.record_collisions(true);
+        const int samples = std::max(10, static_cast<int>(12'000 * run.effort));
+        double mean = 0.0, variance = 0.0, carried = 0.0, normal = 0.0, leaving = 0.0;
+        for (int k = 1; k <= samples; ++k) {
+            for (const Collision& hit : simulation.advance_to(2.0 * k).collisions) {
+                if (!hit.second.is_surface() || hit.second.surface() != 0) continue;
+                carried += 0.5 * hit.first_after.square().sum();
+                normal += hit.first_after[0] * hit.first_after[0];
+                leaving += 1.0;
+            }
+            const double energy =
+                kinetic_energies(simulation.particles(), simulation.sample()).sum();
+            mean += energy / count / samples;
+            variance += std::pow(energy - count * temperature, 2) / samples;
+        }
+        return std::vector<double>{mean, variance, carried / leaving, normal / leaving};
+    };
+    return study;
+}
+
+Study effusion() {
+    constexpr double size = 10.0, gap = 1.0, mass = 2.0, temperature = 1.0;
+    constexpr int count = 40;
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    study.how =
+        "Behind the gap of the effusion a bath sends back what comes through, as from the same "
+        "gas, so that the density stays.";
+    study.truths = {
+        {"points that effuse through a gap of 1 per time, of 40 in 10 × 10 with *m* = 2",
+         count / (size * size) * gap * std::sqrt(temperature / (2.0 * pi * mass)), 0.0, 0.0,
+         "exact: *na*√(*T*/2π*m*)"},
+        {"their mean energy", 1.5 * temperature, 0.0, 0.0, "exact: 1.5 *T*"},
+        {"mean sin² of their angles", 1.0 / 3.0, 0.0, 0.0, "exact: angles ½ cos *θ*"}};
+    study.measure = [=](const RunOf& run) {
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box.size = {size + 1.0, size};
+        gas.box.surfaces.sides[0] = Bath{temperature};
+        gas.box.surfaces.partitions = {
+            {.name = "gap", .axis = 0, .at = size, .gaps = {{4.0, 4.0 + gap}}},
+            {.name = "counter", .axis = 0, .at = size + 1e-6, .behaviour = Bath{temperature}}};
+        gas.species = {{.name = "",
+                        .count = count,
+                        .radius = 0.0,
+                        .mass = Quantity{mass},
+                        .velocity = Temperature{temperature},
+                        .position = WithinRegion{{{0.0, 0.0}, {size, size}}}}};
+        Simulation simulation(gas, {});
+        simulation.record_collisions(true);
+        const double time = 20'000.0 * run.effort;
+        double energy = 0.0, sines = 0.0, hits = 0.0;
+        for (int part = 1; part <= 20; ++part)
+            for (const Collision& hit : simulation.advance_to(time * part / 20.0).collisions) {
+                if (hit.second.surface() != Surfaces::first_partition + 1) continue;
+                const Eigen::Array2d& v = hit.first_before;
+                energy += 0.5 * mass * v.square().sum();
+                sines += v[1] * v[1] / v.square().sum();
+                hits += 1.0;
+            }
+        return std::vector<double>{hits / time, energy / hits, sines / hits};
+    };
+    return study;
+}
+
+}  // namespace
+
+std::vector<Study> baths() { return {heat_flow(), gas_beside_a_bath(), effusion()}; }
+
+}  // namespace carom::validation

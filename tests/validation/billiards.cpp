@@ -1,0 +1,137 @@
+// Points that fly among fixed bodies.
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "physics/simulation.h"
+#include "stats/displacements.h"
+#include "support/bodies.h"
+#include "util/random.h"
+#include "validation/study.h"
+
+namespace carom::validation {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr const char* field = "Billiards and the Lorentz gas";
+
+/// The mean path of a point of speed 1 between hits, from a random direction.
+double mean_path(const Box& box, double x, double y, const RunOf& run) {
+    const double angle = Random(run.seed, "direction of a point").uniform(0.0, 2.0 * pi);
+    Simulation simulation =
+        test::simulation_of(box, {{x, y, std::cos(angle), std::sin(angle), 0.0, 1.0}});
+    const double time = 200'000.0 * run.effort;
+    simulation.advance_to(time);
+    double hits = 0.0;
+    for (const SurfaceState& surface : simulation.surfaces())
+        hits += static_cast<double>(surface.hits);
+    return time / hits;
+}
+
+Study sinai() {
+    constexpr double length = 3.0, radius = 0.8;
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    study.truths = {{"mean free path of Sinai’s billiard, *L* = 3, *R* = 0.8",
+                     (length * length - pi * radius * radius) / (2.0 * radius), 0.0, 0.0,
+                     "exact: (*L*² − π*R*²)/2*R*; N. Chernov, J. Stat. Phys. 88, 1 (1997)"}};
+    study.measure = [=](const RunOf& run) {
+        Box box{
+            .dimension = 2, .size = {length, length}, .walls = {Wall::periodic, Wall::periodic}};
+        box.surfaces.obstacles = {{"disk", Obstacle::Disk{{1.5, 1.5}, radius}}};
+        return std::vector<double>{mean_path(box, 0.1, 0.2, run)};
+    };
+    return study;
+}
+
+Study any_billiard() {
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    const double area = 12.0 - 1.0 - pi * 0.09;
+    const double perimeter = 14.0 + 2.0 + 2.0 * std::numbers::sqrt2 + pi * 0.6;
+    study.truths = {{"mean free path in a box with a wedge and a round peg", pi * area / perimeter,
+                     0.0, 0.0, "exact: π area/perimeter; N. Chernov, J. Stat. Phys. 88, 1 (1997)"}};
+    study.measure = [=](const RunOf& run) {
+        Box box{.dimension = 2, .size = {4.0, 3.0}};
+        box.surfaces.obstacles = {
+            {"wedge", Obstacle::Lines{{{1.0, 1.0}, {3.0, 1.0}, {2.0, 2.0}}, true}},
+            {"peg", Obstacle::Disk{{0.8, 2.2}, 0.3}}};
+        return std::vector<double>{mean_path(box, 0.5, 0.5, run)};
+    };
+    return study;
+}
+
+/// Weijland and van Leeuwen's expansion in x = n R^2, with the term that Bruin added.
+double lorentz_slowing(double x) {
+    const double log = x * std::log(x);
+    return 1.0 - 4.0 / 3.0 * log - 0.8775 * x + 4.519 * log * log;
+}
+
+Study lorentz() {
+    constexpr double x = 0.005;
+    constexpr int scatterers = 1000, count = 400;
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    study.how =
+        "The Lorentz gas: 400 points of speed 1 among 1000 disks of radius 1 at random places, "
+        "which may overlap, in a periodic box, each run with others; *nR*² = 0.005. *D* is the "
+        "slope of the mean squared displacement from 10 to 30 relaxation times. The next terms of "
+        "the expansion, of the order of (*nR*²)² ln(*nR*²), stand as its error.";
+    study.truths = {{"diffusion in the dilute Lorentz gas, over Boltzmann’s 3*v*/(16*nR*)",
+                     1.0 / lorentz_slowing(x), 0.0005, 0.0,
+                     "A. Weijland, J. M. J. van Leeuwen, Physica 38, 35 (1968); C. Bruin, Physica "
+                     "72, 261 (1974): *D*_B/*D* = 1 − (4/3)*x* ln *x* − 0.8775*x* + 4.519(*x* ln "
+                     "*x*)², *x* = *nR*²"},
+                    {"mean free path of the points, over (1 − *nA*)/(2*nR*) of the free area *A*",
+                     1.0, 0.0, 0.0, "exact: π area/perimeter, the mean over random places"}};
+    study.measure = [=](const RunOf& run) {
+        const double side = std::sqrt(scatterers / x);
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box.size = {side, side};
+        gas.box.walls = {Wall::periodic, Wall::periodic};
+        Random random(run.seed, "scatterers");
+        for (int k = 0; k < scatterers; ++k)
+            gas.box.surfaces.obstacles.push_back(
+                {"disk " + std::to_string(k),
+                 Obstacle::Disk{{random.uniform(0.0, side), random.uniform(0.0, side)}, 1.0}});
+        gas.species = {{.name = "", .count = count, .radius = 0.0, .velocity = Speed{1.0}}};
+        Simulation simulation(gas, {});
+        simulation.record_collisions(true);
+        const double boltzmann = 3.0 / (16.0 * x), relaxation = 2.0 * boltzmann;
+        const int windows = std::max(1, static_cast<int>(20.0 * run.effort));
+        double sum = 0.0, start = 0.0, hits = 0.0;
+        for (int k = 0; k < windows; ++k) {
+            Displacements displacements(simulation.box(), start);
+            displacements(simulation.sample(), {});
+            double squares[2] = {};
+            for (int part = 0; part < 2; ++part) {
+                const auto advanced =
+                    simulation.advance_to(start + (part == 0 ? 10.0 : 30.0) * relaxation);
+                hits += static_cast<double>(advanced.collisions.size());
+                squares[part] =
+                    displacements(simulation.sample(), advanced.collisions).square().sum() / count;
+            }
+            sum += (squares[1] - squares[0]) / (4.0 * 20.0 * relaxation * windows);
+            start += 30.0 * relaxation;
+        }
+        // Random disks leave exp(-pi x) of the area, and each shows 2 pi exp(-pi x) of its edge.
+        return std::vector<double>{sum / boltzmann, count * start / hits * 2.0 * x};
+    };
+    study.truths[1].what = "mean free path of the points, over 1/(2*nR*)";
+    study.truths[1].source =
+        "exact: π area/perimeter, where random disks leave e^(−π*x*) of both the area and their "
+        "edges";
+    return study;
+}
+
+}  // namespace
+
+std::vector<Study> billiards() { return {sinai(), any_billiard(), lorentz()}; }
+
+}  // namespace carom::validation

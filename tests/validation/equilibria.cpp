@@ -1,0 +1,137 @@
+// What a gas of few particles is like in equilibrium, where its energy is fixed.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "physics/mechanics.h"
+#include "physics/simulation.h"
+#include "support/csv.h"
+#include "validation/study.h"
+
+namespace carom::validation {
+
+namespace {
+
+constexpr const char* field = "Equilibrium of few particles";
+
+enum Column : std::size_t { mean_f2 = 3, kurtosis = 4, mean_speed = 6 };
+
+/// The row of the table of moments that begins with these words and has this N.
+double moment(const std::string& ensemble, int count, Column column) {
+    for (const auto& row : test::reference_rows("microcanonical_moments.csv"))
+        if (row[0].starts_with(ensemble) && std::stoi(row[1]) == count)
+            return test::fraction(row[column]);
+    throw std::runtime_error("no moment of " + ensemble);
+}
+
+Gas few_disks(int count, Wall wall, std::uint64_t seed) {
+    Gas gas;
+    gas.seed = seed;
+    gas.box.size = {4.0, 3.5};
+    gas.box.walls = {wall, wall};
+    gas.species = {{.name = "", .count = count, .radius = 0.3, .velocity = Speed{1.0}}};
+    return gas;
+}
+
+/// Of all disks at many times: mean speed over sqrt(T), mean square of the share of the energy, and
+/// the kurtosis of a component of velocity.
+std::vector<double> moments(Simulation simulation, double freedom, double effort) {
+    const auto count = static_cast<double>(simulation.particles().count());
+    const double energy = kinetic_energies(simulation.particles(), simulation.sample()).sum();
+    const double temperature = 2.0 * energy / freedom;
+    const int samples = std::max(10, static_cast<int>(30'000 * effort));
+    double speed = 0.0, square = 0.0, fourth = 0.0, component = 0.0;
+    for (int k = 1; k <= samples; ++k) {
+        simulation.advance_to(3.1 * k);
+        const Sample& now = simulation.sample();
+        speed += speeds(now).mean() / samples;
+        square +=
+            (kinetic_energies(simulation.particles(), now) / energy).square().mean() / samples;
+        component += now.velocity.square().mean() / samples;
+        fourth += now.velocity.square().square().mean() / samples;
+    }
+    const double variance =
+        2.0 * energy / (count * static_cast<double>(simulation.sample().velocity.cols()));
+    (void)component;
+    return {speed / std::sqrt(temperature), square, fourth / (variance * variance)};
+}
+
+constexpr const char* of_sphere =
+    "exact: momenta are uniform on the sphere of energy; "
+    "`tests/reference/microcanonical_moments.csv`";
+
+Study disks_between_walls(int count) {
+    Study study;
+    study.field = field;
+    study.runs = 20;
+    const std::string of = " of " + std::to_string(count) + " disks between walls";
+    study.truths = {
+        {"mean speed over √*T*" + of, moment("2D walls", count, mean_speed), 0.0, 0.0, of_sphere},
+        {"mean square of the share of the energy" + of, moment("2D walls", count, mean_f2), 0.0,
+         0.0, of_sphere},
+        {"kurtosis of a component of velocity" + of, moment("2D walls", count, kurtosis), 0.0, 0.0,
+         of_sphere}};
+    study.measure = [count](const RunOf& run) {
+        return moments(Simulation(few_disks(count, Wall::solid, run.seed), {}), 2.0 * count,
+                       run.effort);
+    };
+    return study;
+}
+
+Study disks_in_a_periodic_box() {
+    Study study;
+    study.field = field;
+    study.runs = 20;
+    study.truths = {{"mean speed over √*T* of 5 disks in a periodic box, total momentum 0",
+                     moment("2D periodic", 5, mean_speed), 0.0, 0.0, of_sphere},
+                    {"mean square of the share of the energy, the same",
+                     moment("2D periodic", 5, mean_f2), 0.0, 0.0, of_sphere},
+                    {"kurtosis of a component of velocity, the same",
+                     moment("2D periodic", 5, kurtosis), 0.0, 0.0, of_sphere}};
+    study.measure = [=](const RunOf& run) {
+        Gas gas = few_disks(5, Wall::periodic, run.seed);
+        gas.species[0].velocity = Temperature{1.0};  // at total momentum 0
+        return moments(Simulation(gas, {}), 2.0 * (5 - 1), run.effort);
+    };
+    return study;
+}
+
+Study equipartition() {
+    Study study;
+    study.field = field;
+    study.runs = 20;
+    study.truths = {
+        {"mean energy of 50 disks of mass 8 over that of 150 of mass 1, which had all "
+         "the energy",
+         1.0, 0.0, 0.0, "exact: equipartition"}};
+    study.measure = [=](const RunOf& run) {
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box.size = {40.0, 30.0};
+        gas.species = {{.name = "light", .count = 150, .radius = 0.4, .velocity = Speed{3.0}},
+                       {.name = "heavy", .count = 50, .radius = 0.8, .mass = Quantity{8.0}}};
+        Run how;
+        how.equilibrate = 150.0;
+        Simulation simulation(gas, how);
+        double light = 0.0, heavy = 0.0;
+        const int samples = std::max(10, static_cast<int>(500 * run.effort));
+        for (int k = 1; k <= samples; ++k) {
+            simulation.advance_to(4.0 * k);
+            const Eigen::ArrayXd energies =
+                kinetic_energies(simulation.particles(), simulation.sample());
+            light += energies.head(150).mean();
+            heavy += energies.tail(50).mean();
+        }
+        return std::vector<double>{heavy / light};
+    };
+    return study;
+}
+
+}  // namespace
+
+std::vector<Study> equilibria() {
+    return {disks_between_walls(3), disks_between_walls(10), disks_in_a_periodic_box(),
+            equipartition()};
+}
+
+}  // namespace carom::validation

@@ -1,0 +1,32 @@
+// The page of validation, docs/validation.md.
+#pragma once
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "validation/study.h"
+
+namespace carom::validation {
+
+/// A study and what its runs gave.
+struct Measured {
+    Study study;
+    std::vector<std::vector<double>> values;  ///< of each run, a number for each truth
+    std::vector<double> seconds;              ///< of a processor, of each run
+    std::vector<Row> rows = {};
+
+    void find_rows();
+    double all_seconds() const { return std::accumulate(seconds.begin(), seconds.end(), 0.0); }
+};
+
+/// The known value with its error, and the measured one, to the digits that its error leaves.
+std::string known_of(const Truth& truth, const Row& row);
+std::string measured_of(const Row& row);
+
+/// `figures`: captions.json of the figures that the page shows from the folder validation/ beside
+/// it; none: "".
+void write_page(const std::string& path, const std::string& figures,
+                const std::vector<Measured>& studies, double bound, double seconds);
+
+}  // namespace carom::validation

@@ -1,0 +1,230 @@
+// Pistons, and walls that are driven.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "physics/mechanics.h"
+#include "physics/simulation.h"
+#include "support/bodies.h"
+#include "util/random.h"
+#include "validation/hard_disks.h"
+#include "validation/study.h"
+
+namespace carom::validation {
+
+namespace {
+
+constexpr const char* field = "Pistons and driven walls";
+
+/// The mean of h under the weight p, from 0 to `end`.
+double mean_of(const auto& weight, double end) {
+    constexpr int steps = 20'000;
+    double sum = 0.0, moment = 0.0;
+    for (int k = 0; k < steps; ++k) {
+        const double h = (k + 0.5) / steps * end;
+        sum += weight(h);
+        moment += h * weight(h);
+    }
+    return moment / sum;
+}
+
+double mean_height(Simulation& simulation, std::int32_t piston, double step, double effort) {
+    const int samples = std::max(10, static_cast<int>(30'000 * effort));
+    double sum = 0.0;
+    for (int k = 1; k <= samples; ++k) {
+        simulation.advance_to(step * k);
+        sum += simulation.surfaces()[static_cast<std::size_t>(piston)].motion->place / samples;
+    }
+    return sum;
+}
+
+/// p(h) ~ h^N (E - F h)^(N - 1/2), with the room that N disks have instead of points.
+Study piston_on_a_plane() {
+    constexpr int count = 5;
+    constexpr double radius = 0.02, width = 1.0, force = 2.0, start = 4.0, mass = 3.0;
+    constexpr double energy = 0.5 * count * 1.0 + force * start;
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    const double reach = energy / force;
+    const auto room = [=](double h) {
+        const double a = std::max(0.0, h - 2.0 * radius), b = width;
+        if (a < 2.0 * radius) return 0.0;
+        const double pairs = 0.5 * count * (count - 1.0);
+        return std::pow(a, count) * (1.0 - pairs * excluded(a, b, 2.0 * radius) / (a * a * b * b));
+    };
+    const auto density = [=](double h) {
+        return room(h) * std::pow(energy - force * h, count - 0.5);
+    };
+    study.truths = {
+        {"mean height of a piston under a force on 5 disks, over (*E*/*F*)(*N* + "
+         "1)/(2*N* + 3/2)",
+         mean_of(density, reach) / (reach * (count + 1.0) / (2.0 * count + 1.5)), 0.0, 0.0,
+         "exact: *p*(*h*) ∝ *h*ᴺ(*E* − *Fh*)^(*N* − ½), with the room of disks of "
+         "radius 0.02 (second virial)"}};
+    study.measure = [=](const RunOf& run) {
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box.size = {width + 2.0 * radius, start};
+        gas.box.surfaces.sides[3] = Piston{mass, -force, 0.0};
+        gas.species = {{.name = "", .count = count, .radius = radius, .velocity = Speed{1.0}}};
+        Run how;
+        how.equilibrate = 500.0;
+        Simulation simulation(gas, how);
+        return std::vector<double>{mean_height(simulation, 3, 5.3, run.effort) /
+                                   (reach * (count + 1.0) / (2.0 * count + 1.5))};
+    };
+    return study;
+}
+
+/// On a wire p(h) ~ h^N (E - F h)^((N - 1) / 2): mean (E / F) (N + 1) / ((3 N + 3) / 2).
+Study piston_on_a_wire() {
+    constexpr int count = 5;
+    constexpr double force = 2.0, start = 3.0;
+    Study study;
+    study.field = field;
+    study.runs = 24;
+    study.truths = {
+        {"mean length under a piston on 5 point beads of masses 0.7 to 4.1, over "
+         "(*E*/*F*)·⅔",
+         1.0, 0.0, 0.0, "exact: *p*(*h*) ∝ *h*ᴺ(*E* − *Fh*)^((*N* − 1)/2)"}};
+    study.measure = [=](const RunOf& run) {
+        Random random(run.seed, "beads under a piston");
+        Box box{.dimension = 1, .size = {start, 0.0}};
+        box.surfaces.sides[1] = Piston{2.3, -force, 0.0};
+        std::vector<test::Disk> beads;
+        const double masses[] = {0.7, 1.9, 3.3, 1.3, 4.1};
+        for (int k = 0; k < count; ++k)
+            beads.push_back({0.5 * (k + 1), 0.0, random.normal(), 0.0, 0.0, 1.0 / masses[k]});
+        Simulation simulation = test::simulation_of(box, beads);
+        const double energy =
+            kinetic_energies(simulation.particles(), simulation.sample()).sum() + force * start;
+        return std::vector<double>{mean_height(simulation, 1, 3.7, run.effort) * force / energy *
+                                   1.5};
+    };
+    return study;
+}
+
+/// T V, or T L^2, after a wall has halved the room at this speed, over that before.
+double kept(int dimension, double speed, std::uint64_t seed) {
+    constexpr double size = 10.0, radius = 0.03;
+    Gas gas;
+    gas.seed = seed;
+    gas.box.dimension = dimension;
+    gas.box.size = {size, dimension == 1 ? 0.0 : size};
+    gas.box.surfaces.sides[1] = Driven{-speed, 0.5 * size / speed};
+    gas.species = {{.name = "",
+                    .count = dimension == 1 ? 20 : 50,
+                    .radius = dimension == 1 ? 0.0 : radius,
+                    .velocity = Temperature{1.0}}};
+    Simulation simulation(gas, {});
+    const double before = simulation.energy_account().kinetic;
+    simulation.advance_to(0.5 * size / speed);
+    const double ratio = simulation.energy_account().kinetic / before;
+    if (dimension == 1) return ratio / 4.0;
+    // E^N Q is kept, where Q is the room of all disks together.
+    const auto logarithm = [&](double length) {
+        const double a = length - 2.0 * radius, b = size - 2.0 * radius;
+        const double share = excluded(a, b, 2.0 * radius) / (a * a * b * b);
+        return std::log(a * b) + 0.5 * (50.0 - 1.0) * std::log1p(-share);
+    };
+    return ratio * std::exp(logarithm(0.5 * size) - logarithm(size));
+}
+
+Study slow_strokes() {
+    Study study;
+    study.field = field;
+    study.runs = 400;
+    study.how =
+        "Slow strokes halve the room at wall speeds 0.02 and 0.01, where the gas has √*T* = 1, "
+        "extrapolated to speed 0; in the plane *V* is the room that 50 disks of radius 0.03 leave "
+        "one another (second virial).";
+    study.truths = {
+        {"*TV* after a slow stroke to half the room over that before, 50 disks", 1.0, 0.0, 0.0,
+         "exact: adiabatic, heat capacity ratio 2"},
+        {"*TL*² after a slow stroke to half the length over that before, 20 points on a "
+         "wire",
+         1.0, 0.0, 0.0, "exact: adiabatic, heat capacity ratio 3"}};
+    study.measure = [=](const RunOf& run) {
+        std::vector<double> values;
+        for (const int dimension : {2, 1})
+            values.push_back(2.0 * kept(dimension, 0.01, run.seed) -
+                             kept(dimension, 0.02, run.seed + 1000));
+        return values;
+    };
+    return study;
+}
+
+Study one_hit() {
+    Study study;
+    study.field = field;
+    study.truths = {{"velocity of a disk of velocity 3 after a hit by a wall of velocity −1", -5.0,
+                     0.0, 1e-15, "exact: 2*u* − *v*"},
+                    {"work of the wall on its mass of 2", 16.0, 0.0, 1e-15, "exact"},
+                    {"velocity of a bead of velocity 0.25 after a hit by a wall of velocity −1.5",
+                     -3.25, 0.0, 1e-15, "exact: 2*u* − *v*"}};
+    study.measure = [=](const RunOf&) {
+        Box plane{.dimension = 2, .size = {10.0, 4.0}};
+        plane.surfaces.sides[1] = Driven{-1.0};
+        Simulation disk = test::simulation_of(plane, {{5.0, 2.0, 3.0, 0.5, 0.5, 0.5}});
+        disk.advance_to(2.0);
+        Box wire{.dimension = 1, .size = {10.0, 0.0}};
+        wire.surfaces.sides[1] = Driven{-1.5};
+        Simulation bead = test::simulation_of(wire, {{5.0, 0.0, 0.25, 0.0, 0.0, 1.0}});
+        bead.advance_to(3.0);
+        return std::vector<double>{disk.sample().velocity(0, 0), disk.surfaces()[1].work,
+                                   bead.sample().velocity(0, 0)};
+    };
+    return study;
+}
+
+/// The mean of exp(-W / T) over points in a box whose wall moves at this velocity; points do not
+/// meet, so that each is a start of its own.
+double jarzynski(double velocity, double from, double to, std::uint64_t seed) {
+    const double time = (to - from) / velocity;
+    Gas gas;
+    gas.seed = seed;
+    gas.box.size = {from, 1.0};
+    gas.box.surfaces.sides[1] = Driven{velocity, time};
+    gas.species = {{.name = "", .count = 200, .radius = 0.0, .velocity = Temperature{1.0}}};
+    Simulation simulation(gas, {});
+    const Eigen::ArrayXd before = kinetic_energies(simulation.particles(), simulation.sample());
+    simulation.advance_to(time);
+    const Eigen::ArrayXd after = kinetic_energies(simulation.particles(), simulation.sample());
+    return (before - after).exp().mean();
+}
+
+Study works() {
+    Study study;
+    study.field = field;
+    study.runs = 40;
+    const char* source =
+        "exact: C. Jarzynski, Phys. Rev. Lett. 78, 2690 (1997); R. C. Lua, A. Y. Grosberg, J. "
+        "Phys. "
+        "Chem. B 109, 6805 (2005): *V*₁/*V*₀ of a point";
+    study.truths = {
+        {"⟨exp(−*W*/*T*)⟩ of a stroke to half the room at wall speed 1", 0.5, 0.0, 0.0, source},
+        {"the same at wall speed 0.2", 0.5, 0.0, 0.0, source},
+        {"⟨exp(−*W*/*T*)⟩ of an expansion to 1.5 times the room at wall speed 1", 1.5, 0.0, 0.0,
+         source}};
+    study.measure = [=](const RunOf& run) {
+        const int groups = std::max(2, static_cast<int>(100 * run.effort));
+        std::vector<double> values(3, 0.0);
+        for (int k = 0; k < groups; ++k) {
+            const std::uint64_t seed = 3000 * run.seed + 3 * static_cast<std::uint64_t>(k);
+            values[0] += jarzynski(-1.0, 4.0, 2.0, seed) / groups;
+            values[1] += jarzynski(-0.2, 4.0, 2.0, seed + 1) / groups;
+            values[2] += jarzynski(1.0, 2.0, 3.0, seed + 2) / groups;
+        }
+        return values;
+    };
+    return study;
+}
+
+}  // namespace
+
+std::vector<Study> pistons() {
+    return {piston_on_a_plane(), piston_on_a_wire(), slow_strokes(), one_hit(), works()};
+}
+
+}  // namespace carom::validation

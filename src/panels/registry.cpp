@@ -271,7 +271,7 @@ std::vector<PanelKind> all_kinds() {
         {.name = "profile",
          .words = Phrase{"profile"},
          .make = make_profile,
-         .abilities = {of, over, component, theory},
+         .abilities = {of, over, component, theory, means, comparison},
          .keys = profile_keys()},
         {.name = "phase",
          .words = Phrase{"phase"},

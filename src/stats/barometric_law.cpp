@@ -85,4 +85,74 @@ double BarometricLaw::share_below(double height) const {
     return std::lerp(below_[k], below_[k + 1], at - double(k));
 }
 
+namespace {
+
+constexpr std::size_t most_kinds = 20;
+
+// The particles by what the law says of them: by mass, and by how far they can fall.
+struct Falling {
+    double energy = 0.0;
+    std::vector<FallingKind> kinds = {};
+    std::vector<std::size_t> kind_of = {};  // of each particle
+};
+
+Falling falling(const Box& box, const Particles& particles, const Sample& start, int axis) {
+    const double gravity = box.surfaces.gravity[axis], size = box.size[axis];
+    Falling all;
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        const double mass = 1.0 / particles.inverse_mass[i], radius = particles.radius[i];
+        const double lowest = gravity < 0.0 ? radius : size - radius;
+        const double height = size - 2.0 * radius;
+        all.energy += mass * (0.5 * start.velocity.row(i).square().sum() -
+                              gravity * (start.position(i, axis) - lowest));
+        auto kind = std::ranges::find_if(all.kinds, [&](const FallingKind& one) {
+            return one.mass == mass && one.height == height;
+        });
+        if (kind == all.kinds.end()) kind = all.kinds.insert(kind, {mass, 0.0, height});
+        kind->count += 1.0;
+        all.kind_of.push_back(static_cast<std::size_t>(kind - all.kinds.begin()));
+    }
+    return all;
+}
+
+// The share of particles of this radius in a slab.
+double share_in(const BarometricLaw& law, const Box& box, int axis, double radius, double low,
+                double high) {
+    const double size = box.size[axis];
+    return box.surfaces.gravity[axis] < 0.0
+               ? law.share_below(high - radius) - law.share_below(low - radius)
+               : law.share_below(size - low - radius) - law.share_below(size - high - radius);
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> barometric_densities(
+    const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
+    const std::vector<std::vector<Eigen::Index>>& groups) {
+    if ((particles.inverse_mass == 0.0).any()) return {};
+    const Falling all = falling(box, particles, start, axis);
+    const bool is_joined = box.dimension == 2 && box.is_periodic(1 - axis);
+    const double freedoms = double(box.dimension) * double(particles.count()) - (is_joined ? 1 : 0);
+    if (!(all.energy > 0.0) || freedoms < 3.0 || all.kinds.size() > most_kinds) return {};
+    const double gravity = std::abs(box.surfaces.gravity[axis]), width = slabs.size[axis];
+    std::vector<std::vector<double>> densities;
+    for (const std::vector<Eigen::Index>& group : groups) {
+        std::vector<double>& its = densities.emplace_back(slabs.all(), 0.0);
+        for (std::size_t kind = 0; kind < all.kinds.size(); ++kind) {
+            double count = 0.0;
+            for (const Eigen::Index i : group)
+                count += all.kind_of[static_cast<std::size_t>(i)] == kind ? 1.0 : 0.0;
+            if (count == 0.0) continue;
+            const BarometricLaw law(freedoms, all.energy, gravity, all.kinds, kind);
+            const double radius = 0.5 * (box.size[axis] - all.kinds[kind].height);
+            for (std::size_t slab = 0; slab < its.size(); ++slab) {
+                const double low = static_cast<double>(slab) * width;
+                its[slab] +=
+                    count * share_in(law, box, axis, radius, low, low + width) / slabs.area();
+            }
+        }
+    }
+    return densities;
+}
+
 }  // namespace carom

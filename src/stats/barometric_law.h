@@ -2,8 +2,14 @@
 // energy: the barometric law, and what remains of it when they are few.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
+
+#include "physics/gas.h"
+#include "physics/particles.h"
+#include "physics/simulation.h"
+#include "stats/cell_averages.h"
 
 namespace carom {
 
@@ -31,5 +37,12 @@ class BarometricLaw {
     double step_;                ///< of heights
     std::vector<double> below_;  ///< the probability to be below each
 };
+
+/// Of each group of particles, in each of the slabs along an axis that gravity acts along, for an
+/// ideal gas with the energy of a sample. Empty where it has none: with infinite masses, fewer than
+/// three degrees of freedom or more than twenty kinds of particles.
+std::vector<std::vector<double>> barometric_densities(
+    const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
+    const std::vector<std::vector<Eigen::Index>>& groups);
 
 }  // namespace carom

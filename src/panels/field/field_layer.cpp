@@ -94,7 +94,7 @@ void CellQuantity::see(const FrameInput& input) {
     if (part_) part_->see(input.sample, input.advanced.collisions);
 }
 
-Eigen::ArrayXd CellQuantity::values(Eigen::Index axis) const {
+Eigen::ArrayXd CellQuantity::values(Eigen::Index axis, double least_particles) const {
     const CellSums sums = all_.sums();
     Eigen::ArrayXd values;
     switch (of_) {
@@ -115,7 +115,7 @@ Eigen::ArrayXd CellQuantity::values(Eigen::Index axis) const {
             break;
     }
     constexpr double rounding = 1e-9;
-    return (sums.mean_particles() >= least_in_cell - rounding)
+    return (sums.mean_particles() >= least_particles - rounding)
         .select(values, std::numeric_limits<double>::quiet_NaN());
 }
 

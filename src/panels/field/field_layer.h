@@ -33,9 +33,9 @@ class CellQuantity {
     /// Every frame in order, with the collisions on the way.
     void see(const FrameInput& input);
 
-    /// Of each cell; of the flow along one axis, which the others ignore. NaN in cells with too few
-    /// particles.
-    Eigen::ArrayXd values(Eigen::Index axis = 0) const;
+    /// Of each cell; of the flow along one axis, which the others ignore. NaN in cells with fewer
+    /// particles on average.
+    Eigen::ArrayXd values(Eigen::Index axis = 0, double least_particles = least_in_cell) const;
 
   private:
     FieldOf of_;

@@ -12,9 +12,9 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/window.h"
 #include "panels/registry.h"
-#include "physics/mechanics.h"
 #include "stats/barometric_law.h"
 #include "stats/histogram.h"
+#include "stats/mean_error.h"
 #include "stats/thinning.h"
 #include "util/text.h"
 
@@ -26,14 +26,64 @@ using plot::Role;
 constexpr int usual_slabs = 20;
 constexpr double share_of_run = 0.1;  // that it is averaged over
 
+using Values = std::vector<Eigen::ArrayXd>;  // of each choice, of each slab; NaN: too few particles
+
 struct ProfileState : PanelState {
-    std::vector<Eigen::ArrayXd> values;  // of each choice, of each slab; NaN: too few particles
+    std::vector<Values> runs;  // one, or those side by side
+    Values errors;             // of a mean
     std::size_t bytes() const override {
-        return values.empty()
-                   ? 0
-                   : values.size() * static_cast<std::size_t>(values[0].size()) * sizeof(double);
+        std::size_t sum = 0;
+        for (const Values& values : runs)
+            for (const Eigen::ArrayXd& slabs : values)
+                sum += static_cast<std::size_t>(slabs.size()) * sizeof(double);
+        return sum;
     }
 };
+
+// What the first pass of a run has shown.
+struct ProfileRun {
+    std::string name = {};  // beside others
+    double length = 1.0;    // of the axis
+    double most = 0.0;
+    std::vector<std::vector<double>> laws = {};  // of each choice in each slab; or none at all
+    void archive(Archive& archive) { archive(name, length, most, laws); }
+};
+
+struct ProfileRecord {
+    std::vector<ProfileRun> runs = {{}};
+    int runs_in_mean = 1;
+    bool compares() const { return runs.size() > 1; }
+    void archive(Archive& archive) { archive(runs, runs_in_mean); }
+};
+
+// A law only where each run has one.
+ProfileRecord mean_of(const std::vector<ProfileRecord>& records) {
+    ProfileRecord mean = records.front();
+    mean.runs_in_mean = static_cast<int>(records.size());
+    ProfileRun& all = mean.runs.front();
+    for (const ProfileRecord& record : records) {
+        all.most = std::max(all.most, record.runs.front().most);
+        if (record.runs.front().laws.size() < all.laws.size()) all.laws.clear();
+    }
+    for (std::size_t k = 0; k < all.laws.size(); ++k)
+        for (std::size_t slab = 0; slab < all.laws[k].size(); ++slab) {
+            std::vector<double> each;
+            for (const ProfileRecord& record : records)
+                each.push_back(record.runs.front().laws[k][slab]);
+            all.laws[k][slab] = mean_error(each).mean;
+        }
+    return mean;
+}
+
+ProfileRecord compare(const std::vector<ProfileRecord>& records,
+                      const std::vector<std::string>& names) {
+    ProfileRecord all{.runs = {}};
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        all.runs.push_back(records[k].runs.front());
+        all.runs.back().name = names[k];
+    }
+    return all;
+}
 
 Over over_of(const PanelContext& context, const PanelSpec& spec) {
     return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
@@ -55,29 +105,41 @@ bool has_law(const Scene& scene, FieldOf quantity, int axis) {
            });
 }
 
-class ProfilePanel : public PlotPanel {
+class ProfilePanel : public RecordPanel<ProfileRecord> {
   public:
     ProfilePanel(const PanelContext& context, const PanelSpec& spec);
 
     void survey(const FrameInput& input) override;
-    void fix_axes() override;
     void archive(Archive& archive) override;
     bool surveys_collisions() const override { return window_of(over_) != 0.0; }
     bool wants_collisions() const override { return surveys_collisions(); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    std::shared_ptr<const PanelState> state_of_runs(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;
 
+  protected:
+    void finish_record() override;
+    void make_axes() override;
+    void take_axes(const RecordPanel& of) override;
+
   private:
-    struct Law {
-        std::vector<double> densities;  // in each slab
-        void archive(Archive& archive) { archive(densities); }
-    };
     bool is_up() const { return axis_ == 1; }
-    void find_laws(const Sample& start);
-    std::vector<double> shares_of(const BarometricLaw& law, double radius) const;
-    plot::Line line_of(std::size_t choice, const Eigen::ArrayXd& values, const char* part) const;
+    // No particles are a density, but have no temperature.
+    Eigen::ArrayXd values_of(const CellQuantity& quantity) const {
+        return quantity.values(axis_, spec_.quantity == FieldOf::density ? 0.0 : least_in_cell);
+    }
+    plot::Line curve(std::size_t run, std::size_t choice, const char* part,
+                     std::vector<double> along, std::vector<double> up) const;
+    plot::Line line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
+                       const char* part) const;
+    plot::Line law_of(std::size_t run, std::size_t choice) const;
+    void add_errors(plot::Plot& plot, plot::Line& line, const Eigen::ArrayXd& values,
+                    const Eigen::ArrayXd& errors) const;
+    std::string account_of(const Eigen::ArrayXd& values, std::size_t choice) const;
+    plot::Stroke stroke_of_law() const;
     std::vector<plot::Text> titles() const;
-    void make_plot();
+    plot::Note note() const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -88,8 +150,6 @@ class ProfilePanel : public PlotPanel {
     std::vector<CellQuantity> surveyed_, shown_;
     std::vector<double> pool_;
     int frames_seen_ = 0;
-    double top_ = 1.0;
-    std::vector<Law> laws_;  // of each choice; none where there is none
     plot::Plot whole_;
 };
 
@@ -111,11 +171,13 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
 
 void ProfilePanel::survey(const FrameInput& input) {
     if (frames_seen_ == 0 && spec_.theory && has_law(context_.scene, spec_.quantity, axis_))
-        find_laws(input.sample);
+        record_.runs.front().laws =
+            barometric_densities(context_.scene.gas.box, context_.particles, input.sample, axis_,
+                                 cells_, carom::members(context_, choices_));
     const auto slabs = static_cast<double>(cells_.all());
     for (CellQuantity& one : surveyed_) {
         one.see(input);
-        const Eigen::ArrayXd values = one.values(axis_);
+        const Eigen::ArrayXd values = values_of(one);
         for_each_kept(values.size(), slabs * static_cast<double>(surveyed_.size()), frames_seen_,
                       context_.frames, [&](Eigen::Index k) {
                           if (!std::isnan(values[k])) pool_.push_back(std::abs(values[k]));
@@ -124,80 +186,24 @@ void ProfilePanel::survey(const FrameInput& input) {
     ++frames_seen_;
 }
 
-// Of choices of equal particles only.
-void ProfilePanel::find_laws(const Sample& start) {
-    const Box& box = context_.scene.gas.box;
-    const Particles& particles = context_.particles;
-    const double gravity = box.surfaces.gravity[axis_], size = box.size[axis_];
-    if ((particles.inverse_mass == 0.0).any()) return;
-    const auto lowest = [&](Eigen::Index i) {
-        return gravity < 0.0 ? particles.radius[i] : size - particles.radius[i];
-    };
-    double energy = 0.0;
-    std::vector<FallingKind> kinds;
-    std::vector<std::size_t> kind_of(static_cast<std::size_t>(particles.count()));
-    for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        const double mass = 1.0 / particles.inverse_mass[i];
-        const double height = size - 2.0 * particles.radius[i];
-        energy += mass * (0.5 * start.velocity.row(i).square().sum() -
-                          gravity * (start.position(i, axis_) - lowest(i)));
-        auto kind = std::ranges::find_if(kinds, [&](const FallingKind& one) {
-            return one.mass == mass && one.height == height;
-        });
-        if (kind == kinds.end()) kind = kinds.insert(kind, {mass, 0.0, height});
-        kind->count += 1.0;
-        kind_of[static_cast<std::size_t>(i)] = static_cast<std::size_t>(kind - kinds.begin());
-    }
-    const bool is_joined = box.dimension == 2 && box.is_periodic(1 - axis_);
-    const double freedoms = double(box.dimension) * double(particles.count()) - (is_joined ? 1 : 0);
-    if (!(energy > 0.0) || freedoms < 3.0 || kinds.size() > 20) return;
-    for (std::size_t k = 0; k < choices_.size(); ++k) {
-        Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(cells_.all());
-        std::vector<double> counts(kinds.size());
-        std::vector<double> radii(kinds.size());
-        for (const Eigen::Index i : carom::members(context_, choices_[k])) {
-            counts[kind_of[static_cast<std::size_t>(i)]] += 1.0;
-            radii[kind_of[static_cast<std::size_t>(i)]] = particles.radius[i];
-        }
-        for (std::size_t its = 0; its < kinds.size(); ++its) {
-            if (counts[its] == 0.0) continue;
-            const BarometricLaw law(freedoms, energy, std::abs(gravity), kinds, its);
-            const std::vector<double> shares = shares_of(law, radii[its]);
-            for (Eigen::Index slab = 0; slab < sum.size(); ++slab)
-                sum[slab] += counts[its] * shares[static_cast<std::size_t>(slab)];
-        }
-        laws_.push_back({{}});
-        for (const double density : sum) laws_.back().densities.push_back(density / cells_.area());
-    }
-}
-
-// The share of its particles in each slab.
-std::vector<double> ProfilePanel::shares_of(const BarometricLaw& law, double radius) const {
-    const bool is_down = context_.scene.gas.box.surfaces.gravity[axis_] < 0.0;
-    const double size = context_.scene.gas.box.size[axis_], width = cells_.size[axis_];
-    std::vector<double> shares;
-    for (Eigen::Index slab = 0; slab < cells_.all(); ++slab) {
-        const double low = static_cast<double>(slab) * width, high = low + width;
-        shares.push_back(is_down ? law.share_below(high - radius) - law.share_below(low - radius)
-                                 : law.share_below(size - low - radius) -
-                                       law.share_below(size - high - radius));
-    }
-    return shares;
-}
-
-void ProfilePanel::fix_axes() {
-    for (const Law& law : laws_)
-        pool_.insert(pool_.end(), law.densities.begin(), law.densities.end());
-    const double most = pool_.empty() ? 0.0 : quantile(pool_, 0.999);
-    top_ = most > 0.0 ? round_up_for_axis(1.02 * most) : 1.0;
+void ProfilePanel::finish_record() {
+    ProfileRun& run = record_.runs.front();
+    run.length = cells_.box[axis_];
+    for (const std::vector<double>& law : run.laws)
+        pool_.insert(pool_.end(), law.begin(), law.end());
+    run.most = pool_.empty() ? 0.0 : quantile(pool_, 0.999);
     pool_ = {};
     surveyed_ = {};
-    make_plot();
+}
+
+void ProfilePanel::take_axes(const RecordPanel& of) {
+    record_ = of.record();
+    make_axes();
 }
 
 void ProfilePanel::archive(Archive& archive) {
-    archive(top_, laws_);
-    if (archive.is_reading()) make_plot();
+    archive(record_);
+    if (archive.is_reading()) make_axes();
 }
 
 std::vector<plot::Text> ProfilePanel::titles() const {
@@ -212,10 +218,22 @@ std::vector<plot::Text> ProfilePanel::titles() const {
     return {name + ": " + names, names};
 }
 
+plot::Line ProfilePanel::curve(std::size_t run, std::size_t choice, const char* part,
+                               std::vector<double> along, std::vector<double> up) const {
+    plot::Line line;
+    line.part = part;
+    line.of = column_name_of(context_.scene, choices_[choice]);
+    if (record_.compares()) line.run = run;
+    line.x = plot::column(whole_.columns[1], is_up() ? up : along);
+    line.y = plot::column(whole_.columns[2], is_up() ? along : up);
+    line.is_thinned = false;
+    return line;
+}
+
 // A level in each slab; broken where there is none.
-plot::Line ProfilePanel::line_of(std::size_t choice, const Eigen::ArrayXd& values,
+plot::Line ProfilePanel::line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
                                  const char* part) const {
-    const double width = cells_.size[axis_];
+    const double width = record_.runs[run].length / static_cast<double>(values.size());
     std::vector<double> along, up;
     std::vector<int> piece;
     int pieces = 0;
@@ -230,28 +248,65 @@ plot::Line ProfilePanel::line_of(std::size_t choice, const Eigen::ArrayXd& value
             piece.push_back(pieces);
         }
     }
-    plot::Line line;
-    line.part = part;
-    line.of = column_name_of(context_.scene, choices_[choice]);
-    line.x = plot::column(whole_.columns[1], is_up() ? up : along);
-    line.y = plot::column(whole_.columns[2], is_up() ? along : up);
+    plot::Line line = curve(run, choice, part, std::move(along), std::move(up));
     line.piece = std::make_shared<const std::vector<int>>(std::move(piece));
     line.piece_column = whole_.columns[0];
-    line.is_thinned = false;
     return line;
 }
 
-void ProfilePanel::make_plot() {
+// Thin beside others, each of which has the line of its run.
+plot::Stroke ProfilePanel::stroke_of_law() const {
+    if (record_.compares()) return {.role = {.of = Role::Of::muted}, .width = 0.07};
+    if (choices_.size() == 1) return {.role = {.of = Role::Of::accent}};
+    return {.role = {.of = Role::Of::muted}, .dashes = {0.5}};
+}
+
+// Through the middles of the slabs.
+plot::Line ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
+    const std::vector<double>& densities = record_.runs[run].laws[choice];
+    const double width = record_.runs[run].length / static_cast<double>(densities.size());
+    std::vector<double> along;
+    for (std::size_t slab = 0; slab < densities.size(); ++slab)
+        along.push_back((static_cast<double>(slab) + 0.5) * width);
+    plot::Line law = curve(run, choice, "law", std::move(along), densities);
+    law.still = true;
+    law.depth = 1;
+    law.stroke = stroke_of_law();
+    if (record_.compares())
+        law.stroke.role = plot::stroke_of_run(run).role;
+    else if (choices_.size() > 1)
+        law.stroke.role = role_among(context_, choices_, choice);
+    return law;
+}
+
+plot::Note ProfilePanel::note() const {
+    const Language language = context_.language();
+    plot::Note note{.wraps = true};
+    note.entries.push_back(
+        {.words = {plot::Text(words_of_window(language, over_, Phrase{"now"}))}});
+    if (std::ranges::any_of(record_.runs, [](const ProfileRun& run) { return !run.laws.empty(); }))
+        note.entries.push_back({.sample = stroke_of_law(), .words = {say(language, "ideal gas")}});
+    if (record_.runs_in_mean > 1)
+        note.entries.push_back(
+            {.words = {plot::Text(counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
+                                          Phrase{"mean of {} runs"}))}});
+    return note;
+}
+
+void ProfilePanel::make_axes() {
     const Scene& scene = context_.scene;
     const Language language = context_.language();
     const std::string quantity = name_of_quantity(Language::english, scene, spec_.quantity, {});
     const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
-    const double low = spec_.quantity == FieldOf::flow ? -top_ : 0.0;
-    plot::Axis places{.title = scene.gas.box.dimension == 1 ? say(language, "position") : place,
-                      .low = 0.0,
-                      .high = cells_.box[axis_]};
+    const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
+    const double top = most > 0.0 ? round_up_for_axis(1.02 * most) : 1.0;
+    const double low = spec_.quantity == FieldOf::flow ? -top : 0.0;
+    plot::Axis places{
+        .title = scene.gas.box.dimension == 1 ? say(language, "position") : place,
+        .low = 0.0,
+        .high = std::ranges::max_element(record_.runs, {}, &ProfileRun::length)->length};
     plot::Axis values{
-        .title = name_of_quantity(language, scene, spec_.quantity, {}), .low = low, .high = top_};
+        .title = name_of_quantity(language, scene, spec_.quantity, {}), .low = low, .high = top};
     const std::string of_place = column_name(place, reduced::length);
     const std::string of_value = column_name(quantity, unit_of_quantity(scene, spec_.quantity));
     whole_ = {.titles = titles(),
@@ -259,71 +314,114 @@ void ProfilePanel::make_plot() {
               .y = is_up() ? places : values,
               .columns = {"piece (number)", is_up() ? of_value : of_place,
                           is_up() ? of_place : of_value}};
+    if (record_.runs_in_mean > 1) whole_.columns.push_back("standard error of " + of_value);
     whole_.language = language;
-    const bool is_one = choices_.size() == 1;
-    const plot::Stroke of_law{.role = {.of = is_one ? Role::Of::accent : Role::Of::muted},
-                              .dashes = is_one ? std::vector<double>{} : std::vector{0.5}};
-    plot::Note note{.wraps = true};
-    note.entries.push_back(
-        {.words = {plot::Text(words_of_window(language, over_, Phrase{"now"}))}});
-    if (!laws_.empty())
-        note.entries.push_back({.sample = of_law, .words = {say(language, "ideal gas")}});
-    whole_.notes.push_back(std::move(note));
-    for (std::size_t k = 0; k < laws_.size(); ++k) {
-        plot::Line law = line_of(
-            k, Eigen::Map<const Eigen::ArrayXd>(laws_[k].densities.data(), cells_.all()), "law");
-        // Through the middles of the slabs.
-        std::vector<double> along, up;
-        for (Eigen::Index slab = 0; slab < cells_.all(); ++slab) {
-            along.push_back((static_cast<double>(slab) + 0.5) * cells_.size[axis_]);
-            up.push_back(laws_[k].densities[static_cast<std::size_t>(slab)]);
-        }
-        law.x = plot::column(whole_.columns[1], is_up() ? up : along);
-        law.y = plot::column(whole_.columns[2], is_up() ? along : up);
-        law.piece = nullptr;
-        law.still = true;
-        law.depth = 1;
-        const Role own = role_among(context_, choices_, k);
-        law.stroke = of_law;
-        if (!is_one) law.stroke.role = own;
-        whole_.layers.emplace_back(std::move(law));
-    }
+    std::vector<std::string> names;
+    for (const ProfileRun& run : record_.runs) names.push_back(run.name);
+    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    whole_.notes.push_back(note());
+    for (std::size_t run = 0; run < record_.runs.size(); ++run)
+        for (std::size_t k = 0; k < record_.runs[run].laws.size(); ++k)
+            whole_.layers.emplace_back(law_of(run, k));
 }
 
 std::shared_ptr<const PanelState> ProfilePanel::state(const FrameInput& input) {
     auto state = std::make_shared<ProfileState>();
+    state->runs.emplace_back();
     for (CellQuantity& one : shown_) {
         one.see(input);
-        state->values.push_back(one.values(axis_));
+        state->runs.front().push_back(values_of(one));
     }
     return state;
+}
+
+std::shared_ptr<const PanelState> ProfilePanel::state_of_runs(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    std::vector<Values> all;
+    for (const auto& state : states)
+        all.push_back(dynamic_cast<const ProfileState&>(*state).runs.front());
+    auto both = std::make_shared<ProfileState>();
+    if (record_.compares()) {
+        both->runs = std::move(all);
+        return both;
+    }
+    both->runs = {all.front()};
+    both->errors = all.front();
+    for (std::size_t choice = 0; choice < choices_.size(); ++choice)
+        for (Eigen::Index slab = 0; slab < cells_.all(); ++slab) {
+            std::vector<double> each;
+            for (const Values& values : all) each.push_back(values[choice][slab]);
+            const MeanError mean = mean_error(each);
+            both->runs.front()[choice][slab] = mean.mean;
+            both->errors[choice][slab] = mean.error;
+        }
+    return both;
+}
+
+// Thin lines at a standard error on both sides.
+void ProfilePanel::add_errors(plot::Plot& plot, plot::Line& line, const Eigen::ArrayXd& values,
+                              const Eigen::ArrayXd& errors) const {
+    std::vector<double> known;
+    for (Eigen::Index slab = 0; slab < values.size(); ++slab)
+        if (!std::isnan(values[slab])) known.insert(known.end(), 2, errors[slab]);
+    for (const double side : {-1.0, 1.0}) {
+        plot::Line bound = line;
+        bound.part = side < 0.0 ? "less error" : "plus error";
+        bound.stroke.width = 0.06;
+        bound.stroke.dashes = {};
+        std::vector<double> at;
+        for (std::size_t k = 0; k < known.size(); ++k)
+            at.push_back((is_up() ? line.x[k] : line.y[k]) +
+                         (std::isfinite(known[k]) ? side * known[k] : 0.0));
+        if (is_up())
+            bound.x = plot::column(whole_.columns[1], std::move(at));
+        else
+            bound.y = plot::column(whole_.columns[2], std::move(at));
+        plot.layers.emplace_back(std::move(bound));
+    }
+    line.more = {plot::column(whole_.columns[3], std::move(known))};
+}
+
+// "between 0.02 and 0.11", of all particles or of some.
+std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t choice) const {
+    const Language language = context_.language();
+    const auto known = !values.isNaN();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const std::string low = three_digits(language, known.select(values, infinite).minCoeff());
+    const std::string high = three_digits(language, known.select(values, -infinite).maxCoeff());
+    if (record_.compares())
+        return known.any() ? say(language, "between {} and {}", low, high)
+                           : say(language, "unknown");
+    if (!known.any()) return "";
+    return say(language, "{} of {} along {}, {}: between {} and {}.",
+               name_of_quantity(language, context_.scene, spec_.quantity, {}),
+               name_of(context_.scene, choices_[choice]), is_up() ? "y" : "x",
+               words_of_window(language, over_, Phrase{"now"}), low, high);
 }
 
 plot::Plot ProfilePanel::plot(const PanelState* state) const {
     plot::Plot now = whole_;
     if (state == nullptr) return now;
     const auto& shown = static_cast<const ProfileState&>(*state);
-    for (std::size_t k = 0; k < shown.values.size(); ++k) {
-        plot::Line line = line_of(k, shown.values[k], "profile");
-        line.stroke = {.role = role_among(context_, choices_, k),
-                       .width = 0.22,
-                       .print_dashes = plot::dashes_in_print(k, choices_.size()),
-                       .shade = plot::Shade::legible};
-        now.layers.emplace_back(std::move(line));
-        const auto known = !shown.values[k].isNaN();
-        if (!known.any()) continue;
-        constexpr double infinite = std::numeric_limits<double>::infinity();
-        if (!now.account.empty()) now.account += " ";
-        const Language language = context_.language();
-        const std::string axis = is_up() ? "y" : "x";
-        now.account +=
-            say(language, "{} of {} along {}, {}: between {} and {}.",
-                name_of_quantity(language, context_.scene, spec_.quantity, {}),
-                name_of(context_.scene, choices_[k]), axis,
-                words_of_window(language, over_, Phrase{"now"}),
-                three_digits(language, known.select(shown.values[k], infinite).minCoeff()),
-                three_digits(language, known.select(shown.values[k], -infinite).maxCoeff()));
-    }
+    for (std::size_t run = 0; run < shown.runs.size(); ++run)
+        for (std::size_t k = 0; k < shown.runs[run].size(); ++k) {
+            const Eigen::ArrayXd& values = shown.runs[run][k];
+            plot::Line line = line_of(run, k, values, "profile");
+            line.stroke =
+                record_.compares()
+                    ? plot::stroke_of_run(run, 0.22)
+                    : plot::Stroke{.role = role_among(context_, choices_, k),
+                                   .width = 0.22,
+                                   .print_dashes = plot::dashes_in_print(k, choices_.size()),
+                                   .shade = plot::Shade::legible};
+            if (!shown.errors.empty()) add_errors(now, line, values, shown.errors[k]);
+            now.layers.emplace_back(std::move(line));
+            const std::string words = account_of(values, k);
+            if (record_.compares())
+                now.accounts_of_runs.push_back(words);
+            else if (!words.empty())
+                now.account += (now.account.empty() ? "" : " ") + capitalised(words);
+        }
     return now;
 }
 

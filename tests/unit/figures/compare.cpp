@@ -175,6 +175,40 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
         CHECK(draw_figure(together, figure, format, {"t", "d"}).file().size() > 1000);
 }
 
+// A column of gas, one twice as hot, and one in a box half as high again.
+TEST_CASE("profiles of runs side by side are those of each, with its law and its height") {
+    const auto scene = [](const std::string& compare, const Overrides& overrides = {}) {
+        return test::scene_from(
+            "title: A gas\nseed: 5\nbox: {size: [20, 40]}\ngravity: [0, -0.05]\n"
+            "gas: [{count: 60, radius: 0.1, temperature: {exact: 1}}]\nrun: {until: 6}\n"
+            "film: {seconds: 2}\nfigures:\n  - {name: a, kind: profile, component: y, cells: 5" +
+                compare + "}\n",
+            overrides);
+    };
+    const FigureRun together =
+        run_of(scene(", compare: [{label: one}, {label: hot, set: gas.0.temperature.exact=2}, "
+                     "{label: high, set: \"box.size=[20, 60]\"}]"));
+    const Table table = table_of(together.figures()[0]);
+    std::size_t k = 0;
+    for (const auto& [label, set, height] : {std::tuple{"one", "seed=5", 40.0},
+                                             {"hot", "gas.0.temperature.exact=2", 40.0},
+                                             {"high", "box.size=[20, 60]", 60.0}}) {
+        CAPTURE(label);
+        const FigureRun alone = run_of(scene("", {set}));
+        const std::vector<std::vector<Cell>> its = rows_of(table, label);
+        CHECK(its == table_of(alone.figures()[0]).rows);
+        double top = 0.0, sum = 0.0;
+        for (const std::vector<Cell>& row : its) {
+            if (std::get<std::string>(row[0]) != "profile") continue;
+            top = std::max(top, number(row[4]));
+            sum += 0.5 * number(row[3]) * 20.0 * height / 5.0;  // each slab has two ends
+        }
+        CHECK(top == doctest::Approx(height));
+        CHECK(sum == doctest::Approx(60.0));
+        CHECK(together.figures()[0].sides[k++].account.starts_with("between "));
+    }
+}
+
 TEST_CASE("all runs find room on the axes") {
     // The second gas is four times as fast: an axis for the first alone would end far below it.
     const std::string fast =
@@ -290,8 +324,8 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
           "`position-histogram`, `temperature`, `entropy`, `pressure`, `piston`, `sides`, "
           "`energy-account`, `mean-squared-displacement`, `velocity-autocorrelation`, "
-          "`pair-correlation`, `free-path`, `free-time`, `orientational-order` or "
-          "`return-distance`");
+          "`pair-correlation`, `free-path`, `free-time`, `orientational-order`, "
+          "`return-distance` or `profile`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
               .find("`compare` and `seeds` cannot be combined") != std::string::npos);
     CHECK(

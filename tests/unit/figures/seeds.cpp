@@ -178,3 +178,35 @@ TEST_CASE("a test of several runs counts all their particles") {
     CHECK(test.classes >= 6);  // of 160 values; a run of 20 has two or three
     CHECK(test.p > 1e-4);
 }
+
+// 100 particles in slabs 5 wide and 40 high.
+TEST_CASE("a profile of several seeds is the mean of theirs, with its errors") {
+    const std::string profile = "  - {name: a, kind: profile, cells: 4, over: [1, 3]";
+    const auto column = [](const FigureRun& run, std::size_t index, const std::string& part) {
+        std::vector<double> values;
+        for (const std::vector<Cell>& row : table_of(run.figures()[0]).rows)
+            if (std::get<std::string>(row[0]) == part)
+                values.push_back(std::get<double>(row[index]));
+        return values;
+    };
+    const FigureRun together = run_of(scene_of(profile + ", seeds: 4}\n"));
+    const Table table = table_of(together.figures()[0]);
+    CHECK(table.columns.back() == "standard error of density (1/length^2)");
+    const std::vector<double> means = column(together, 4, "profile"),
+                              errors = column(together, 5, "profile"),
+                              plus = column(together, 4, "plus error");
+    REQUIRE(means.size() == 8);  // the ends of four slabs
+    Scene scene = scene_of(profile + "}\n");
+    std::vector<std::vector<double>> each;
+    for (std::uint64_t seed = 5; seed < 9; ++seed) {
+        scene.seed = scene.gas.seed = seed;
+        each.push_back(column(run_of(scene), 4, "profile"));
+    }
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        const MeanError expected = mean_error({each[0][i], each[1][i], each[2][i], each[3][i]});
+        CHECK(means[i] == doctest::Approx(expected.mean));
+        CHECK(errors[i] == doctest::Approx(expected.error));
+        CHECK(plus[i] == doctest::Approx(expected.mean + expected.error));
+        CHECK(expected.error > 0.0);
+    }
+}

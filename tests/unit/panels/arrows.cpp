@@ -202,3 +202,31 @@ TEST_CASE("a bead that has gone round a ring has its arrow still") {
     CHECK(start > 500);
     CHECK(std::abs(end - start) < 50);
 }
+
+// All as long and nowhere over one another: 80 arrows, then one of every two and of every three.
+TEST_CASE("of many disks some have arrows, evenly chosen, and the key says how many") {
+    const auto many = [](int count) {
+        const std::string gas = "{count: " + std::to_string(count) +
+                                ", radius: 0.1, color: teal, position: lattice, velocity: [0.5, "
+                                "0]}";
+        const Shot film(gas, "velocities: 2, theme: dark");
+        return film.ink().pixels;
+    };
+    const int one = many(1);
+    REQUIRE(one > 20);
+    const auto arrows = [&](int count) { return static_cast<double>(many(count)) / one; };
+    CHECK(arrows(80) == doctest::Approx(80).epsilon(0.1));
+    CHECK(arrows(81) == doctest::Approx(41).epsilon(0.1));
+    CHECK(arrows(160) == doctest::Approx(80).epsilon(0.1));
+    CHECK(arrows(161) == doctest::Approx(54).epsilon(0.1));
+    const auto says_some = [](int count) {
+        const TextLog log;
+        const Shot film("{count: " + std::to_string(count) +
+                            ", radius: 0.1, position: lattice, velocity: [0.5, 0]}",
+                        "velocities: 2, theme: dark");
+        return std::ranges::any_of(
+            log.lines, [](const DrawnLine& line) { return line.markup == "of 1 in 3"; });
+    };
+    CHECK(says_some(161));
+    CHECK_FALSE(says_some(80));
+}

@@ -9,6 +9,7 @@
 
 #include "panels/frame.h"
 #include "panels/layout.h"
+#include "panels/plot/plot_panel.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 
@@ -100,4 +101,34 @@ TEST_CASE("in print the paths of two are whole lines") {
         }
     }
     CHECK(longest > 0.2 * plot.width);
+}
+
+// A bead that comes back to every state many times, for 400 frames: five strokes of one path.
+TEST_CASE("a path in phase space is faint, and its last 300 frames the stronger the later") {
+    const test::Shot film(test::scene_from(
+        "title: T\nbox: {length: 10}\ngas: [{position: [1], velocity: [2]}]\nrun: {until: 80}\n"
+        "film: {seconds: 8, fps: 50, panels: [{kind: phase, of: [0]}]}\n"));
+    const auto& panel = dynamic_cast<const PlotPanel&>(*film.panels->panels().back().panel);
+    const auto strokes = [&](std::size_t frame) {
+        std::vector<plot::Line> lines;
+        for (const plot::AnyLayer& layer :
+             panel.plot(film.frames.at(frame).states.back().get()).layers)
+            if (const auto* line = std::get_if<plot::Line>(&layer); line && !line->of.empty())
+                lines.push_back(*line);
+        return lines;
+    };
+    const std::size_t last = film.frames.size() - 1;
+    const std::vector<plot::Line> lines = strokes(last);
+    REQUIRE(lines.size() == 5);
+    CHECK(lines[0].part == "path");
+    CHECK(lines[0].shown.first == 0);
+    CHECK(lines[0].stroke.fade == 0.8);
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+        CHECK(lines[k].part.empty());  // in the table once
+        CHECK(lines[k].stroke.fade == doctest::Approx(0.8 - 0.2 * static_cast<double>(k)));
+        // The path as it was so many frames ago is all that it leaves out.
+        CHECK(lines[k].shown.first == strokes(last - 75 * (5 - k))[0].shown.end);
+        CHECK(lines[k].shown.end == lines[0].shown.end);
+    }
+    for (const plot::Line& line : strokes(40)) CHECK(line.shown.first == 0);
 }

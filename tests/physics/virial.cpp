@@ -8,6 +8,7 @@
 
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
+#include "physics/theory/equation_of_state.h"
 #include "stats/pressure.h"
 #include "support/bodies.h"
 #include "support/relative.h"
@@ -114,35 +115,16 @@ TEST_CASE("both pressures of a long run agree, whatever the radii and the sides 
     CHECK(by_virial == relative(by_walls, 0.015));
 }
 
-TEST_CASE("the virial gives Henderson's equation of state") {
-    Gas gas;
-    const double packing = 0.2;
-    const double side = std::sqrt(400.0 * std::numbers::pi * 0.25 / packing);
-    gas.box.size = {side, side};
-    gas.box.walls = {Wall::periodic, Wall::periodic};
-    gas.species = {{.name = "", .count = 400, .velocity = Temperature{1.5}}};
-    Run run;
-    run.equilibrate = 20.0;
-    Simulation simulation(gas, run);
-    constexpr double time = 600.0;
-    const ImpulseTotals impulses = simulation.advance_to(time).impulses;
-    const double energy =
-        thermal_motion(gas.box, simulation.particles(), simulation.sample()).energy;
-    const double pressure =
-        *virial_pressure(gas.box, simulation.particles(), energy, impulses, time);
-    // Henderson 1975: within 0.1 % at this packing
-    const double z = (1.0 + packing * packing / 8.0) / ((1.0 - packing) * (1.0 - packing));
-    // 1/N = 0.25 % from the conserved momentum, 0.2 % of 1e5 collisions
-    CHECK(pressure * side * side / energy == relative(z, 0.006));
-}
-
 TEST_CASE("beads on a line press on its ends with 2E / (L - N a)") {
     Simulation simulation = sixteen_beads(0.3);
     constexpr double time = 20000.0;
     const ImpulseTotals impulses = simulation.advance_to(time).impulses;
-    const double energy =
-        thermal_motion(simulation.box(), simulation.particles(), simulation.sample()).energy;
+    const ThermalMotion thermal =
+        thermal_motion(simulation.box(), simulation.particles(), simulation.sample());
+    const double energy = thermal.energy;
     const double exact = 2.0 * energy / (20.0 - 16 * 0.6);
+    CHECK(*pressure_of_rods(simulation.box(), simulation.particles(), thermal) ==
+          relative(exact, 1e-14));
     // 4e4 hits of each wall
     CHECK(*wall_pressure(simulation.box(), impulses, time) == relative(exact, 0.02));
     CHECK(*virial_pressure(simulation.box(), simulation.particles(), energy, impulses, time) ==

@@ -1,5 +1,7 @@
 #include "panels/correlations/curve_panel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,6 +100,10 @@ std::size_t CurveState::bytes() const {
     for (const CurveValues& run : runs)
         for (const std::vector<double>& curve : run.curves) sum += curve.size() * sizeof(double);
     return 2 * sum;  // with the readouts
+}
+
+std::string percent_per(Language language, double width) {
+    return say(language, "% per {}", localised(language, fmt::format("{:.3g}", width)));
 }
 
 CurvePanel::CurvePanel(const PanelContext& context, CurveSubject subject)

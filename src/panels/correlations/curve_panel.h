@@ -14,6 +14,9 @@
 
 namespace carom {
 
+/// The title of the axis up of shares in bins of this width: "% per 0.5".
+std::string percent_per(Language language, double width);
+
 /// The room that a number takes in a note while it changes.
 inline const std::string longest_number = "\u22120.0000";
 

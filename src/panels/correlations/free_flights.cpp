@@ -2,8 +2,6 @@
 // of flights in each bin, with the exponential law that a flight without memory would have.
 #include "stats/paths/free_flights.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -237,9 +235,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
     subject.unit_along = is_path ? reduced::length : reduced::time;
     subject.up = Phrase{"share"};
     subject.unit_up = "per cent";
-    subject.height = [language](double width) {
-        return say(language, "% per {}", localised(language, fmt::format("{:.3g}", width)));
-    };
+    subject.height = [language](double width) { return percent_per(language, width); };
     subject.logarithmic = spec.logarithmic;
     subject.account = [language, context, chosen, is_path](const CurveValues& values,
                                                            std::size_t line) -> std::string {

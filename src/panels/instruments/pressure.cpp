@@ -15,6 +15,7 @@
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "physics/theory/equation_of_state.h"
 
 namespace carom {
 namespace {
@@ -40,23 +41,25 @@ class Gauge {
         if (!(to.time > from.time)) return {nan_, nan_};
         const ImpulseTotals change = from.since(to.impulses);
         const double time = to.time - from.time;
-        const double thermal = thermal_motion(box, context_.particles, o.sample).energy;
+        const ThermalMotion motion = thermal_motion(box, context_.particles, o.sample);
+        const double thermal = motion.energy;
         const bool pushed = !plain || infinite_mass_moves(context_.particles, o.sample);
-        *of_points_ = pushed ? nan_ : pressure_of_points(box, thermal);
+        *thermal_ = pushed ? std::nullopt : std::optional(motion);
         const auto virial = virial_pressure(box, context_.particles, thermal, change, time);
         return {wall_pressure(box, change, time).value_or(nan_),
                 pushed ? nan_ : virial.value_or(nan_)};
     }
 
-    // Of an ideal gas with the energy of this one; NaN where that is not kept or not known yet.
-    std::shared_ptr<const double> of_points() const { return of_points_; }
+    // The last; none where the gas does not keep its energy, or it is not known yet.
+    std::shared_ptr<const std::optional<ThermalMotion>> thermal() const { return thermal_; }
 
   private:
     static constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
     PanelContext context_;
     Trailing<PressureStart> accounts_;  ///< what has been received by a time
     PressureWatch watch_;
-    std::shared_ptr<double> of_points_ = std::make_shared<double>(nan_);
+    std::shared_ptr<std::optional<ThermalMotion>> thermal_ =
+        std::make_shared<std::optional<ThermalMotion>>();
 };
 
 // A gas that is parted has no one pressure before the last partition opens.
@@ -65,6 +68,30 @@ std::string time_words(Language language, const Over& over, const Box& box) {
     return over.since == Over::Since::start && is_parted
                ? say(language, "mean since the last partition opened")
                : words_of_window(language, over, Phrase{"from frame to frame"});
+}
+
+// Of an ideal gas with the energy of this one, and of hard disks or rods.
+ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalMotion>& thermal) {
+    if (!thermal) return {};
+    const Box& box = context.scene.gas.box;
+    const Particles& particles = context.particles;
+    ReferenceLevels all{ReferenceLevel{"ideal gas", pressure_of_points(box, thermal->energy)}};
+    const bool is_filled = (particles.radius > 0.0).any() && box.surfaces.obstacles.empty();
+    if (!is_filled) return all;
+    if (const auto rods = pressure_of_rods(box, particles, *thermal))
+        all.push_back(ReferenceLevel{"hard rods", *rods});
+    const auto henderson = pressure_of_disks(EquationOfState::henderson, box, particles, *thermal);
+    const auto better =
+        pressure_of_disks(EquationOfState::kolafa_rottner, box, particles, *thermal);
+    if (!henderson || !better) return all;
+    constexpr double alike = 0.01;  // of a pressure: one line in a plot
+    if (std::abs(*henderson / *better - 1.0) < alike) {
+        all.push_back(ReferenceLevel{"hard disks", *better});
+    } else {
+        all.push_back(ReferenceLevel{"Henderson", *henderson});
+        all.push_back(ReferenceLevel{"Kolafa–Rottner", *better});
+    }
+    return all;
 }
 
 // On the walls in the bars' colour, by the virial in the one of what should be looked at.
@@ -99,10 +126,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .titles = titles(language, walls),
         .names = {say(language, "on the walls"), say(language, "from collisions")},
         .notes = {time_words(language, over, box)},
-        .reference = [of_points = gauge.of_points()]() -> std::optional<ReferenceLevel> {
-            if (!std::isfinite(*of_points)) return std::nullopt;
-            return ReferenceLevel{"ideal gas", *of_points};
-        },
+        .references = [context, thermal = gauge.thermal()] { return levels(context, *thermal); },
         .quantity = Phrase{"pressure"},
         .unit = unit_of_pressure(box),
         .compared = 1,

@@ -2,21 +2,53 @@
 // isotherm and the adiabat of an ideal gas from its start.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "panels/chosen.h"
+#include "draw/axis.h"
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/surface_pressure.h"
-#include "panels/plots/points_panel.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "stats/histogram.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr double share_of_run = 0.05;  // that pressures are taken over
+constexpr double share_of_run = 0.05;       // that pressures are taken over
+constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
 const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes = {0.5, 0.3}};
+
+// The path of a run, and where an ideal gas would begin it.
+struct PressureVolumeRun {
+    std::string name = {};                         // beside others
+    std::vector<double> area = {}, pressure = {};  // of each frame; NaN: none
+    double work = 0.0;                             // the particles times the temperature
+    double start = 0.0;                            // the area
+    void archive(Archive& archive) { archive(name, area, pressure, work, start); }
+    bool begins_as(const PressureVolumeRun& other) const {
+        return work == other.work && start == other.start;
+    }
+};
+
+struct PressureVolumeRecord {
+    std::vector<PressureVolumeRun> runs = {{}};
+    bool compares() const { return runs.size() > 1; }
+    void archive(Archive& archive) { archive(runs); }
+};
+
+PressureVolumeRecord compare(std::vector<PressureVolumeRecord> records,
+                             const std::vector<std::string>& names) {
+    PressureVolumeRecord all{.runs = {}};
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        all.runs.push_back(std::move(records[k].runs.front()));
+        all.runs.back().name = names[k];
+    }
+    return all;
+}
 
 plot::Line curve(const plot::Plot& plot, const char* name, const plot::Stroke& stroke,
                  const std::function<double(double)>& pressure) {
@@ -33,80 +65,151 @@ plot::Line curve(const plot::Plot& plot, const char* name, const plot::Stroke& s
     line.of = name;
     line.still = true;
     line.depth = 2;
-    line.x = plot::column(plot.columns[1], std::move(across));
-    line.y = plot::column(plot.columns[2], std::move(up));
+    line.x = plot::column(plot.columns[0], std::move(across));
+    line.y = plot::column(plot.columns[1], std::move(up));
     line.stroke = stroke;
     line.beyond = plot::Beyond::cut;
     return line;
 }
 
-// `found`: the number of particles times the temperature, and the area, at the start.
-void add_curves(const PointsSubject& subject, int dimension, plot::Plot& plot) {
-    if (subject.found.empty()) return;
-    const double work = subject.found[0], area = subject.found[1];
-    const double exponent = (dimension + 2.0) / dimension;
-    const Language language = subject.language;
-    plot.layers.emplace_back(
-        curve(plot, "isotherm", of_isotherm, [=](double its) { return work / its; }));
-    plot.layers.emplace_back(curve(plot, "adiabat", of_adiabat, [=](double its) {
+class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
+  public:
+    PressureVolumePanel(const PanelContext& context, const PanelSpec& spec)
+        : context_(context),
+          spec_(spec),
+          meter_(context.scene.gas.box, {spec.surfaces.front()},
+                 spec.over.value_or(
+                     Over{Over::Since::window, share_of_run * context.scene.run.until})) {}
+
+    void survey(const FrameInput& input) override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    plot::Plot plot(const PanelState* state) const override;
+    void archive(Archive& archive) override;
+
+  private:
+    const Box& box() const { return context_.scene.gas.box; }
+    void make_axes() override;
+    void add_curves();
+    plot::Line path_of(std::size_t run) const;
+
+    PanelContext context_;
+    PanelSpec spec_;
+    SurfacePressures meter_;
+    std::size_t seen_ = 0;
+    plot::Plot whole_;
+};
+
+void PressureVolumePanel::survey(const FrameInput& input) {
+    PressureVolumeRun& run = record_.runs.front();
+    const double area = enclosed_area(box(), input.advanced.surfaces);
+    if (run.area.empty()) {
+        const auto finite = static_cast<double>((context_.particles.inverse_mass > 0.0).count());
+        run.work = finite * thermal_motion(box(), context_.particles, input.sample).temperature();
+        run.start = area;
+    }
+    run.area.push_back(area);
+    run.pressure.push_back(meter_(input.tick.time, input.advanced).front());
+}
+
+std::shared_ptr<const PanelState> PressureVolumePanel::state(const FrameInput&) {
+    auto state = std::make_shared<ShownState>();
+    state->shown = {++seen_};
+    return state;
+}
+
+void PressureVolumePanel::archive(Archive& archive) {
+    archive(record_);
+    if (archive.is_reading()) make_axes();
+}
+
+void PressureVolumePanel::make_axes() {
+    const Language language = context_.language();
+    const bool is_line = box().dimension == 1;
+    const Phrase area = is_line ? Phrase{"length"} : Phrase{"area"};
+    whole_ = {};
+    whole_.language = language;
+    whole_.titles = {spec_.title ? escape_markup(*spec_.title)
+                                 : say(language, is_line ? Phrase{"Pressure and length"}
+                                                         : Phrase{"Pressure and area"})};
+    whole_.x = {.title = say(language, area), .low = INFINITY, .high = 0.0};
+    std::vector<double> pressures;
+    for (const PressureVolumeRun& run : record_.runs) {
+        whole_.x.low = std::min(whole_.x.low, 0.95 * *std::ranges::min_element(run.area));
+        whole_.x.high = std::max(whole_.x.high, 1.05 * *std::ranges::max_element(run.area));
+        for (const double pressure : run.pressure)
+            if (std::isfinite(pressure)) pressures.push_back(std::abs(pressure));
+    }
+    const double most = pressures.empty() ? 0.0 : 1.1 * quantile(pressures, 0.995);
+    whole_.y = {.title = say(language, "pressure"),
+                .high = most > 0.0 ? round_up_for_axis(most) : 1.0};
+    whole_.columns = {
+        column_name(std::string(area.english), is_line ? reduced::length : "length^2"),
+        column_name("pressure", unit_of_pressure(box()))};
+    std::vector<std::string> names;
+    for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
+    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    const bool begin_alike = std::ranges::all_of(record_.runs, [&](const PressureVolumeRun& run) {
+        return run.begins_as(record_.runs.front());
+    });
+    if (spec_.theory && begin_alike) add_curves();
+}
+
+void PressureVolumePanel::add_curves() {
+    const auto [work, area] = std::pair{record_.runs.front().work, record_.runs.front().start};
+    const double exponent = (box().dimension + 2.0) / box().dimension;
+    const Language language = context_.language();
+    whole_.layers.emplace_back(
+        curve(whole_, "isotherm", of_isotherm, [=](double its) { return work / its; }));
+    whole_.layers.emplace_back(curve(whole_, "adiabat", of_adiabat, [=](double its) {
         return work / area * std::pow(area / its, exponent);
     }));
-    plot.notes.push_back({.entries = {{{}, {plot::Text(say(language, "ideal gas:"))}},
-                                      {of_isotherm, {plot::Text(say(language, "isotherm"))}},
-                                      {of_adiabat, {plot::Text(say(language, "adiabat"))}}},
-                          .wraps = true});
+    whole_.notes.push_back({.entries = {{{}, {plot::Text(say(language, "ideal gas:"))}},
+                                        {of_isotherm, {plot::Text(say(language, "isotherm"))}},
+                                        {of_adiabat, {plot::Text(say(language, "adiabat"))}}},
+                            .wraps = true});
+}
+
+plot::Line PressureVolumePanel::path_of(std::size_t run) const {
+    const PressureVolumeRun& its = record_.runs[run];
+    plot::Line line;
+    line.part = "path";
+    line.depth = 1;
+    line.x = plot::column(whole_.columns[0], its.area);
+    line.y = plot::column(whole_.columns[1], its.pressure);
+    line.is_thinned = false;
+    line.beyond = plot::Beyond::drawn;
+    line.stroke = {
+        .role = {.of = plot::Role::Of::bar}, .width = 0.1, .shade = plot::Shade::legible};
+    if (record_.compares()) {
+        line.run = run;
+        line.stroke = plot::stroke_of_run(run, 0.12);
+    }
+    line.head = plot::Mark{
+        .role = line.stroke.role, .radius = 0.35, .is_hollow_if_pale = true, .halo = 0.12};
+    return line;
+}
+
+plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
+    plot::Plot now = whole_;
+    if (state == nullptr) return now;
+    const auto& shown = dynamic_cast<const ShownState&>(*state);
+    for (std::size_t run = 0; run < record_.runs.size(); ++run) {
+        plot::Line line = path_of(run);
+        line.shown.end = std::min(shown.shown.at(run), record_.runs[run].area.size());
+        line.shown.first = line.shown.end - std::min(line.shown.end, longest_path);
+        now.layers.emplace_back(std::move(line));
+        if (!record_.compares()) continue;
+        now.accounts_of_runs.push_back(account_of_last(context_.language(), Phrase{"pressure"},
+                                                       record_.runs[run].pressure,
+                                                       shown.shown.at(run)));
+    }
+    return now;
 }
 
 }  // namespace
 
 std::unique_ptr<Panel> make_pressure_volume(const PanelContext& context, const PanelSpec& spec) {
-    const Language language = context.language();
-    const Box& box = context.scene.gas.box;
-    const std::int32_t surface = spec.surfaces.front();
-    const Over over =
-        spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
-    const std::string title = spec.title
-                                  ? escape_markup(*spec.title)
-                                  : say(language, box.dimension == 1 ? Phrase{"Pressure and length"}
-                                                                     : Phrase{"Pressure and area"});
-    const Phrase area = box.dimension == 1 ? Phrase{"length"} : Phrase{"area"};
-    PointsSubject subject{
-        .titles = {title},
-        .language = language,
-        .across = say(language, area),
-        .up = say(language, "pressure"),
-        .width = {INFINITY, 0.0},
-        .widen =
-            [context, theory = spec.theory](PointsSubject& its, const FrameInput& o) {
-                const Box& of = context.scene.gas.box;
-                const double now = enclosed_area(of, o.advanced.surfaces);
-                if (its.found.empty() && theory) {
-                    const double finite =
-                        static_cast<double>((context.particles.inverse_mass > 0.0).count());
-                    const double thermal =
-                        thermal_motion(of, context.particles, o.sample).temperature();
-                    its.found = {finite * thermal, now};
-                }
-                its.width = {std::min(its.width.first, 0.95 * now),
-                             std::max(its.width.second, 1.05 * now)};
-            },
-        .height = {},
-        .sets = {{"path", {.of = plot::Role::Of::bar}}},
-        .points = [context, meter = SurfacePressures(box, {surface}, over)](
-                      const FrameInput& o, std::size_t) mutable -> std::vector<Point> {
-            const double now = meter(o.tick.time, o.advanced).front();
-            if (std::isnan(now)) return {};
-            return {{enclosed_area(context.scene.gas.box, o.advanced.surfaces), now}};
-        },
-        .corners = {},
-        .never_negative = true,
-        .columns = {column_name(std::string(area.english),
-                                box.dimension == 1 ? reduced::length : "length^2"),
-                    column_name("pressure", unit_of_pressure(box))}};
-    subject.add = [dimension = box.dimension](const PointsSubject& its, plot::Plot& plot) {
-        add_curves(its, dimension, plot);
-    };
-    return std::make_unique<PointsPanel>(std::move(subject));
+    return std::make_unique<PressureVolumePanel>(context, spec);
 }
 
 }  // namespace carom

@@ -1,12 +1,17 @@
 // What particles do in parts of the box against time: beside a partition, or in regions that the
 // scene names. How many they are, their temperature, mean energy, or centre of mass.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/equation_of_state.h"
 
 namespace carom {
 namespace {
@@ -67,8 +72,9 @@ class Parts {
         return all;
     }
 
-    // The mean number on each side of a partition in the middle that lets all through, by symmetry.
-    std::optional<double> half_of_all(const Scene& scene, double particles) const {
+    // Whether the two sides are alike in equilibrium: of a partition in the middle that lets all
+    // through, by symmetry.
+    bool are_alike(const Scene& scene) const {
         const Surfaces& surfaces = box_.surfaces;
         const auto never_reflects = [](const Partition& one) {
             return !one.gaps.empty() || one.is_open;
@@ -82,10 +88,9 @@ class Parts {
             return !std::holds_alternative<ReverseVelocities>(event.action) &&
                    !std::holds_alternative<Perturbation>(event.action);
         });
-        if (!is_alike || changes || !regions_.empty()) return std::nullopt;
+        if (!is_alike || changes || !regions_.empty()) return false;
         const double place = box_.place_of(static_cast<std::size_t>(surfaces_.front()));
-        if (place != 0.5 * box_.size[axis()]) return std::nullopt;
-        return 0.5 * particles;
+        return place == 0.5 * box_.size[axis()];
     }
 
   private:
@@ -95,6 +100,32 @@ class Parts {
     std::vector<std::int32_t> surfaces_;
     std::vector<NamedRegion> regions_;
 };
+
+// Half of all, and how far the number is from it: that of points is binomial, N / 4 its variance;
+// that of equal disks is less by the fluid's compressibility.
+ReferenceLevels levels_of_count(const PanelContext& context) {
+    const Particles& particles = context.particles;
+    const auto count = static_cast<double>(particles.count());
+    ReferenceLevel level = ReferenceLevel{"half of all", 0.5 * count};
+    const double packing = packing_fraction(context.scene.gas.box, particles);
+    const bool are_points = (particles.radius == 0.0).all();
+    const bool is_fluid =
+        (particles.radius == particles.radius[0]).all() && packing < largest_packing_of_fluid;
+    if (context.scene.gas.box.dimension == 2 && (are_points || is_fluid))
+        level.deviation = std::sqrt(
+            0.25 * count * relative_compressibility(EquationOfState::kolafa_rottner, packing));
+    return {level};
+}
+
+// Each degree of freedom has the same mean energy; that of a half of them has a beta distribution.
+ReferenceLevels levels_of_energy(const PanelContext& context, const ThermalMotion& start,
+                                 PartMeasure measure) {
+    const double freedom = start.degrees_of_freedom;
+    const double value = measure == PartMeasure::temperature
+                             ? start.temperature()
+                             : start.energy / static_cast<double>(context.particles.count());
+    return {ReferenceLevel{"equipartition", value, value * std::sqrt(2.0 / (freedom + 2.0))}};
+}
 
 double measured(const PanelContext& context, const FrameInput& o, PartMeasure measure, int axis,
                 const std::vector<Eigen::Index>& list) {
@@ -130,16 +161,19 @@ std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& 
         subject.lines.push_back({columns[k], surface_role(k, parts.count())});
     title_with_names(subject, language, say(language, title));
     const int axis = spec.component == Component::y ? 1 : 0;
-    subject.measure = [context, parts, measure = spec.measure, axis](const FrameInput& o) {
+    const auto start = std::make_shared<std::optional<ThermalMotion>>();
+    subject.measure = [context, parts, measure = spec.measure, axis, start](const FrameInput& o) {
+        if (!*start) *start = thermal_motion(context.scene.gas.box, context.particles, o.sample);
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : parts.members(o))
             now.push_back(measured(context, o, measure, axis, list));
         return now;
     };
-    const auto share =
-        parts.half_of_all(context.scene, static_cast<double>(context.particles.count()));
-    if (share && spec.measure == PartMeasure::count)
-        subject.reference = [share = *share] { return ReferenceLevel{"half of all", share}; };
+    if (parts.are_alike(context.scene) && spec.measure != PartMeasure::center)
+        subject.references = [context, start, measure = spec.measure] {
+            return measure == PartMeasure::count ? levels_of_count(context)
+                                                 : levels_of_energy(context, **start, measure);
+        };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

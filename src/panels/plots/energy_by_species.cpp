@@ -51,8 +51,8 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         subject.names.push_back(species[k].name);
     }
     if (context.equilibrium && species.size() > 1)
-        subject.reference = [context]() -> std::optional<ReferenceLevel> {
-            return ReferenceLevel{"equipartition", mean_energy(*context.equilibrium)};
+        subject.references = [context]() -> ReferenceLevels {
+            return {ReferenceLevel{"equipartition", mean_energy(*context.equilibrium)}};
         };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }

@@ -91,16 +91,15 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
         return now;
     };
     add_titles(context.language(), what, subject);
-    if (what == EntropyOf::velocities && context.equilibrium)
-        subject.reference = [context, known]() -> std::optional<ReferenceLevel> {
-            if (!known->velocities) return std::nullopt;
-            return ReferenceLevel{
-                "equilibrium", known->velocities->in_equilibrium(context.scene.gas.box.dimension)};
-        };
-    if (what == EntropyOf::positions && spreads_evenly(context.scene))
-        subject.reference = [places] {
-            return ReferenceLevel{"evenly spread", places.of_even_spread()};
-        };
+    subject.references = [context, known, places, what] {
+        ReferenceLevels levels;
+        if (what != EntropyOf::positions && context.equilibrium && known->velocities)
+            levels.push_back(ReferenceLevel{
+                "equilibrium", known->velocities->in_equilibrium(context.scene.gas.box.dimension)});
+        if (what != EntropyOf::velocities && spreads_evenly(context.scene))
+            levels.push_back(ReferenceLevel{"evenly spread", places.of_even_spread()});
+        return levels;
+    };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

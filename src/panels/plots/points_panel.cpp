@@ -65,13 +65,13 @@ void PointsPanel::survey(const FrameInput& input) {
 void PointsPanel::fix_axes() {
     const double most = pool_.empty() ? 0.0 : 1.1 * quantile(pool_, 0.995);
     const double high = most > 0.0 && std::isfinite(most) ? round_up_for_axis(most) : 1.0;
-    height_ = subject_.height.value_or(std::pair{subject_.never_negative ? 0.0 : -high, high});
+    height_ = subject_.height.value_or(std::pair{-high, high});
     pool_ = {};
     make_plot();
 }
 
 void PointsPanel::archive(Archive& archive) {
-    archive(paths_, height_, subject_.width, subject_.found);
+    archive(paths_, height_, subject_.width);
     if (archive.is_reading()) make_plot();
 }
 
@@ -96,7 +96,6 @@ void PointsPanel::make_plot() {
         equal.stroke = faint;
         whole_.layers.emplace_back(std::move(equal));
     }
-    if (subject_.add) subject_.add(subject_, whole_);
     lines_.clear();
     for (std::size_t k = 0; k < paths_.size(); ++k) lines_.push_back(line_of(k));
 }

@@ -24,20 +24,16 @@ struct PointsSubject {
     std::function<void(PointsSubject&, const FrameInput&)> widen =
         {};  ///< makes axes of positions as wide as the box gets
     std::optional<std::pair<double, double>>
-        height;                      ///< of the axis up; none: symmetric about 0, as the run shows
-    std::vector<double> found = {};  ///< numbers of the run that `widen` finds and `add` needs
-    std::function<void(const PointsSubject&, plot::Plot&)> add =
-        {};  ///< layers and notes, once the axes are fixed
+        height;  ///< of the axis up; none: symmetric about 0, as the run shows
     std::vector<Set> sets;
     std::function<std::vector<Point>(const FrameInput&, std::size_t set)> points;
     std::function<std::vector<Point>(const FrameInput&, std::size_t set)>
         corners;  ///< of the path of a set of one, on the way from the frame before, in order;
                   ///< every frame in order; none: paths have no corners but at frames
-    bool never_negative = false;  ///< the number up: its axis begins at 0
-    bool fades = false;           ///< the older parts of paths, so that the recent ones are seen
-    bool never_equal = false;     ///< the two numbers: a line where they would be is drawn
-    double breaks_across = 0.0;   ///< steps of a path beyond these go around the box: not drawn;
-    double breaks_up = 0.0;       ///< 0: none does
+    bool fades = false;          ///< the older parts of paths, so that the recent ones are seen
+    bool never_equal = false;    ///< the two numbers: a line where they would be is drawn
+    double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
+    double breaks_up = 0.0;      ///< 0: none does
     std::pair<std::string, std::string> columns = {};  ///< of a table, with their units
 };
 

@@ -57,6 +57,13 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     return subject;
 }
 
+std::string account_of_last(Language language, Phrase quantity, const std::vector<double>& values,
+                            std::size_t shown) {
+    while (shown > 0 && !std::isfinite(values[shown - 1])) --shown;
+    return say(language, quantity) + " " +
+           (shown == 0 ? say(language, "unknown") : three_digits(language, values[shown - 1]));
+}
+
 namespace {
 
 // What has happened, in a word; empty for what has its own mark, or none.
@@ -97,7 +104,7 @@ void SeriesPanel::survey(const FrameInput& input) {
 
 void SeriesPanel::finish_record() {
     SeriesRun& run = record_.runs.front();
-    if (subject_.reference) run.level = subject_.reference();
+    if (subject_.references) run.levels = subject_.references();
     if (subject_.numbers) run.numbers = subject_.numbers();
     run.turns = reversal_times(context_.scene.run);
     const auto add = [&](double at, Phrase word) {
@@ -148,10 +155,15 @@ plot::Axis SeriesPanel::axis_up() const {
                 if (!run.errors.empty()) add(run.lines[k][i] + run.errors[k][i]);  // for the bands
             }
     if (all.empty()) return {};
-    const auto level = record_.common_level();
-    const double reference = level ? level->value : 0.0;
+    constexpr double room_of_word = 0.2;
+    const ReferenceLevels common = record_.common_levels();
+    double reference = 0.0, room = 1.25;  // for words over the lines
+    for (std::size_t k = 0; k < common.size(); ++k) {
+        reference = std::max(reference, common[k].value + common[k].deviation);
+        if (k > 0) room += room_of_word;
+    }
     const double most = subject_.spreads ? *std::ranges::max_element(all)
-                                         : 1.25 * std::max(quantile(all, 0.98), reference);
+                                         : room * std::max(quantile(all, 0.98), reference);
     const double least =
         quantile(all, 0.01);  // one particle's energy may touch zero for an instant
     constexpr double linear_up_to = 50.0;
@@ -243,9 +255,9 @@ std::vector<std::string> SeriesPanel::notes() const {
                                          Phrase{"mean of {} runs"});
         append({say(language, "{} \u00B1 standard error", mean), mean});
     }
-    if (record_.compares() && record_.runs.front().level && !record_.common_level())
-        append(
-            {say(language, "thin: {}", say(language, Phrase{record_.runs.front().level->name}))});
+    const ReferenceLevels& levels = record_.runs.front().levels;
+    if (record_.compares() && !levels.empty() && record_.common_levels().empty())
+        append({say(language, "thin: {}", say(language, Phrase{levels.back().name}))});
     return all;
 }
 
@@ -282,40 +294,80 @@ void SeriesPanel::add_run(std::size_t k) {
     }
 }
 
-// That of all runs, with its value; where they differ, each one's own.
+plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
+    plot::Level level;
+    level.part = "reference";
+    level.of = of.name;
+    level.still = true;
+    level.x_column = whole_.columns[0];
+    level.column = whole_.columns[1];
+    level.value = of.value;
+    return level;
+}
+
+// Those of all runs, with their values; where they differ, each one's own.
 void SeriesPanel::add_levels() {
-    const auto level_of = [&](const ReferenceLevel& of) {
-        plot::Level level;
-        level.part = "reference";
-        level.of = of.name;
-        level.still = true;
-        level.x_column = whole_.columns[0];
-        level.column = whole_.columns[1];
-        level.value = of.value;
-        return level;
-    };
-    if (const std::optional<ReferenceLevel> common = record_.common_level()) {
-        plot::Level level = level_of(*common);
-        plot::Label label;
-        label.words = {say(context_.language(), Phrase{common->name}) + " " +
-                       three_digits(context_.language(), common->value)};
-        label.anchors = {{.at = {1.0, 0.0},
-                          .x_is_share = true,
-                          .y_is_share = true,
-                          .offset = {-9.7, 0.8},
-                          .has_sample = true}};
-        label.sample = level.stroke;
-        level.label = std::move(label);
-        whole_.layers.emplace_back(std::move(level));
-        return;
-    }
+    if (const ReferenceLevels common = record_.common_levels(); !common.empty())
+        return add_common_levels(common);
     for (std::size_t k = 0; k < record_.runs.size(); ++k) {
-        if (!record_.runs[k].level || !std::isfinite(record_.runs[k].level->value)) continue;
-        plot::Level level = level_of(*record_.runs[k].level);
+        const ReferenceLevels& own = record_.runs[k].levels;
+        if (own.empty() || !std::isfinite(own.back().value)) continue;
+        plot::Level level = level_of(own.back());
         level.run = k;
         level.stroke = {.role = plot::stroke_of_run(k).role, .width = 0.07};
         whole_.layers.emplace_back(std::move(level));
     }
+}
+
+// Told apart by their dashes; names of those that look alike stand in one label.
+void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
+    static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
+    constexpr double line_height = 1.4;  // units
+    const Language language = context_.language();
+    std::string names;
+    double row = 0.0;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        plot::Level level = level_of(levels[k]);
+        level.stroke.dashes = dashes[k % dashes.size()];
+        add_band_about(level, levels[k].deviation);
+        const std::string number = three_digits(language, levels[k].value);
+        names += (names.empty() ? "" : ", ") + say(language, Phrase{levels[k].name});
+        if (k + 1 == levels.size() || three_digits(language, levels[k + 1].value) != number) {
+            plot::Label label;
+            label.words = {names + " " + number};
+            if (levels[k].deviation > 0.0)
+                label.words.insert(
+                    label.words.begin(),
+                    names + " " + number + "\u2009\u00B1\u2009" +
+                        localised(language, fmt::format("{:.2g}", levels[k].deviation)));
+            label.anchors = {{.at = {1.0, 0.0},
+                              .x_is_share = true,
+                              .y_is_share = true,
+                              .offset = {-0.5, 0.8 + line_height * row++},
+                              .align = Align::right,
+                              .has_sample = true}};
+            label.sample = level.stroke;
+            level.label = std::move(label);
+            names.clear();
+        }
+        whole_.layers.emplace_back(std::move(level));
+    }
+}
+
+// How far lines should be from a level: as far as its standard deviation most of the time.
+void SeriesPanel::add_band_about(const plot::Level& level, double deviation) {
+    if (!(deviation > 0.0)) return;
+    plot::Band band;
+    band.part = "deviation";
+    band.of = level.of;
+    band.still = true;
+    band.depth = band_depth + 1;
+    band.x = plot::column(whole_.columns[0], {whole_.x.low, whole_.x.high});
+    band.y = plot::column(whole_.columns[1], {level.value, level.value});
+    band.error = plot::column("deviation", {deviation, deviation});
+    band.role = muted;
+    band.alpha = 0.2;
+    whole_.layers.emplace_back(std::move(band));
 }
 
 // A thin line where the velocities are reversed.
@@ -367,18 +419,11 @@ std::shared_ptr<const PanelState> SeriesPanel::state(const FrameInput&) {
     return state;
 }
 
-// The last number of each that there is.
 std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) const {
     std::vector<std::string> accounts;
-    for (std::size_t k = 0; k < record_.runs.size(); ++k) {
-        const std::vector<double>& line = record_.runs[k].lines.front();
-        std::size_t last = now.shown.at(k);
-        while (last > 0 && !std::isfinite(line[last - 1])) --last;
-        const Language language = context_.language();
-        accounts.push_back(
-            say(language, subject_.quantity) + " " +
-            (last == 0 ? say(language, "unknown") : three_digits(language, line[last - 1])));
-    }
+    for (std::size_t k = 0; k < record_.runs.size(); ++k)
+        accounts.push_back(account_of_last(context_.language(), subject_.quantity,
+                                           record_.runs[k].lines.front(), now.shown.at(k)));
     return accounts;
 }
 

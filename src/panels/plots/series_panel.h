@@ -25,7 +25,7 @@ struct SeriesSubject {
     std::vector<std::string> names = {};  ///< of several lines, as a key shows them
     bool last_title_names = true;         ///< the lines; if not, a key under it does
     std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
-    std::function<std::optional<ReferenceLevel>()> reference = {};  ///< after the first pass
+    std::function<ReferenceLevels()> references = {};  ///< after the first pass
     std::function<std::vector<std::vector<MeanError>>()> numbers =
         {};                          ///< of each line, after the first pass
     std::optional<double> top = {};  ///< of the axis; none: as the run shows
@@ -48,6 +48,10 @@ void title_with_names(SeriesSubject& subject, Language language, const std::stri
 /// A line for each choice of particles that the panel shows, and the title that names them: what
 /// is measured of each is for the caller to add.
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title);
+
+/// "pressure 1.25": the last number there is among those shown.
+std::string account_of_last(Language language, Phrase quantity, const std::vector<double>& values,
+                            std::size_t shown);
 
 class SeriesPanel : public RecordPanel<SeriesRecord> {
   public:
@@ -74,7 +78,10 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
     void add_run(std::size_t run);
+    plot::Level level_of(const ReferenceLevel& of) const;
     void add_levels();
+    void add_common_levels(const ReferenceLevels& levels);
+    void add_band_about(const plot::Level& level, double deviation);
     void add_turns();
     void add_events();
 

@@ -1,15 +1,19 @@
 #include "panels/plots/series_record.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "util/text.h"
 
 namespace carom {
 
-std::optional<ReferenceLevel> SeriesRecord::common_level() const {
-    const std::optional<ReferenceLevel>& first = runs.front().level;
+ReferenceLevels SeriesRecord::common_levels() const {
+    const ReferenceLevels& first = runs.front().levels;
+    const auto look_alike = [](const ReferenceLevel& a, const ReferenceLevel& b) {
+        return a.name == b.name && three_digits(a.value) == three_digits(b.value);
+    };
     for (const SeriesRun& run : runs)
-        if (!run.level || three_digits(run.level->value) != three_digits(first->value)) return {};
+        if (!std::ranges::equal(run.levels, first, look_alike)) return {};
     return first;
 }
 
@@ -55,9 +59,17 @@ SeriesRecord mean_of(std::vector<SeriesRecord> records) {
         for (std::size_t i = 0; i < run.numbers[k].size(); ++i)
             run.numbers[k][i] =
                 over_runs([&](const SeriesRun& of) { return of.numbers[k][i].mean; });
-    if (!run.level) return mean;
-    std::erase_if(records, [](const SeriesRecord& one) { return !one.runs.front().level; });
-    run.level->value = over_runs([](const SeriesRun& of) { return of.level->value; }).mean;
+    const std::size_t levels = run.levels.size();
+    std::erase_if(records,
+                  [&](const SeriesRecord& one) { return one.runs.front().levels.size() < levels; });
+    for (std::size_t k = 0; k < levels; ++k) {
+        const auto of_level = [&](double ReferenceLevel::*number) {
+            return over_runs([&](const SeriesRun& of) { return of.levels[k].*number; }).mean;
+        };
+        run.levels[k].value = of_level(&ReferenceLevel::value);
+        run.levels[k].deviation =
+            of_level(&ReferenceLevel::deviation) / std::sqrt(double(mean.runs_in_mean));
+    }
     return mean;
 }
 

@@ -15,15 +15,19 @@ namespace carom {
 struct ReferenceLevel {
     std::string name;  ///< in English
     double value = 0.0;
-    void archive(Archive& archive) { archive(name, value); }
+    double deviation = 0.0;  ///< that lines should have from it; 0: not known, or none
+    void archive(Archive& archive) { archive(name, value, deviation); }
 };
+
+/// Several; of runs side by side each shows its last.
+using ReferenceLevels = std::vector<ReferenceLevel>;
 
 /// The numbers of one run.
 struct SeriesRun {
     std::vector<double> time;                      ///< of each frame, elapsed
     std::vector<std::vector<double>> lines;        ///< line x frame; NaN: none
     std::vector<std::vector<double>> errors = {};  ///< standard errors of means over runs, or none
-    std::optional<ReferenceLevel> level = {};
+    ReferenceLevels levels = {};
     std::vector<double> turns = {};  ///< times of reversals
     std::vector<std::pair<double, std::string>> events =
         {};  ///< what happens to surfaces, and heat: times and a word each
@@ -31,7 +35,7 @@ struct SeriesRun {
     std::string name = {};                             ///< beside others
 
     void archive(Archive& archive) {
-        archive(time, lines, errors, level, turns, events, numbers, name);
+        archive(time, lines, errors, levels, turns, events, numbers, name);
     }
 };
 
@@ -42,8 +46,8 @@ struct SeriesRecord {
 
     bool compares() const { return runs.size() > 1; }
 
-    /// The level of all runs, or none where they differ in what a reader sees of it.
-    std::optional<ReferenceLevel> common_level() const;
+    /// The levels of all runs, or none where they differ in what a reader sees of them.
+    ReferenceLevels common_levels() const;
 
     /// The reversals of all runs, or none where they differ.
     std::vector<double> common_turns() const;

@@ -38,7 +38,7 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
         return now;
     };
     if (const std::optional<double> bath = only_bath(context.scene))
-        subject.reference = [bath] { return ReferenceLevel{"bath", *bath}; };
+        subject.references = [bath] { return ReferenceLevels{ReferenceLevel{"bath", *bath}}; };
     subject.quantity = Phrase{"temperature"};
     subject.unit = reduced::energy;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

@@ -268,6 +268,11 @@ void check_piston(PanelSpec& panel, const Node& node, Reading& reading) {
         "give it a `mass` or a `velocity`, or an event of the run that moves it");
 }
 
+void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_piston(panel, node, reading);
+    require_one(panel, node, reading);
+}
+
 void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.regions.empty()) {
         if (!panel.surfaces.empty())

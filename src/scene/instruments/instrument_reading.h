@@ -29,6 +29,7 @@ Notation<WatchStart> watch_start_notation();
 /// none, and report what is wrong. The node is the panel's mapping, or its name alone.
 void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading);
 void check_piston(PanelSpec& panel, const Node& node, Reading& reading);
+void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading);
 void check_sides(PanelSpec& panel, const Node& node, Reading& reading);
 
 /// A flux needs a partition that lets particles through, or a line; a counter takes these, or

@@ -15,6 +15,7 @@
 #include "panels/plots/series_panel.h"
 #include "scene/limits.h"
 #include "support/figure_run.h"
+#include "support/relative.h"
 #include "support/scene_text.h"
 #include "util/text.h"
 
@@ -316,14 +317,40 @@ TEST_CASE("a key that is longer than a column takes several rows") {
     CHECK(rows({std::string(200, 'x'), "short"}) == 2);
 }
 
+TEST_CASE("pressure and area of two runs are two paths, with theory where they begin alike") {
+    for (const auto& [change, alike] :
+         {std::pair{"box.walls.top.velocity=-0.1", true}, std::pair{"gas.0.count=10", false}}) {
+        CAPTURE(change);
+        const FigureRun run = run_of(test::scene_from(
+            "title: T\nbox: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n"
+            "gas: [{name: a, count: 20, radius: 0.1, temperature: {exact: 2}}]\n"
+            "run: {until: 8}\nfilm: {seconds: 2}\n"
+            "figures: [{name: f, kind: pressure-volume, at: 8, compare: [{label: fast}, {label: "
+            "other, set: " +
+            std::string(change) + "}]}]\n"));
+        const Table table = table_of(run.figures()[0]);
+        const auto of = [&](const std::string& part, const std::string& name) {
+            std::vector<std::vector<Cell>> rows = rows_of(table, name);
+            std::erase_if(rows,
+                          [&](const auto& row) { return std::get<std::string>(row[0]) != part; });
+            return rows;
+        };
+        CHECK(number(of("path", "fast").back()[2]) == test::relative(100.0, 1e-12));
+        CHECK(number(of("path", "other").back()[2]) ==
+              test::relative(alike ? 132.0 : 100.0, 1e-12));
+        CHECK(of("theory", "fast").empty() == !alike);
+    }
+}
+
 TEST_CASE("what cannot be compared is refused with the reason") {
     CHECK(message_of("  - {name: a, kind: gas, compare: {seeds: 2}}\n") ==
           "test:8:26: error: `compare` does not apply to a panel of kind `gas`\n"
           "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
           "      |                          ^^^^^^^\n"
           "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
-          "`position-histogram`, `temperature`, `entropy`, `pressure`, `piston`, `sides`, "
-          "`energy-account`, `mean-squared-displacement`, `velocity-autocorrelation`, "
+          "`position-histogram`, `temperature`, `entropy`, `pressure`, `pressure-volume`, "
+          "`piston`, `piston-histogram`, `sides`, `energy-account`, `mean-squared-displacement`, "
+          "`velocity-autocorrelation`, "
           "`pair-correlation`, `free-path`, `free-time`, `orientational-order`, "
           "`return-distance` or `profile`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")

@@ -4,10 +4,8 @@
 #include <memory>
 #include <numeric>
 
-#include "panels/plots/series_panel.h"
-#include "panels/registry.h"
 #include "support/relative.h"
-#include "support/scene_text.h"
+#include "support/seen_panel.h"
 
 using namespace carom;
 using test::relative;
@@ -15,45 +13,16 @@ using test::relative;
 namespace {
 
 // A panel of a scene that is seen at some times, after its first pass.
-struct Seen {
-    Scene scene;
-    Simulation simulation;
-    Particles particles;
-    std::optional<EquilibriumGas> equilibrium = {};
-    std::unique_ptr<Panel> panel;
-
-    Seen(const std::string& text, const PanelSpec& spec, const std::vector<double>& times)
-        : scene(test::scene_from(text)),
-          simulation(scene.gas, scene.run),
-          particles(simulation.particles()),
-          panel(make_panel({scene, particles, int(times.size()), equilibrium}, spec)) {
-        simulation.record_collisions(panel->surveys_collisions());
-        for (const double time : times) {
-            const AdvanceResult advanced = simulation.advance_to(time);
-            Tick tick;
-            tick.time = time;
-            tick.reversals = advanced.reversals;
-            const Sample& sample = simulation.sample();
-            panel->survey(
-                {tick, sample, speeds(sample), kinetic_energies(particles, sample), advanced});
-        }
-        panel->fix_axes();
-    }
-    const std::vector<double>& line(std::size_t k = 0) const {
-        return dynamic_cast<const SeriesPanel&>(*panel).record().runs.front().lines[k];
-    }
+struct Seen : test::SeenPanel {
+    Seen(const std::string& text, const PanelSpec& spec, const std::vector<double>& at)
+        : SeenPanel(test::scene_from(text), spec, at) {}
+    const std::vector<double>& line(std::size_t k = 0) const { return series().lines[k]; }
 };
 
 PanelSpec displacement(double from = 0.0) {
     PanelSpec spec{.kind = "mean-squared-displacement"};
     spec.from = from;
     return spec;
-}
-
-std::vector<double> up_to(double end, int steps) {
-    std::vector<double> times;
-    for (int i = 0; i <= steps; ++i) times.push_back(end * i / steps);
-    return times;
 }
 
 const std::string free_disk =
@@ -70,7 +39,7 @@ const std::string gas =
 
 TEST_CASE("a free disk goes v t, through periodic sides, however often between two frames") {
     for (const double from : {0.0, 0.5}) {
-        const std::vector<double> times = up_to(2.0, 8);
+        const std::vector<double> times = test::times_up_to(2.0, 8);
         const Seen seen(free_disk, displacement(from), times);
         for (std::size_t i = 0; i < times.size(); ++i) {
             CAPTURE(times[i]);
@@ -85,7 +54,7 @@ TEST_CASE("a free disk goes v t, through periodic sides, however often between t
 }
 
 TEST_CASE("at first a gas spreads by its mean squared velocity") {
-    const std::vector<double> times = up_to(1e-4, 4);
+    const std::vector<double> times = test::times_up_to(1e-4, 4);
     const Seen seen(gas, displacement(), times);
     Simulation fresh(seen.scene.gas, seen.scene.run);
     const double square = fresh.sample().velocity.square().rowwise().sum().mean();
@@ -94,7 +63,8 @@ TEST_CASE("at first a gas spreads by its mean squared velocity") {
 }
 
 TEST_CASE("displacements with collisions are sums of small steps to the nearest image") {
-    const std::vector<double> times = up_to(8.0, 4);  // in which disks cross the box several times
+    const std::vector<double> times =
+        test::times_up_to(8.0, 4);  // in which disks cross the box several times
     const Seen seen(gas, displacement(), times);
     Simulation fine(seen.scene.gas, seen.scene.run);
     Eigen::ArrayXXd before = fine.sample().position;
@@ -114,7 +84,7 @@ TEST_CASE("displacements with collisions are sums of small steps to the nearest 
 TEST_CASE("D is the slope of all pairs of frames from a time on, and the words say it") {
     PanelSpec spec = displacement();
     spec.fit_from = 3.0;
-    const std::vector<double> times = up_to(8.0, 32);
+    const std::vector<double> times = test::times_up_to(8.0, 32);
     Seen seen(gas, spec, times);
     double products = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < times.size(); ++i)
@@ -141,7 +111,7 @@ TEST_CASE("D is the slope of all pairs of frames from a time on, and the words s
 TEST_CASE("the error of D is how the slopes of single disks scatter, or those of runs") {
     PanelSpec spec = displacement();
     spec.fit_from = 3.0;
-    const std::vector<double> times = up_to(8.0, 16);
+    const std::vector<double> times = test::times_up_to(8.0, 16);
     Seen seen(gas, spec, times);
     // The line of each disk by itself.
     std::vector<double> each;
@@ -164,7 +134,7 @@ TEST_CASE("the error of D is how the slopes of single disks scatter, or those of
 }
 
 TEST_CASE("before collisions the squares lie on the parabola that is drawn") {
-    const std::vector<double> times = up_to(0.4, 8);
+    const std::vector<double> times = test::times_up_to(0.4, 8);
     Seen seen(gas, displacement(), times);
     const plot::Plot plot = dynamic_cast<const PlotPanel&>(*seen.panel).plot(nullptr);
     Simulation fresh(seen.scene.gas, seen.scene.run);

@@ -1,0 +1,197 @@
+// How long a wall or a partition that moves has been where: the share of the time in each bin, by
+// its exact path; for one free piston with the density that it would have over an ideal gas.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "panels/correlations/curve_panel.h"
+#include "panels/instruments/measured_surfaces.h"
+#include "panels/instruments/piston_over_gas.h"
+#include "panels/registry.h"
+#include "panels/surfaces/surface_words.h"
+#include "stats/paths/residence.h"
+
+namespace carom {
+namespace {
+
+const plot::Stroke of_law{.role = {.of = plot::Role::Of::accent}, .shade = plot::Shade::legible};
+constexpr double percent = 100.0;
+constexpr int shown_bins = 40;            // or fewer
+constexpr double fine_bins_in_box = 240;  // several of them make one that is shown
+
+// Numbers of a line: those of the law, or none.
+struct Law {
+    explicit Law(const PistonOverGas& of)
+        : numbers{of.law.count, of.law.energy, of.law.force, double(of.law.dimension),
+                  of.zero,      of.direction} {}
+    explicit Law(std::vector<double> of) : numbers(std::move(of)) {}
+    std::vector<double> numbers;
+
+    PistonOverGas piston() const {
+        return {.law = {.count = numbers[0],
+                        .energy = numbers[1],
+                        .force = numbers[2],
+                        .dimension = static_cast<int>(numbers[3])},
+                .zero = numbers[4],
+                .direction = numbers[5]};
+    }
+};
+
+// Follows a surface from hit to hit: in between it has a constant acceleration.
+class PistonMeter : public CurveMeter {
+  public:
+    PistonMeter(const PanelContext& context, std::int32_t surface)
+        : context_(context),
+          surface_(surface),
+          axis_(context.scene.gas.box.surfaces.axis_of(surface)),
+          times_(context.scene.gas.box.size[axis_] / fine_bins_in_box) {}
+
+    void see(const FrameInput& input) override {
+        const SurfaceState& state = input.advanced.surfaces.at(static_cast<std::size_t>(surface_));
+        const double place = place_of_surface(context_.scene.gas.box, input.advanced.surfaces,
+                                              static_cast<std::size_t>(surface_));
+        if (!last_) {
+            law_ = piston_over_gas(context_, surface_, input);
+        } else {
+            follow(input, place);
+        }
+        last_ = Moment{input.sample.time, place, state.motion ? state.motion->velocity : 0.0,
+                       acceleration(state)};
+    }
+
+    // Whole bins, each of several fine ones.
+    double reach() const override {
+        const double fine = static_cast<double>(times_.times().size()) + 1.0;
+        return std::ceil(fine / shown_bins) * shown_bins * times_.width();
+    }
+    void fix_reach(double reach) override { reach_ = reach; }
+
+    CurveValues values() const override {
+        const std::vector<double>& fine = times_.times();
+        std::vector<double> shares(shown_bins, 0.0);
+        const double in_one = std::round(reach_.value_or(reach()) / times_.width() / shown_bins);
+        double all = 0.0;
+        for (const double time : fine) all += time;
+        for (std::size_t i = 0; i < fine.size(); ++i) {
+            const double bin = std::floor((double(i) + 0.5) / in_one);
+            shares[static_cast<std::size_t>(std::min(bin, shown_bins - 1.0))] +=
+                percent * fine[i] / all;
+        }
+        CurveValues now{.curves = {std::move(shares)}};
+        if (law_) now.numbers = {Law(*law_).numbers};
+        return now;
+    }
+
+  private:
+    struct Moment {
+        double time, place, velocity, acceleration;
+    };
+
+    double acceleration(const SurfaceState& state) const {
+        const auto* piston = std::get_if<Piston>(&state.behaviour);
+        if (piston == nullptr || state.is_held) return 0.0;
+        return piston->force_in(context_.scene.gas.box.surfaces.gravity[axis_]) / piston->mass;
+    }
+
+    // What it takes over from a particle that hits it.
+    double change(const Collision& hit, const SurfaceState& state) const {
+        const auto* piston = std::get_if<Piston>(&state.behaviour);
+        const double inverse_mass = context_.particles.inverse_mass[hit.first];
+        if (piston == nullptr || inverse_mass == 0.0) return 0.0;
+        return (hit.first_before[axis_] - hit.first_after[axis_]) / (inverse_mass * piston->mass);
+    }
+
+    // If it does not arrive where it is, something has changed its motion on the way: then evenly.
+    void follow(const FrameInput& input, double place) {
+        constexpr double near = 1e-6;  // of the box
+        const SurfaceState& state = input.advanced.surfaces[static_cast<std::size_t>(surface_)];
+        std::vector<Stretch> stretches;
+        Stretch now{last_->place, last_->velocity, last_->acceleration, 0.0};
+        double since = last_->time;
+        const auto go_on_to = [&](double time) {
+            now.duration = std::max(0.0, time - since);
+            stretches.push_back(now);
+            now.place = now.place_after(now.duration);
+            now.velocity += now.acceleration * now.duration;
+            since = time;
+        };
+        for (const Collision& hit : input.advanced.collisions) {
+            if (hit.second != Partner::of_surface(surface_)) continue;
+            go_on_to(hit.time);
+            now.velocity += change(hit, state);
+        }
+        go_on_to(input.sample.time);
+        if (std::abs(now.place - place) > near * context_.scene.gas.box.size[axis_]) {
+            const double time = input.sample.time - last_->time;
+            if (time > 0.0) times_.add({last_->place, (place - last_->place) / time, 0.0, time});
+            return;
+        }
+        for (const Stretch& stretch : stretches) times_.add(stretch);
+    }
+
+    PanelContext context_;
+    std::int32_t surface_;
+    int axis_;
+    Residence times_;
+    std::optional<double> reach_;
+    std::optional<Moment> last_;
+    std::optional<PistonOverGas> law_;
+};
+
+plot::Line curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
+    constexpr int points = 200;
+    const double reach = plot.x.high, width = reach / shown_bins;
+    std::vector<double> along, up;
+    for (int i = 0; i <= points; ++i) {
+        along.push_back(reach * i / points);
+        up.push_back(percent * width * piston.density_at(along.back()));
+    }
+    plot::Line line;
+    line.part = "theory";
+    line.x = plot::column(plot.columns[0], std::move(along));
+    line.y = plot::column(plot.columns[2], std::move(up));
+    line.stroke = of_law;
+    line.beyond = plot::Beyond::cut;
+    line.is_thinned = false;
+    line.depth = 1;
+    return line;
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const std::int32_t surface = spec.surfaces.front();
+    CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = shown_bins};
+    subject.meter = [context, surface] { return std::make_unique<PistonMeter>(context, surface); };
+    SeriesSubject named;
+    name_surfaces(named, language, context.scene.gas.box, {surface},
+                  say(language, "Distribution of positions"));
+    subject.lines = named.lines;
+    subject.titles =
+        spec.title ? std::vector{plot::Text(escape_markup(*spec.title))} : named.titles;
+    subject.names = {{.words = {named.names.front()}}};
+    subject.along = Phrase{"position"};
+    subject.unit_along = reduced::length;
+    subject.up = Phrase{"share"};
+    subject.unit_up = "per cent";
+    subject.height = [language](double width) { return percent_per(language, width); };
+    subject.account = [language](const CurveValues& values, std::size_t) -> std::string {
+        const std::vector<double>& shares = values.curves.front();
+        const auto highest = std::ranges::max_element(shares);
+        if (highest == shares.end() || !(*highest > 0.0)) return "";
+        return say(language, "at most {} % of the time in one bar",
+                   three_digits(language, *highest));
+    };
+    if (spec.theory && is_over_gas_alone(context, surface))
+        subject.add = [language](const CurveValues* values, plot::Plot& plot) {
+            plot.notes.push_back(
+                {.entries = {{.sample = of_law, .words = {say(language, "ideal gas")}}}});
+            if (values != nullptr)
+                plot.layers.emplace_back(curve_of(Law(values->numbers.front()).piston(), plot));
+        };
+    return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace carom

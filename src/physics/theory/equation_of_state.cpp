@@ -1,0 +1,131 @@
+#include "physics/theory/equation_of_state.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace carom {
+namespace {
+
+using std::numbers::pi;
+
+// Z = sum of c x^power over these terms, where x = eta / (1 - eta).
+double kolafa_rottner(double packing_fraction) {
+    constexpr std::array<double, 13> coefficients{
+        1.0,           2.0,          1.12801775,    0.00181895291,  -0.0526134737, 0.0504960168,
+        -0.0325537792, 0.0134578632, 0.00140888182, -0.00834273601, 0.00694127367, -0.00262254723,
+        0.000355746352};
+    const double x = packing_fraction / (1.0 - packing_fraction);
+    double sum = 0.0;
+    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * x + *c;
+    return sum - 5.24672938e-9 * std::pow(x, 22) + 5.88054639e-23 * std::pow(x, 57);
+}
+
+// A fluid of disks in units of its temperature and of the diameter.
+struct Fluid {
+    EquationOfState equation;
+    double density;
+
+    double packing_fraction() const { return 0.25 * pi * density; }
+    double pressure() const {
+        return density * compressibility_factor(equation, packing_fraction());
+    }
+    double tension() const {
+        const double free = 1.0 - packing_fraction();
+        return -density * density / (3.0 * free * free);
+    }
+    // At a wall, beyond what the density makes up to the line that centres reach.
+    double adsorbed() const {
+        constexpr double step = 1e-5;  // relative: derivatives are good to its square
+        const Fluid less{equation, density * (1.0 - step)}, more{equation, density * (1.0 + step)};
+        return -density * (more.tension() - less.tension()) / (more.pressure() - less.pressure());
+    }
+};
+
+// The area that centres have, and what bounds it.
+struct Room {
+    Eigen::Array2d reach{0.0, 0.0};
+    std::array<bool, 2> has_walls{};  // at the ends of this axis
+
+    double area() const { return reach[0] * reach[1]; }
+    double perimeter() const {
+        return (has_walls[0] ? 2.0 * reach[1] : 0.0) + (has_walls[1] ? 2.0 * reach[0] : 0.0);
+    }
+};
+
+// The fluid that fills the room and its walls with so many disks; nothing if it would freeze.
+std::optional<Fluid> fluid_of(EquationOfState equation, const Room& room, double count) {
+    const auto held = [&](double density) {
+        const Fluid fluid{equation, density};
+        return density * room.area() + room.perimeter() * fluid.adsorbed();
+    };
+    double low = 0.0, high = largest_packing_of_fluid * 4.0 / pi;
+    if (held(high) < count) return std::nullopt;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (held(middle) < count ? low : high) = middle;
+    }
+    return Fluid{equation, 0.5 * (low + high)};
+}
+
+}  // namespace
+
+double compressibility_factor(EquationOfState equation, double packing_fraction) {
+    if (equation == EquationOfState::kolafa_rottner) return kolafa_rottner(packing_fraction);
+    const double free = 1.0 - packing_fraction;
+    return (1.0 + packing_fraction * packing_fraction / 8.0) / (free * free);
+}
+
+double relative_compressibility(EquationOfState equation, double packing_fraction) {
+    if (packing_fraction == 0.0) return 1.0;
+    constexpr double step = 1e-5;  // relative: the derivative is good to its square
+    const auto pressure = [&](double packing) {
+        return packing * compressibility_factor(equation, packing);
+    };
+    const double low = packing_fraction * (1.0 - step), high = packing_fraction * (1.0 + step);
+    return (high - low) / (pressure(high) - pressure(low));
+}
+
+std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,
+                                        const Particles& particles, const ThermalMotion& thermal) {
+    const auto count = static_cast<double>(particles.count());
+    if (box.dimension != 2 || count == 0.0 || !(thermal.degrees_of_freedom > 0.0) ||
+        !(particles.inverse_mass > 0.0).all())
+        return std::nullopt;
+    const double diameter = 2.0 * particles.radius[0];
+    if (!(diameter > 0.0) || (particles.radius != particles.radius[0]).any()) return std::nullopt;
+    Room room;
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        room.has_walls[a] = !box.is_periodic(axis);
+        room.reach[axis] = (box.size[axis] - (room.has_walls[a] ? diameter : 0.0)) / diameter;
+    }
+    if (!(room.reach > 0.0).all()) return std::nullopt;
+    const std::optional<Fluid> fluid = fluid_of(equation, room, count);
+    if (!fluid) return std::nullopt;
+
+    // The force on the two walls across each axis over their length; of no walls the pressure.
+    double force = 0.0, length = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const int other = 1 - axis;
+        if (!room.has_walls[static_cast<std::size_t>(axis)]) continue;
+        force += fluid->pressure() * room.reach[other];
+        if (room.has_walls[static_cast<std::size_t>(other)]) force += 2.0 * fluid->tension();
+        length += box.size[other] / diameter;
+    }
+    const double in_units = length > 0.0 ? force / length : fluid->pressure();
+    // Where momentum is conserved, less moves than N particles at this temperature would.
+    const double temperature = thermal.temperature();
+    const double missing = count * temperature - thermal.energy;
+    return temperature * in_units / (diameter * diameter) - missing / (box.size[0] * box.size[1]);
+}
+
+std::optional<double> pressure_of_rods(const Box& box, const Particles& particles,
+                                       const ThermalMotion& thermal) {
+    if (box.dimension != 1 || !(particles.inverse_mass > 0.0).all()) return std::nullopt;
+    const double free = box.size[0] - 2.0 * particles.radius.sum();
+    if (!(free > 0.0) || particles.count() == 0) return std::nullopt;
+    return 2.0 * thermal.energy / free;
+}
+
+}  // namespace carom

@@ -1,0 +1,49 @@
+#include "stats/paths/residence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace carom {
+
+void Residence::add(const Stretch& stretch) {
+    const double turn =
+        stretch.acceleration != 0.0 ? -stretch.velocity / stretch.acceleration : 0.0;
+    if (!(turn > 0.0 && turn < stretch.duration)) return add_monotone(stretch);
+    Stretch before = stretch, after = stretch;
+    before.duration = turn;
+    after.place = stretch.place_after(turn);
+    after.velocity = 0.0;
+    after.duration = stretch.duration - turn;
+    add_monotone(before);
+    add_monotone(after);
+}
+
+// Edges that it passes part it; the time to one is 2 s / (v0 + v), where both speeds have one sign.
+void Residence::add_monotone(const Stretch& stretch) {
+    const double end = stretch.place_after(stretch.duration);
+    const double direction = end >= stretch.place ? 1.0 : -1.0;
+    double last = stretch.place, reached = 0.0;
+    double edge = direction > 0.0 ? std::floor(stretch.place / width_) + 1.0
+                                  : std::ceil(stretch.place / width_) - 1.0;
+    for (; (end - edge * width_) * direction > 0.0; edge += direction) {
+        const double way = edge * width_ - stretch.place;
+        const double square =
+            stretch.velocity * stretch.velocity + 2.0 * stretch.acceleration * way;
+        const double sum = std::abs(stretch.velocity) + std::sqrt(std::max(0.0, square));
+        const double time =
+            sum > 0.0 ? std::clamp(2.0 * std::abs(way) / sum, reached, stretch.duration) : reached;
+        add(0.5 * (last + edge * width_), time - reached);
+        last = edge * width_;
+        reached = time;
+    }
+    add(0.5 * (last + end), stretch.duration - reached);
+}
+
+void Residence::add(double place, double time) {
+    const auto bin = static_cast<std::size_t>(std::max(0.0, std::floor(place / width_)));
+    if (bin >= times_.size()) times_.resize(bin + 1, 0.0);
+    times_[bin] += time;
+}
+
+}  // namespace carom

@@ -1,0 +1,37 @@
+// How long something that moves along a line is in each of many bins, exactly: not from samples.
+#pragma once
+
+#include <vector>
+
+namespace carom {
+
+/// A stretch of motion with constant acceleration.
+struct Stretch {
+    double place = 0.0, velocity = 0.0, acceleration = 0.0;
+    double duration = 0.0;
+
+    double place_after(double time) const {
+        return place + (velocity + 0.5 * acceleration * time) * time;
+    }
+};
+
+/// Times in bins of equal width from 0 on; places below 0 count as in the first.
+class Residence {
+  public:
+    explicit Residence(double width) : width_(width) {}
+
+    void add(const Stretch& stretch);
+
+    double width() const { return width_; }
+    /// Of each bin, up to the last that was reached.
+    const std::vector<double>& times() const { return times_; }
+
+  private:
+    void add_monotone(const Stretch& stretch);
+    void add(double place, double time);
+
+    double width_;
+    std::vector<double> times_;
+};
+
+}  // namespace carom

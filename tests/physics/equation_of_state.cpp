@@ -1,0 +1,140 @@
+// Equations of state against published numbers, and against the pressures of runs.
+#include "physics/theory/equation_of_state.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "physics/simulation.h"
+#include "stats/pressure.h"
+#include "support/blocks.h"
+#include "support/equation_of_state.h"
+#include "support/relative.h"
+
+using namespace carom;
+using test::relative;
+using enum EquationOfState;
+
+namespace {
+
+// Disks of diameter 1 and two masses that cover this share of a box between these sides.
+Gas disks(double packing, std::int64_t count, std::array<Wall, 2> walls) {
+    const double area = static_cast<double>(count) * std::numbers::pi / 4.0 / packing;
+    Gas gas;
+    gas.seed = 11;
+    gas.box.size = {std::sqrt(1.5 * area), std::sqrt(area / 1.5)};
+    gas.box.walls = walls;
+    const PositionRule places = LatticePlaces{};
+    gas.species = {
+        {.name = "light", .count = count / 2, .velocity = Temperature{1.5}, .position = places},
+        {.name = "heavy",
+         .count = count - count / 2,
+         .mass = Quantity{3.0},
+         .velocity = Temperature{1.5},
+         .position = places}};
+    return gas;
+}
+
+struct Pressures {
+    std::vector<double> virial, walls;  // of blocks of the run
+    double henderson, kolafa_rottner;
+};
+
+Pressures pressures(const Gas& gas) {
+    constexpr int blocks = 20;
+    constexpr double length = 40.0;
+    Run run;
+    run.equilibrate = 40.0;
+    Simulation simulation(gas, run);
+    const ThermalMotion thermal =
+        thermal_motion(gas.box, simulation.particles(), simulation.sample());
+    Pressures found;
+    PressureStart last;
+    for (int i = 1; i <= blocks; ++i) {
+        const ImpulseTotals now = simulation.advance_to(i * length).impulses;
+        const ImpulseTotals change = last.since(now);
+        found.virial.push_back(
+            *virial_pressure(gas.box, simulation.particles(), thermal.energy, change, length));
+        if (const auto walls = wall_pressure(gas.box, change, length))
+            found.walls.push_back(*walls);
+        last.impulses = now;
+    }
+    found.henderson = *pressure_of_disks(henderson, gas.box, simulation.particles(), thermal);
+    found.kolafa_rottner =
+        *pressure_of_disks(kolafa_rottner, gas.box, simulation.particles(), thermal);
+    return found;
+}
+
+// Within five standard errors, beyond what the equation itself claims.
+void check_pressure(const std::vector<double>& blocks, double expected, double claimed) {
+    const auto [mean, error] = test::estimate(blocks);
+    CAPTURE(mean);
+    CAPTURE(error);
+    CAPTURE(expected);
+    CHECK(std::abs(mean / expected - 1.0) < claimed + 5.0 * error / mean);
+    CHECK(error < 0.005 * mean);
+}
+
+}  // namespace
+
+TEST_CASE("equations of state have the values that their authors publish") {
+    for (const double packing : {0.0, 0.1, 0.3, 0.5, 0.65, 0.7})
+        CHECK(compressibility_factor(kolafa_rottner, packing) ==
+              relative(1.0 + test::excess_compressibility(packing), 1e-14));
+    // Li et al. 2022: beta P (2 sigma)^2 = 7.986735(26), sigma the radius; the fit is good to 1e-4.
+    CHECK(compressibility_factor(kolafa_rottner, 0.67) * 0.67 * 4.0 / std::numbers::pi ==
+          relative(7.986735, 1e-4));
+    CHECK(compressibility_factor(henderson, 0.5) == 4.125);
+    // Its third virial coefficient is 3.125 in powers of the packing; the exact one is 3.128.
+    CHECK((compressibility_factor(henderson, 1e-4) - 1.0) / 1e-4 - 2.0 == relative(3.125e-4, 1e-3));
+}
+
+TEST_CASE("disks between periodic sides have the pressure of their equation of state") {
+    for (const double packing : {0.05, 0.3, 0.5}) {
+        CAPTURE(packing);
+        const Gas gas = disks(packing, 400, {Wall::periodic, Wall::periodic});
+        const Pressures found = pressures(gas);
+        // The finite box changes Z - 1 by some 1/N of itself.
+        check_pressure(found.virial, found.kolafa_rottner, 1.0 / 400.0);
+        CHECK(found.henderson == relative(found.kolafa_rottner, 0.005));
+    }
+}
+
+TEST_CASE("disks between walls have the pressure of their equation of state") {
+    for (const double packing : {0.05, 0.15, 0.3, 0.47}) {
+        CAPTURE(packing);
+        const Gas gas = disks(packing, 400, {Wall::solid, Wall::solid});
+        const Pressures found = pressures(gas);
+        // The tension of walls is exact to second order only.
+        const double claimed = packing < 0.2 ? 0.003 : 0.01;
+        check_pressure(found.virial, found.kolafa_rottner, claimed);
+        check_pressure(found.walls, found.kolafa_rottner, claimed);
+    }
+}
+
+TEST_CASE("disks between two walls have the pressure of their equation of state") {
+    const Gas gas = disks(0.3, 400, {Wall::solid, Wall::periodic});
+    const Pressures found = pressures(gas);
+    check_pressure(found.walls, found.kolafa_rottner, 0.01);
+}
+
+TEST_CASE("there is no equation of state of a mixture of sizes, of a solid or of no gas") {
+    const auto pressure = [](Gas gas) {
+        gas.species[0].velocity = gas.species[1].velocity = Temperature{1.0};
+        Simulation simulation(gas, Run{});
+        return pressure_of_disks(
+            kolafa_rottner, gas.box, simulation.particles(),
+            thermal_motion(gas.box, simulation.particles(), simulation.sample()));
+    };
+    Gas gas = disks(0.4, 100, {Wall::periodic, Wall::periodic});
+    CHECK(pressure(gas));
+    gas.species[0].radius = 0.45;
+    CHECK_FALSE(pressure(gas));
+    CHECK_FALSE(pressure(disks(0.75, 100, {Wall::periodic, Wall::periodic})));
+    gas = disks(0.4, 100, {Wall::periodic, Wall::periodic});
+    gas.species[0].mass = Infinite{};
+    gas.species[0].velocity = AtRest{};
+    CHECK_FALSE(pressure(gas));
+}

@@ -1,0 +1,45 @@
+// Times in bins against a slow sum over small steps, and by hand.
+#include "stats/paths/residence.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "util/random.h"
+
+using namespace carom;
+
+TEST_CASE("a place at constant velocity is in each bin as long as the bin is wide") {
+    Residence residence(0.5);
+    residence.add({0.25, 2.0, 0.0, 1.0});
+    REQUIRE(residence.times().size() == 5);
+    CHECK(residence.times()[0] == doctest::Approx(0.125).epsilon(1e-14));
+    for (std::size_t i = 1; i < 4; ++i)
+        CHECK(residence.times()[i] == doctest::Approx(0.25).epsilon(1e-14));
+    CHECK(residence.times()[4] == doctest::Approx(0.125).epsilon(1e-14));
+}
+
+TEST_CASE("a thrown ball is in each bin as long as its height by steps says") {
+    Random random(5, "stretches");
+    for (int trial = 0; trial < 200; ++trial) {
+        const Stretch stretch{random.uniform(0.0, 3.0), random.uniform(0.0, 4.0),
+                              random.uniform(-2.0, 1.0), random.uniform(0.1, 1.2)};
+        constexpr double width = 0.3;
+        constexpr int steps = 20'000;
+        Residence exact(width);
+        exact.add(stretch);
+        std::vector<double> slow(exact.times().size(), 0.0);
+        double largest = 0.0;
+        for (int i = 0; i < steps; ++i) {
+            const double place = stretch.place_after(stretch.duration * (i + 0.5) / steps);
+            largest = std::max(largest, place);
+            const auto bin = static_cast<std::size_t>(std::max(0.0, std::floor(place / width)));
+            REQUIRE(bin < slow.size());
+            slow[bin] += stretch.duration / steps;
+        }
+        CAPTURE(trial);
+        // A step at each edge counts on one side or the other: at most four edges' steps in a bin
+        for (std::size_t k = 0; k < slow.size(); ++k)
+            CHECK(std::abs(slow[k] - exact.times()[k]) < 4.0 * stretch.duration / steps);
+    }
+}

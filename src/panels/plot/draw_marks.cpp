@@ -39,9 +39,16 @@ bool lies_on_x_axis(const Frame& frame, const Rect& words) {
     return words.y < frame.area.bottom() && words.bottom() > frame.area.bottom() + slack;
 }
 
-// The first that is free, of all anchors and their steps.
+// Whether words, and the sample before them, are within the plot from left to right.
+bool fits_across(const Frame& frame, const Place& place) {
+    const double left = place.rect.x + (place.has_sample ? frame.pixels(sample_from) : 0.0);
+    return left >= frame.area.x && place.rect.right() <= frame.area.right();
+}
+
+// The first that is free, of all anchors and their steps; where shorter words are left to try, one
+// that holds these.
 std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
-                                double width) {
+                                double width, bool has_shorter) {
     for (const Anchor& anchor : anchors) {
         const bool steps = anchor.step.x != 0.0 || anchor.step.y != 0.0;
         Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
@@ -49,6 +56,7 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
             if (steps && !frame.placer.is_inside(place.rect)) break;
             if (lies_on_x_axis(frame, place.rect)) break;
+            if (has_shorter && !fits_across(frame, place)) break;
             if (frame.placer.is_free(place.rect)) return place;
             if (!steps) break;
             place.baseline.x += frame.pixels(anchor.step.x);
@@ -71,7 +79,8 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
     for (const Text& text : label.words) {
         words = markup_of(text, frame.dc.theme);
         width = measure_text(words, style_of(frame, label)).width;
-        std::optional<Place> place = free_place(frame, label.anchors, width);
+        const bool has_shorter = &text != &label.words.back();
+        std::optional<Place> place = free_place(frame, label.anchors, width, has_shorter);
         if (!place) continue;
         place->words = words;
         return place;

@@ -273,6 +273,21 @@ TEST_CASE("pistons heat a gas by the work that they do, unless walls take the he
     CHECK(fast > 1.3 * slow);
 }
 
+TEST_CASE("a light piston never rests, and is where theory says, give or take a sixth") {
+    Simulation simulation = started("fluctuating-piston");
+    double sum = 0.0, squares = 0.0;
+    constexpr int samples = 3000;
+    for (int i = 1; i <= samples; ++i) {
+        const double place = simulation.advance_to(1.0 * i).surfaces.at(3).motion->place;
+        sum += place;
+        squares += place * place;
+    }
+    const double mean = sum / samples;
+    // E = 16 + 2 * 18: a beta distribution with 17 and 16.5; some 60 swings, each 17 % off
+    CHECK(mean == relative(26.0 * 17.0 / 33.5, 0.09));
+    CHECK(std::sqrt(squares / samples - mean * mean) / mean == relative(1.0 / 6.0, 0.3));
+}
+
 TEST_CASE("what is above the top of the atmosphere has escaped for good") {
     const Scene loaded = scene("atmosphere");
     const double top = loaded.gas.box.surfaces.partitions.front().at;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "draw/axis.h"
 #include "panels/chosen.h"
@@ -17,7 +18,8 @@ namespace {
 
 using plot::Role;
 
-constexpr int band_depth = 1000;  // behind all lines
+constexpr int depth_of_markers = 1;  // under levels and their words
+constexpr int band_depth = 1000;     // behind all lines
 const Role muted{.of = Role::Of::muted};
 
 // A word beside an upright line, where the axis has more room, as low as no line crosses it.
@@ -31,6 +33,18 @@ plot::Label label_beside(const plot::Axis& axis, double at, const std::string& w
                       .align = on_left ? Align::right : Align::left,
                       .step = {0.0, -0.5}}};
     return label;
+}
+
+// A line up, whose words find a place after those of levels. Words of a level that are too long to
+// lie beside it lie over it, on a plate.
+void add_marker(plot::Plot& plot, plot::Marker marker) {
+    std::optional<plot::Label> words = std::exchange(marker.label, std::nullopt);
+    marker.depth = depth_of_markers;
+    marker.is_kept_clear = true;
+    plot.layers.emplace_back(std::move(marker));
+    if (!words) return;
+    words->still = true;
+    plot.layers.emplace_back(std::move(*words));
 }
 
 }  // namespace
@@ -379,7 +393,7 @@ void SeriesPanel::add_turns() {
         marker.column = whole_.columns[0];
         marker.value = at;
         marker.label = label_beside(whole_.x, at, say(context_.language(), "reversed"));
-        whole_.layers.emplace_back(std::move(marker));
+        add_marker(whole_, std::move(marker));
     }
 }
 
@@ -395,7 +409,6 @@ void SeriesPanel::add_events() {
         marker.column = whole_.columns[0];
         marker.value = at;
         marker.stroke = {.width = 0.06, .dashes = {0.2, 0.4}};
-        marker.is_kept_clear = true;
         if (events.size() <= most_named) {
             std::vector<std::string> said;
             for (const std::string& word : words) {
@@ -409,7 +422,7 @@ void SeriesPanel::add_events() {
             marker.label->anchors.push_back(other_side);
             marker.label->may_be_left_out = true;
         }
-        whole_.layers.emplace_back(std::move(marker));
+        add_marker(whole_, std::move(marker));
     }
 }
 

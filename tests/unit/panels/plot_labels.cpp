@@ -7,6 +7,11 @@
 #include "draw/disks.h"
 #include "draw/text.h"
 #include "panels/plot/draw_plot.h"
+#include "panels/plot/label_placer.h"
+#include "panels/plot/layers.h"
+#include "panels/plot/plot_panel.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
 
 using namespace carom;
 using namespace carom::plot;
@@ -84,4 +89,59 @@ TEST_CASE("words that are named far from their level have a sample of its line b
     };
     CHECK(darkest_left_of_words(true) < 0x90);
     CHECK(darkest_left_of_words(false) > 0xE0);
+}
+
+// Those of a level are as long as half of a narrow plot.
+TEST_CASE("words lie beside the lines of reversals and events, or over them on a plate") {
+    const test::Shot film(test::scene_from(
+        "title: T\nbox: {size: [40, 40]}\ngas: [{count: 20, radius: 0.3, temperature: 1}]\n"
+        "run: {until: 8, events: [{at: 2, reverse: velocities}]}\n"
+        "film: {seconds: 2, fps: 10, panels: [{kind: entropy, space: positions}]}\n"));
+    const auto& panel = dynamic_cast<const PlotPanel&>(*film.panels->panels().back().panel);
+    const Plot plot = panel.plot(film.frames.back().states.back().get());
+    int level_depth = 100, markers = 0;
+    for (const AnyLayer& layer : plot.layers)
+        if (const auto* level = std::get_if<Level>(&layer); level && level->label)
+            level_depth = level->depth;
+    for (const AnyLayer& layer : plot.layers)
+        if (const auto* marker = std::get_if<Marker>(&layer); marker) {
+            ++markers;
+            CHECK(marker->is_kept_clear);  // which makes words that lie on it have a plate
+            CHECK(marker->depth > level_depth);
+        }
+    CHECK(markers == 1);
+
+    // A label on a line that is kept clear, drawn after it: the line ends at its plate.
+    DiskPainter disks;
+    const DrawContext dc{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
+    const auto pixels_at_line = [&](bool is_kept_clear) {
+        Plot simple{.titles = {"Labels"}};
+        Marker line;
+        line.value = 0.5;
+        line.still = true;
+        line.depth = 1;
+        line.is_kept_clear = is_kept_clear;
+        simple.layers.emplace_back(line);
+        Label words;
+        words.still = true;
+        words.words = {"\u00A0\u00A0\u00A0\u00A0\u00A0\u00A0\u00A0\u00A0\u00A0\u00A0"};
+        words.anchors = {{.at = {0.5, 0.5}, .align = Align::center}};
+        simple.layers.emplace_back(words);
+        Canvas canvas({600, 400});
+        canvas.fill({0, 0, 600, 400}, dc.theme.page);
+        draw_plot(canvas, dc, simple, Part::still);
+        LabelPlacer placer({});
+        const double x = frame_of(simple, dc, placer).x(0.5);
+        const PixelView view = canvas.pixels();
+        int count = 0;
+        for (int y = 100; y < 300; ++y) {
+            bool is_line = false;  // more than what shines through a plate
+            for (int at = static_cast<int>(x) - 1; at <= static_cast<int>(x) + 1; ++at)
+                is_line |=
+                    contrast(rgb(view.data[y * view.stride + at] & 0xFFFFFF), dc.theme.page) > 1.5;
+            count += is_line ? 1 : 0;
+        }
+        return count;
+    };
+    CHECK(pixels_at_line(true) < pixels_at_line(false) - 15);
 }

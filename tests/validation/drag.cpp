@@ -62,7 +62,7 @@ double velocity_after(double time, double start, double mass, std::uint64_t seed
 
 /// The mean over several starts.
 double mean_velocity(double start, double mass, const RunOf& run) {
-    const int starts = std::max(2, static_cast<int>(25 * run.effort));
+    const int starts = std::max(2, static_cast<int>(10 * run.effort));
     double sum = 0.0;
     for (int k = 0; k < starts; ++k)
         sum += velocity_after(last, start, mass, 1000 * run.seed + static_cast<std::uint64_t>(k)) /

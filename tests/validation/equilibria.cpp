@@ -40,19 +40,17 @@ std::vector<double> moments(Simulation simulation, double freedom, double effort
     const double energy = kinetic_energies(simulation.particles(), simulation.sample()).sum();
     const double temperature = 2.0 * energy / freedom;
     const int samples = std::max(10, static_cast<int>(30'000 * effort));
-    double speed = 0.0, square = 0.0, fourth = 0.0, component = 0.0;
+    double speed = 0.0, square = 0.0, fourth = 0.0;
     for (int k = 1; k <= samples; ++k) {
         simulation.advance_to(3.1 * k);
         const Sample& now = simulation.sample();
         speed += speeds(now).mean() / samples;
         square +=
             (kinetic_energies(simulation.particles(), now) / energy).square().mean() / samples;
-        component += now.velocity.square().mean() / samples;
         fourth += now.velocity.square().square().mean() / samples;
     }
     const double variance =
         2.0 * energy / (count * static_cast<double>(simulation.sample().velocity.cols()));
-    (void)component;
     return {speed / std::sqrt(temperature), square, fourth / (variance * variance)};
 }
 
@@ -130,8 +128,12 @@ Study equipartition() {
 }  // namespace
 
 std::vector<Study> equilibria() {
-    return {disks_between_walls(3), disks_between_walls(10), disks_in_a_periodic_box(),
-            equipartition()};
+    std::vector<Study> all{disks_between_walls(3), disks_between_walls(10),
+                           disks_in_a_periodic_box(), equipartition()};
+    all[0].how =
+        "Disks of radius 0.3 in a box of 4 × 3.5, sampled 30,000 times in each run. In a periodic "
+        "box *T* = *E*/(*N* − 1), between walls *E*/*N*.";
+    return all;
 }
 
 }  // namespace carom::validation

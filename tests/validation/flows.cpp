@@ -77,7 +77,7 @@ double frequency(const Eigen::ArrayXd& times, const Eigen::ArrayXd& values, doub
 /// w / k of a standing wave of one wavelength in a box of this length.
 double speed_of_wave(double length, double packing, const RunOf& run) {
     constexpr double amplitude = 0.15;
-    const double area = std::max(4000.0, 20'000.0 * run.effort);
+    const double area = std::max(1600.0, 12'000.0 * run.effort);
     const Gas gas = gas_in(length, area / length, packing, run.seed);
     Run how;
     how.equilibrate = 30.0;
@@ -188,7 +188,7 @@ std::vector<Study> flows() {
     std::vector<Study> all{
         sound(0.2), sound(0.4),
         shock({"weak shock, speed 0.5, into packing 0.1", 0.1, 0.5, 500.0, 40.0}),
-        shock({"strong shock, speed 4, into packing 0.1", 0.1, 4.0, 500.0, 40.0}),
+        shock({"strong shock, speed 4, into packing 0.1", 0.1, 4.0, 1000.0, 40.0}),
         shock({"shock, speed 2, into packing 0.35", 0.35, 2.0, 300.0, 30.0})};
     all[2].how =
         "The gas of a shock begins at *T* = 1; the pressure on the piston is that of its impulse "

@@ -119,8 +119,8 @@ Study dilute_diffusion() {
          "D. M. Gass, J. Chem. Phys. 54, 1898 (1971), with the higher Sonine "
          "approximations"}};
     study.measure = [=](const RunOf& run) {
-        const double thin = diffusion(0.01, 4000, run.seed, 60.0 * run.effort);
-        const double thick = diffusion(0.02, 2000, run.seed + 1000, 60.0 * run.effort);
+        const double thin = diffusion(0.01, 4000, run.seed, 40.0 * run.effort);
+        const double thick = diffusion(0.02, 2000, run.seed + 1000, 40.0 * run.effort);
         return std::vector<double>{2.0 * thin - thick};
     };
     return study;

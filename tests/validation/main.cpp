@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <mutex>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,58 +54,92 @@ double seconds_of_thread() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-struct Task {
-    std::size_t study;
-    int run;
-};
+/// A quick run of few runs is no close look: it fails where a truth is grossly missed.
+bool is_outside(const Row& row, double bound, bool is_quick) {
+    if (!is_quick) return std::abs(row.z) > bound;
+    const double off = std::abs(row.measured.mean - row.truth->value);
+    return std::abs(row.z) > 3.0 && off > 0.05 * std::abs(row.truth->value);
+}
 
 /// All runs of all studies, on threads; the same numbers on any number of them.
-std::vector<Measured> measure(std::vector<Study> studies, const Options& options) {
-    std::vector<Measured> all;
-    std::vector<Task> tasks;
-    for (Study& study : studies) {
-        if (options.is_quick) study.runs = std::min(study.runs, 5);
-        for (int run = 0; run < study.runs; ++run) tasks.push_back({all.size(), run});
-        Measured measured{std::move(study), {}, {}};
-        measured.values.resize(static_cast<std::size_t>(measured.study.runs));
-        measured.seconds.resize(measured.values.size());
-        all.push_back(std::move(measured));
+class Validation {
+  public:
+    Validation(std::vector<Study> studies, const Options& options) : options_(options) {
+        for (Study& study : studies) {
+            if (options.is_quick) study.runs = std::min(study.runs, 4);
+            for (int run = 0; run < study.runs; ++run) tasks_.push_back({all_.size(), run});
+            rows_ += study.truths.size();
+            left_.push_back(study.runs);
+            Measured measured{std::move(study), {}, {}};
+            measured.values.resize(static_cast<std::size_t>(measured.study.runs));
+            measured.seconds.resize(measured.values.size());
+            all_.push_back(std::move(measured));
+        }
+        bound_ = bound_of(rows_);
     }
-    std::atomic<std::size_t> next = 0;
-    std::atomic<std::size_t> done = 0;
-    std::atomic<bool> has_failed = false;
-    std::exception_ptr failure;
-    const auto work = [&] {
-        for (std::size_t k = next++; k < tasks.size() && !has_failed; k = next++) {
-            Measured& one = all[tasks[k].study];
-            const auto run = static_cast<std::size_t>(tasks[k].run);
+
+    void measure() {
+        {
+            std::vector<std::jthread> threads;
+            for (unsigned k = 1; k < options_.threads; ++k)
+                threads.emplace_back([this] { work(); });
+            work();
+        }
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+    const std::vector<Measured>& all() const { return all_; }
+    std::size_t rows() const { return rows_; }
+    double bound() const { return bound_; }
+    int outside() const { return outside_; }
+
+  private:
+    struct Task {
+        std::size_t study;
+        int run;
+    };
+
+    void work() {
+        for (std::size_t k = next_++; k < tasks_.size() && !has_failed_; k = next_++) {
+            Measured& one = all_[tasks_[k].study];
+            const auto run = static_cast<std::size_t>(tasks_[k].run);
             try {
                 const double begun = seconds_of_thread();
-                one.values[run] = one.study.measure({run + 1, options.effort});
+                one.values[run] = one.study.measure({run + 1, options_.effort});
                 one.seconds[run] = seconds_of_thread() - begun;
-                const std::size_t now = ++done;
-                if (!options.is_quick && now * 10 / tasks.size() != (now - 1) * 10 / tasks.size())
-                    std::fprintf(stderr, "carom: %zu of %zu runs\n", now, tasks.size());
+                const std::lock_guard lock(mutex_);
+                if (--left_[tasks_[k].study] == 0) report(one);
             } catch (...) {
-                if (!has_failed.exchange(true)) failure = std::current_exception();
+                if (!has_failed_.exchange(true)) failure_ = std::current_exception();
             }
         }
-    };
-    {
-        std::vector<std::jthread> threads;
-        for (unsigned k = 1; k < options.threads; ++k) threads.emplace_back(work);
-        work();
     }
-    if (failure) std::rethrow_exception(failure);
-    return all;
-}
 
-/// A quick run is far too short for a close look: it fails where a truth is grossly missed.
-bool is_outside(const Row& row, double bound, bool is_quick) {
-    if (std::abs(row.z) <= bound) return false;
-    return !is_quick ||
-           std::abs(row.measured.mean - row.truth->value) > 0.05 * std::abs(row.truth->value);
-}
+    /// Says what a study has measured when its last run ends.
+    void report(Measured& one) {
+        one.find_rows();
+        for (const Row& row : one.rows) {
+            const bool is_out = is_outside(row, bound_, options_.is_quick);
+            outside_ += is_out ? 1 : 0;
+            std::printf("%s %6.2f  %s: %s, here %s  (%.1f s)\n", is_out ? "OUTSIDE" : "       ",
+                        row.z, row.truth->what.c_str(), known_of(*row.truth, row).c_str(),
+                        measured_of(row).c_str(), one.all_seconds());
+        }
+        std::fflush(stdout);
+    }
+
+    Options options_;
+    std::vector<Measured> all_;
+    std::vector<Task> tasks_;
+    std::vector<int> left_;  ///< runs of each study that have not ended
+    std::size_t rows_ = 0;
+    double bound_ = 0.0;
+    int outside_ = 0;
+    std::atomic<std::size_t> next_ = 0;
+    std::atomic<bool> has_failed_ = false;
+    std::exception_ptr failure_;
+    std::mutex mutex_;
+};
 
 int run(const Options& options) {
     const auto begun = std::chrono::steady_clock::now();
@@ -112,28 +148,18 @@ int run(const Options& options) {
         std::erase_if(studies, [&](const Study& study) {
             return (study.field + study.truths[0].what).find(options.only) == std::string::npos;
         });
-    std::vector<Measured> measured = measure(std::move(studies), options);
-    std::size_t rows = 0;
-    for (Measured& one : measured) {
-        one.find_rows();
-        rows += one.rows.size();
-    }
-    const double bound = bound_of(rows);
-    int outside = 0;
-    for (const Measured& one : measured)
-        for (const Row& row : one.rows) {
-            const bool is_out = is_outside(row, bound, options.is_quick);
-            outside += is_out ? 1 : 0;
-            std::printf("%s %6.2f  %s: %s, here %s  (%.1f s)\n", is_out ? "OUTSIDE" : "       ",
-                        row.z, row.truth->what.c_str(), known_of(*row.truth, row).c_str(),
-                        measured_of(row).c_str(), one.all_seconds());
-        }
-    const double seconds =
+    Validation validation(std::move(studies), options);
+    validation.measure();
+    Effort effort{validation.bound(), 0.0, 0.0, options.threads};
+    for (const Measured& one : validation.all()) effort.processor_seconds += one.all_seconds();
+    effort.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    if (!options.page.empty()) write_page(options.page, options.figures, measured, bound, seconds);
-    std::printf("%zu rows, %d outside of |z| < %.2f, in %.0f s on %u threads\n", rows, outside,
-                bound, seconds, options.threads);
-    return outside > 0 ? 1 : 0;
+    if (!options.page.empty()) write_page(options.page, options.figures, validation.all(), effort);
+    std::printf(
+        "%zu rows, %d outside of |z| < %.2f, in %.0f s on %u threads, %.0f s of processor time\n",
+        validation.rows(), validation.outside(), effort.bound, effort.seconds, effort.threads,
+        effort.processor_seconds);
+    return validation.outside() > 0 ? 1 : 0;
 }
 
 }  // namespace

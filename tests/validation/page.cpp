@@ -68,8 +68,7 @@ void write_tables(std::string& page, const std::vector<Measured>& studies, doubl
     end_field();
 }
 
-void write_summary(std::string& page, const std::vector<Measured>& studies, double bound,
-                   double seconds) {
+void write_summary(std::string& page, const std::vector<Measured>& studies, const Effort& effort) {
     std::vector<double> z;
     std::size_t rows = 0;
     for (const Measured& one : studies)
@@ -82,9 +81,10 @@ void write_summary(std::string& page, const std::vector<Measured>& studies, doub
     page += fmt::format(
         "{} rows, {} of them exact. If all is right, the largest |*z*| exceeds {:.2f} by chance "
         "with a probability of 1 %; the mean of *z*² is {:.2f}, where 1 ± {:.2f} is expected. It "
-        "took {:.0f} s.\n",
-        rows, rows - z.size(), bound, squares / static_cast<double>(z.size()),
-        std::sqrt(2.0 / static_cast<double>(z.size())), seconds);
+        "took {:.0f} s on {} threads, {:.0f} s of processor time.\n",
+        rows, rows - z.size(), effort.bound, squares / static_cast<double>(z.size()),
+        std::sqrt(2.0 / static_cast<double>(z.size())), effort.seconds, effort.threads,
+        effort.processor_seconds);
 }
 
 void write_figures(std::string& page, const std::string& figures) {
@@ -122,11 +122,11 @@ std::string measured_of(const Row& row) {
 }
 
 void write_page(const std::string& path, const std::string& figures,
-                const std::vector<Measured>& studies, double bound, double seconds) {
+                const std::vector<Measured>& studies, const Effort& effort) {
     std::string page = "# Validation\n\n";
     page += introduction;
-    write_summary(page, studies, bound, seconds);
-    write_tables(page, studies, bound);
+    write_summary(page, studies, effort);
+    write_tables(page, studies, effort.bound);
     write_figures(page, figures);
     AtomicFile file(path);
     file.write(page);

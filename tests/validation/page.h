@@ -24,9 +24,17 @@ struct Measured {
 std::string known_of(const Truth& truth, const Row& row);
 std::string measured_of(const Row& row);
 
+/// The largest |z| that passes, and what it took.
+struct Effort {
+    double bound = 0.0;
+    double seconds = 0.0;            ///< by the clock
+    double processor_seconds = 0.0;  ///< of all threads together
+    unsigned threads = 1;
+};
+
 /// `figures`: captions.json of the figures that the page shows from the folder validation/ beside
 /// it; none: "".
 void write_page(const std::string& path, const std::string& figures,
-                const std::vector<Measured>& studies, double bound, double seconds);
+                const std::vector<Measured>& studies, const Effort& effort);
 
 }  // namespace carom::validation

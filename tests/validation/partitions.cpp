@@ -52,7 +52,7 @@ Study window() {
         Run how;
         how.equilibrate = 500.0;
         Simulation simulation(gas, how);
-        const int samples = std::max(10, static_cast<int>(2500 * run.effort));
+        const int samples = std::max(10, static_cast<int>(1800 * run.effort));
         double mean[2] = {}, variance[2] = {}, energy[2] = {}, inside[2] = {};
         for (int k = 1; k <= samples; ++k) {
             simulation.advance_to(20.0 * k);

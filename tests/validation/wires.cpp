@@ -117,6 +117,37 @@ bool is_right(const nlohmann::json& cradle) {
     return true;
 }
 
+Study pairs() {
+    Study study;
+    study.field = field;
+    const auto rows = test::reference_rows("pair_collision_1d.csv");
+    study.truths = {
+        {"of " + std::to_string(rows.size()) +
+             " collisions of two beads, those with the exact velocities, to 4 roundings",
+         static_cast<double>(rows.size()), 0.0, 1e-12,
+         "exact: `tests/reference/pair_collision_1d.csv`"}};
+    study.measure = [=](const RunOf&) {
+        double right = 0.0;
+        for (const auto& row : rows) {
+            const double u1 = test::fraction(row[0]), u2 = test::fraction(row[1]);
+            const bool in_order = u1 > u2;
+            const test::Bead first{100.0, u1, test::fraction(row[2])};
+            const test::Bead second{in_order ? 101.5 : 98.5, u2, test::fraction(row[3])};
+            Simulation wire = test::along_a_line(
+                1, 200.0, 0.5, in_order ? std::vector{first, second} : std::vector{second, first});
+            wire.advance_to(0.6 / std::abs(u1 - u2));
+            const double rounding = 9e-16 * (std::abs(u1) + std::abs(u2));
+            const Eigen::ArrayXXd& v = wire.sample().velocity;
+            const bool is_exact =
+                std::abs(v(in_order ? 0 : 1, 0) - std::stod(row[6])) <= rounding &&
+                std::abs(v(in_order ? 1 : 0, 0) - std::stod(row[7])) <= rounding;
+            right += is_exact ? 1.0 : 0.0;
+        }
+        return std::vector<double>{right};
+    };
+    return study;
+}
+
 Study cradles() {
     Study study;
     study.field = field;
@@ -134,6 +165,8 @@ Study cradles() {
 
 }  // namespace
 
-std::vector<Study> wires() { return {places(), force(), galperin(3), galperin(6), cradles()}; }
+std::vector<Study> wires() {
+    return {places(), force(), galperin(3), galperin(6), cradles(), pairs()};
+}
 
 }  // namespace carom::validation

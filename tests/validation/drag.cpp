@@ -114,8 +114,8 @@ Study brownian() {
     study.how =
         "8000 points of mass 1 at *T* = 1 in a periodic box of side 40 meet a disk of radius 5; "
         "runs end at time 6, before points come round to it again. The known values follow from "
-        "the integral of the momentum that points bring to each place of the edge; the light disk "
-        "is slowed by the factor *M*/(*M* + *m*) less.";
+        "the integral of the momentum that points bring to each place of the edge; one of finite "
+        "mass *M* is slowed by *M*/(*M* + *m*) times as much.";
     study.truths = {
         {"mean velocity of a disk of mass 1000 after a time of 6, over that of its start, 0.4",
          slowed(start, mass, last), 0.0, 0.0,

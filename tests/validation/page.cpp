@@ -36,7 +36,7 @@ std::string cell_of_z(const Row& row, double bound) {
 constexpr const char* introduction =
     R"(What theory and others know of gases of hard particles, and what carom measures. `./dev validate` makes this page anew: it runs every row, writes the page, and fails if a row is outside of its error.
 
-- **known**: the published or exact value, with its standard error in the last digits where it has one. Corrections for finite numbers and finite disks that are known exactly are included, and the source says so.
+- **known**: the published or exact value, ± its standard error where it has one. Corrections for finite numbers and finite disks that are known exactly are included, and the source says so.
 - **carom**: the mean over independent runs with seeds 1, 2, …, their number in the column *runs*, with the standard error of this mean from their scatter. No error is assumed.
 - ***z***: the distance in standard errors; for few runs the normal deviate that is as unlikely as Student’s *t*. *exact* where there is no chance, and each run agrees to its rounding error.
 

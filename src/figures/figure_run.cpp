@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "panels/frame.h"
-#include "panels/plot/plot_panel.h"
+#include "panels/shared_panel.h"
 
 namespace carom {
 namespace {
@@ -38,8 +38,8 @@ Scene alone(Scene scene, int later) {
     return scene;
 }
 
-// Only plots show several runs.
-PlotPanel& plot_of(Panel& panel) { return dynamic_cast<PlotPanel&>(panel); }
+// Only such kinds are asked to show several runs.
+SharedPanel& shared(Panel& panel) { return dynamic_cast<SharedPanel&>(panel); }
 
 bool shows(const Figure& figure, double time) {
     const std::size_t next = figure.moments.size();
@@ -213,7 +213,7 @@ void FigureRun::fix_axes(const FigureSpec& spec, const Parts& parts) {
     for (std::size_t k = 1; k < parts.size(); ++k) others.push_back(parts[k].figure->panel);
     std::vector<std::string> names;
     for (const ComparedRun& run : spec.compare) names.push_back(run.label);
-    plot_of(first).fix_axes_of_runs(others, names);
+    shared(first).fix_axes_of_runs(others, names);
 }
 
 // The first run's figure, which shows all of them.
@@ -221,18 +221,18 @@ Figure FigureRun::joined_figure(const FigureSpec& spec, const Parts& parts) {
     Figure figure = *parts.front().figure;
     figure.spec = &spec;
     if (parts.size() == 1) return figure;
-    const PlotPanel& panel = plot_of(*figure.panel);
+    const SharedPanel& panel = shared(*figure.panel);
     for (std::size_t i = 0; i < figure.moments.size(); ++i) {
         std::vector<std::shared_ptr<const PanelState>> states;
         for (const Part& part : parts) states.push_back(part.figure->moments[i].state);
         figure.moments[i].state = panel.state_of_runs(states);
     }
     if (spec.compare.empty()) return figure;
-    const plot::Plot plot = panel.plot(figure.moments.front().state.get());
+    const std::vector<std::string> accounts = panel.accounts_of_runs(*figure.moments.front().state);
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const FigureMoment& moment = parts[k].figure->moments.front();
         figure.sides.push_back({spec.compare[k].label, parts[k].run->particles().count(),
-                                moment.time, moment.collisions, plot.accounts_of_runs.at(k)});
+                                moment.time, moment.collisions, accounts.at(k)});
     }
     return figure;
 }

@@ -6,9 +6,9 @@
 #include "panels/archived.h"
 #include "panels/echo/echo_record.h"
 #include "panels/gas/particle_panel.h"
-#include "panels/plot/plot_panel.h"
 #include "panels/precision.h"
 #include "panels/registry.h"
+#include "panels/shared_panel.h"
 #include "panels/words/text_panel.h"
 #include "scene/describe.h"
 
@@ -109,10 +109,10 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
         panels.push_back(make_panel(context_of(own), film.panels[i]));
         enough.push_back(panels.back()->enough_height());
         if (runs_.size() == 1) continue;
-        const bool has_plot = dynamic_cast<PlotPanel*>(panels.back().get()) != nullptr;
+        const bool is_shared = dynamic_cast<SharedPanel*>(panels.back().get()) != nullptr;
         of_other_.push_back(
-            has_plot ? make_panel(context_of(other), runs_[other]->scene.film.panels.at(i))
-                     : nullptr);
+            is_shared ? make_panel(context_of(other), runs_[other]->scene.film.panels.at(i))
+                      : nullptr);
     }
     const std::vector<Slot> slots =
         with_heights(shared_slots(layout.panels, panels.size()), enough);
@@ -185,8 +185,8 @@ void PanelSet::fix_axes_of_both() {
         else if (partner == nullptr)
             panel.fix_axes();
         else
-            dynamic_cast<PlotPanel&>(panel).fix_axes_of_runs({partner},
-                                                             {beside.own_label, beside.label});
+            dynamic_cast<SharedPanel&>(panel).fix_axes_of_runs({partner},
+                                                               {beside.own_label, beside.label});
     }
     boxes.at(own)->share_scales(*boxes.at(other));
 }
@@ -232,7 +232,7 @@ FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
         Panel& panel = *panels_[i].panel;
         std::shared_ptr<const PanelState> state = panel.state(inputs.at(panels_[i].run));
         if (Panel* partner = i < before ? nullptr : of_other_[i - before].get())
-            state = dynamic_cast<PlotPanel&>(panel).state_of_runs(
+            state = dynamic_cast<SharedPanel&>(panel).state_of_runs(
                 {state, partner->state(inputs.at(other))});
         frame.bytes += state->bytes();
         frame.states.push_back(std::move(state));

@@ -81,11 +81,63 @@ std::vector<Binding<PanelSpec>> surfaces_key() {
                               "partition")};
 }
 
+std::vector<Binding<PanelSpec>> gauge_key() {
+    return {bind_key("gauge", &PanelSpec::gauge, flag(),
+                     "Whether a round gauge for each surface, or one for all walls, shows the mean "
+                     "over a time before the present.")};
+}
+
+std::unique_ptr<Panel> make_pressure_or_gauge(const PanelContext& context, const PanelSpec& spec) {
+    return spec.gauge ? make_pressure_gauge(context, spec) : make_pressure(context, spec);
+}
+
+std::vector<Binding<PanelSpec>> line_keys() {
+    return joined<PanelSpec>(
+        surfaces_key(), std::vector{bind_key("line", &PanelSpec::line, counting_line_notation(),
+                                             "A line that particles cross, instead of a partition.")
+                                        .default_text("none")});
+}
+
+std::vector<Binding<PanelSpec>> flux_keys() {
+    return joined<PanelSpec>(
+        line_keys(),
+        std::vector{bind_key("carried", &PanelSpec::carried,
+                             one_of<Carried>({{"particles", Carried::particles},
+                                              {"energy", Carried::energy},
+                                              {"mean-energy", Carried::mean_energy}}),
+                             "What it shows of those that cross: their number in a time, their "
+                             "energy in a time, or the mean energy of one.")});
+}
+
+std::vector<Binding<PanelSpec>> counter_keys() {
+    return joined<PanelSpec>(
+        line_keys(),
+        std::vector{
+            bind_key("count", &PanelSpec::counted,
+                     one_of<Counted>({{"hits", Counted::hits}, {"crossings", Counted::crossings}}),
+                     "What it counts: collisions with walls and partitions, or what goes "
+                     "over partitions, each way.")
+                .default_text("crossings of partitions that let particles through, else "
+                              "hits")});
+}
+
+std::vector<Binding<PanelSpec>> since_key() {
+    return {bind_key("since", &PanelSpec::since, watch_start_notation(),
+                     "When it starts: a time, or the first event of the run that is called so: "
+                     "`reversal`, `heat`, or the wall or partition that it acts on.")
+                .default_text("start")};
+}
+
+Binding<PanelSpec> regions_key() {
+    return bind_key("regions", &PanelSpec::regions, regions_notation(),
+                    "Parts of the box, instead of the two sides of a partition, or of particles by "
+                    "`of`.")
+        .default_text("none");
+}
+
 std::vector<Binding<PanelSpec>> sides_keys() {
     std::vector<Binding<PanelSpec>> keys = surfaces_key();
-    keys.push_back(bind_key("regions", &PanelSpec::regions, regions_notation(),
-                            "Parts of the box instead of the two sides of a partition.")
-                       .default_text("none"));
+    keys.push_back(regions_key());
     keys.push_back(bind_key("measure", &PanelSpec::measure,
                             one_of<PartMeasure>({{"count", PartMeasure::count},
                                                  {"temperature", PartMeasure::temperature},
@@ -201,9 +253,30 @@ std::vector<PanelKind> all_kinds() {
          .keys = entropy_keys()},
         {.name = "pressure",
          .words = Phrase{"pressure"},
-         .make = make_pressure,
+         .make = make_pressure_or_gauge,
          .abilities = {over, means, comparison},
-         .keys = surfaces_key()},
+         .keys = joined<PanelSpec>(surfaces_key(), gauge_key()),
+         .rule = check_pressure},
+        {.name = "thermometer",
+         .words = Phrase{"thermometer"},
+         .make = make_thermometer,
+         .abilities = {of, over, means, comparison},
+         .keys = {regions_key()},
+         .rule = check_thermometer,
+         .has_plot = false},
+        {.name = "stopwatch",
+         .words = Phrase{"stopwatch"},
+         .make = make_stopwatch,
+         .abilities = {comparison},
+         .keys = since_key(),
+         .has_plot = false},
+        {.name = "counter",
+         .words = Phrase{"counter"},
+         .make = make_counter,
+         .abilities = {of, means, comparison},
+         .keys = counter_keys(),
+         .rule = check_counter,
+         .has_plot = false},
         {.name = "pressure-volume",
          .words = Phrase{"pressure and volume"},
          .make = make_pressure_volume,
@@ -228,6 +301,12 @@ std::vector<PanelKind> all_kinds() {
          .abilities = {component, means, comparison},
          .keys = sides_keys(),
          .rule = check_sides},
+        {.name = "flux",
+         .words = Phrase{"flux"},
+         .make = make_flux,
+         .abilities = {of, over, theory, means, comparison},
+         .keys = flux_keys(),
+         .rule = check_flux},
         {.name = "energy-account",
          .words = Phrase{"energy account"},
          .make = make_energy_account,

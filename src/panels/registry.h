@@ -42,6 +42,7 @@ PanelMaker make_speed_histogram, make_energy_histogram, make_velocity_histogram,
     make_pair_correlation, make_velocity_autocorrelation, make_free_path, make_free_time,
     make_orientational_order, make_profile, make_positions, make_monitors, make_single_collision,
     make_contact_time, make_collision_map, make_text, make_sides, make_piston,
-    make_piston_histogram, make_pressure_volume, make_energy_account;
+    make_piston_histogram, make_pressure_volume, make_energy_account, make_pressure_gauge,
+    make_thermometer, make_stopwatch, make_counter, make_flux;
 
 }  // namespace carom

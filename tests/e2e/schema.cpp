@@ -69,7 +69,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
-    {"instruments", several_places},  // names against the box, and what moves
+    {"dials_closed", several_places},  // what lets particles through
+    {"dials_wire", several_places},    // a line against the box
+    {"instruments", several_places},   // names against the box, and what moves
     {"formula", "a formula has a grammar of its own"},
     {"jam_around", several_places},
     {"jam_lattice", several_places},

@@ -11,7 +11,8 @@ double width_along(const Box& box, const std::vector<SurfaceState>& states, int 
     return place_of_surface(box, states, low + 1) - place_of_surface(box, states, low);
 }
 
-// "left wall", or the name that the scene gives.
+}  // namespace
+
 std::string short_name(Language language, const Box& box, std::int32_t surface) {
     switch (surface) {
         case 0:
@@ -26,8 +27,6 @@ std::string short_name(Language language, const Box& box, std::int32_t surface) 
             return box.surfaces.names()[static_cast<std::size_t>(surface)];
     }
 }
-
-}  // namespace
 
 plot::Role surface_role(std::size_t place, std::size_t count) {
     if (count == 1) return {.of = plot::Role::Of::bar};

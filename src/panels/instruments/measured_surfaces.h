@@ -15,6 +15,9 @@ namespace carom {
 /// the bars'.
 plot::Role surface_role(std::size_t place, std::size_t count);
 
+/// "left wall", or the name that the scene gives.
+std::string short_name(Language language, const Box& box, std::int32_t surface);
+
 /// A line for each surface, and the title that names them.
 void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
                    const std::vector<std::int32_t>& surfaces, const std::string& what);

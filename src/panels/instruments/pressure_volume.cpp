@@ -16,7 +16,6 @@
 namespace carom {
 namespace {
 
-constexpr double share_of_run = 0.05;       // that pressures are taken over
 constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
@@ -78,8 +77,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
         : context_(context),
           spec_(spec),
           meter_(context.scene.gas.box, {spec.surfaces.front()},
-                 spec.over.value_or(
-                     Over{Over::Since::window, share_of_run * context.scene.run.until})) {}
+                 spec.over.value_or(usual_window(context.scene.run))) {}
 
     void survey(const FrameInput& input) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;

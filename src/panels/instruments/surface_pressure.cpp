@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/plots/window.h"
@@ -34,6 +35,15 @@ std::vector<double> SurfacePressures::operator()(double time, const AdvanceResul
                                 ? (to.push[i] - from.push[i]) / (to.reach[i] - from.reach[i])
                                 : std::numeric_limits<double>::quiet_NaN());
     return pressures;
+}
+
+double SurfacePressures::of_all() const {
+    const Received &from = received_.from(), &to = received_.to();
+    const auto sum = [](const std::vector<double>& all) {
+        return std::accumulate(all.begin(), all.end(), 0.0);
+    };
+    if (!(to.time > from.time)) return std::numeric_limits<double>::quiet_NaN();
+    return (sum(to.push) - sum(from.push)) / (sum(to.reach) - sum(from.reach));
 }
 
 std::string unit_of_pressure(const Box& box) {

@@ -22,6 +22,9 @@ class SurfacePressures {
     /// one begins anew.
     std::vector<double> operator()(double time, const AdvanceResult& advanced);
 
+    /// Of all surfaces together, at the last time.
+    double of_all() const;
+
   private:
     /// What has been received by a time, and the length that received it, integrated over time.
     struct Received {

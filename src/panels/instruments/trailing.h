@@ -8,6 +8,9 @@
 
 namespace carom {
 
+/// What a reading is a mean over where the scene does not say: a twentieth of the run.
+inline Over usual_window(const Run& run) { return {Over::Since::window, 0.05 * run.until}; }
+
 /// Accounts of a run, each with its `time`; kept as far back as the difference of two needs.
 template <class Account>
 class Trailing {

@@ -1,7 +1,5 @@
 #include "panels/plot/plot_panel.h"
 
-#include <stdexcept>
-
 #include "panels/plot/draw_plot.h"
 
 namespace carom {
@@ -21,10 +19,6 @@ std::optional<Point> PlotPanel::place_of(const DrawContext& dc, const PanelState
 
 Table PlotPanel::table(const PanelState& state, const Theme&) const {
     return table_of(plot(&state));
-}
-
-void PlotPanel::fix_axes_of_runs(const std::vector<Panel*>&, const std::vector<std::string>&) {
-    throw std::logic_error("a panel of a kind that does not show several runs so");
 }
 
 std::shared_ptr<const PanelState> PlotPanel::state_of_runs(

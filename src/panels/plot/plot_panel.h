@@ -8,6 +8,7 @@
 
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
+#include "panels/shared_panel.h"
 #include "util/archive.h"
 
 namespace carom {
@@ -17,7 +18,7 @@ struct ShownState : PanelState {
     std::vector<std::size_t> shown;
 };
 
-class PlotPanel : public Panel {
+class PlotPanel : public SharedPanel {
   public:
     /// The plot of a state; of none, its axes, its notes and what is the same in every frame. After
     /// fix_axes(), from any thread.
@@ -31,15 +32,11 @@ class PlotPanel : public Panel {
     std::string finding(const PanelState& state) const final { return plot(&state).finding; }
     std::string account(const PanelState& state) const final { return plot(&state).account; }
 
-    /// fix_axes() for several runs that one plot shows: of this one and of others, panels of the
-    /// same kind that saw them. With the names of all runs they are side by side, with none it is
-    /// their mean. Throws std::logic_error where the kind has no such plot.
-    virtual void fix_axes_of_runs(const std::vector<Panel*>& others,
-                                  const std::vector<std::string>& names);
-
-    /// What such a plot shows: the states of all its runs together, this panel's first.
-    virtual std::shared_ptr<const PanelState> state_of_runs(
-        const std::vector<std::shared_ptr<const PanelState>>& states) const;
+    std::shared_ptr<const PanelState> state_of_runs(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    std::vector<std::string> accounts_of_runs(const PanelState& state) const final {
+        return plot(&state).accounts_of_runs;
+    }
 };
 
 /// Whether there are means of such records.
@@ -48,10 +45,11 @@ concept HasMean = requires(std::vector<Record> records) {
     mean_of(std::move(records));
 };
 
-/// A plot of what was recorded in the first pass. For a Record there are mean_of(records) and
-/// compare(records, names), which give the record of several runs.
-template <class Record>
-class RecordPanel : public PlotPanel {
+/// Shows what was recorded in the first pass: a plot, or another panel of several runs. For a
+/// Record there are mean_of(records) and compare(records, names), which give the record of several
+/// runs.
+template <class Record, class Base = PlotPanel>
+class RecordPanel : public Base {
   public:
     void fix_axes() final {
         finish_record();
@@ -71,7 +69,7 @@ class RecordPanel : public PlotPanel {
         else if constexpr (HasMean<Record>)
             record_ = mean_of(std::move(records));
         else
-            PlotPanel::fix_axes_of_runs(others, names);
+            Base::fix_axes_of_runs(others, names);
         make_axes();
         for (Panel* other : others) dynamic_cast<RecordPanel&>(*other).take_axes(*this);
     }

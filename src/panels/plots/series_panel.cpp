@@ -293,7 +293,10 @@ void SeriesPanel::add_run(std::size_t k) {
                           : plot::Stroke{.role = subject.role,
                                          .print_dashes = plot::dashes_in_print(i, run.lines.size()),
                                          .shade = plot::Shade::rimmed};
-        line.head = plot::Mark{.role = line.stroke.role, .shade = line.stroke.shade};
+        if (subject.is_theory)
+            line.stroke = {.role = subject.role, .width = 0.1, .dashes = {0.5, 0.35}};
+        else
+            line.head = plot::Mark{.role = line.stroke.role, .shade = line.stroke.shade};
         if (!run.errors.empty()) {
             plot::Band band;
             band.x = line.x;

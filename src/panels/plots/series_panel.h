@@ -17,6 +17,7 @@ struct SeriesSubject {
     struct Line {
         std::string name;  ///< in a table, in English
         plot::Role role = {.of = plot::Role::Of::bar};
+        bool is_theory = false;  ///< thin and dashed
     };
     std::function<std::vector<double>(const FrameInput&)> measure =
         {};  ///< one number for each line, every frame of the first pass in order; NaN: none

@@ -290,7 +290,25 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     require_one(panel, node, reading);
 }
 
+void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (!panel.gauge || is_written(node, "surfaces")) return;
+    const std::vector<std::string> names = measurable(reading.gas.box);
+    if (std::ranges::none_of(names.begin(), names.begin() + Surfaces::first_partition,
+                             [](const std::string& name) { return !name.empty(); }))
+        reading.errors.add(*given(node, "gauge"), "a gauge needs a solid wall of the box",
+                           "make a wall solid, or name a partition by `surfaces`");
+}
+
+void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (!panel.regions.empty() && is_written(node, "of"))
+        reading.errors.add(*find(node, "of"), "`of` and `regions` exclude one another",
+                           "leave one of them out");
+}
+
 void check_flux(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (panel.of.size() > 1)
+        reading.errors.add(*find(node, "of"), "a flux shows one choice of particles",
+                           "leave out all but one, or show a panel of each");
     if (is_written(node, "line")) return check_line(panel, node, reading);
     keep_suitable(
         panel, node, reading, [&](std::int32_t surface) { return lets_through(reading, surface); },

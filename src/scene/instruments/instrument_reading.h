@@ -32,6 +32,10 @@ void check_piston(PanelSpec& panel, const Node& node, Reading& reading);
 void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading);
 void check_sides(PanelSpec& panel, const Node& node, Reading& reading);
 
+/// A gauge needs a solid wall; a thermometer takes particles or regions, not both.
+void check_pressure(PanelSpec& panel, const Node& node, Reading& reading);
+void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading);
+
 /// A flux needs a partition that lets particles through, or a line; a counter takes these, or
 /// counts hits: without a choice of the scene on all walls, or crossings where there is something
 /// to cross.

@@ -348,9 +348,9 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "    8 |   - {name: a, kind: gas, compare: {seeds: 2}}\n"
           "      |                          ^^^^^^^\n"
           "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
-          "`position-histogram`, `temperature`, `entropy`, `pressure`, `pressure-volume`, "
-          "`piston`, `piston-histogram`, `sides`, `energy-account`, `mean-squared-displacement`, "
-          "`velocity-autocorrelation`, "
+          "`position-histogram`, `temperature`, `entropy`, `pressure`, `thermometer`, "
+          "`stopwatch`, `counter`, `pressure-volume`, `piston`, `piston-histogram`, `sides`, "
+          "`flux`, `energy-account`, `mean-squared-displacement`, `velocity-autocorrelation`, "
           "`pair-correlation`, `free-path`, `free-time`, `orientational-order`, "
           "`return-distance` or `profile`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")

@@ -1,0 +1,200 @@
+// Counters in large figures, a plate for each: hits of walls, or crossings of partitions and lines
+// each way. They count on after a reversal.
+#include <algorithm>
+#include <memory>
+
+#include "panels/chosen.h"
+#include "panels/dials/dial_panel.h"
+#include "panels/instruments/crossings.h"
+#include "panels/instruments/measured_surfaces.h"
+#include "panels/plot/layers.h"
+#include "panels/registry.h"
+
+namespace carom {
+namespace {
+
+struct CounterSize {
+    static constexpr double name_space = 1.5, inner = 0.35, rim = 0.09;  // units
+    static constexpr double digit_height = 0.74;                         // of the size of figures
+    static constexpr double largest_figures = 5.0;                       // units
+};
+
+class CounterPanel : public DialPanel {
+  public:
+    using DialPanel::DialPanel;
+
+  protected:
+    Width width() const override { return {0.0, 1.5}; }
+    bool has_words() const override { return false; }
+    void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                   const DialSubject::Line& line) const override;
+    void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                    const Reading& reading) const override;
+
+  private:
+    Rect plate(const DrawContext& dc, const Rect& face) const;
+    TextStyle figures(const DrawContext& dc, const Rect& plate) const;
+};
+
+// Under the name.
+Rect CounterPanel::plate(const DrawContext& dc, const Rect& face) const {
+    const double u = dc.unit, width = face.width;
+    const double height = std::min(face.height - CounterSize::name_space * u, 0.42 * width);
+    return {face.x, face.y + CounterSize::name_space * u, width, std::max(u, height)};
+}
+
+// As large as the largest count leaves them.
+TextStyle CounterPanel::figures(const DrawContext& dc, const Rect& plate) const {
+    TextStyle style{.size = dc.unit, .weight = 600, .color = dc.theme.ink};
+    const double u = dc.unit, wide = widest_number(style);
+    const double across = (plate.width - 2.0 * CounterSize::inner * u) / wide;
+    const double up =
+        (plate.height - 2.0 * CounterSize::inner * u) / (CounterSize::digit_height * u);
+    style.size = std::clamp(std::min(across, up), 1.0, CounterSize::largest_figures) * u;
+    style.align = Align::right;
+    return style;
+}
+
+void CounterPanel::draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                             const DialSubject::Line& line) const {
+    TextStyle style = label_style(dc);
+    style.color = legible(plot::color_of(line.role, dc.theme), dc.theme);
+    style.max_width = face.width;
+    draw_text(canvas, {face.x, face.y + dc.unit}, escape_markup(line.name), style);
+    const Rect plate = this->plate(dc, face);
+    canvas.fill(plate, dc.theme.ground);
+    canvas.stroke_rect(plate, CounterSize::rim * dc.unit, dc.theme.muted);
+}
+
+void CounterPanel::draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                              const Reading& reading) const {
+    const Rect plate = this->plate(dc, face);
+    const TextStyle style = figures(dc, plate);
+    const double right = plate.x + 0.5 * (plate.width + widest_number(style));
+    draw_text(canvas,
+              {right, plate.y + 0.5 * plate.height + 0.5 * CounterSize::digit_height * style.size},
+              number(reading.said), style);
+}
+
+std::vector<bool> flags(const PanelContext& context, const Chosen& chosen) {
+    std::vector<bool> all(static_cast<std::size_t>(context.particles.count()));
+    for (const Eigen::Index i : members(context, chosen)) all[static_cast<std::size_t>(i)] = true;
+    return all;
+}
+
+// Of each choice, then of each surface: since the first frame.
+class HitMeter {
+  public:
+    HitMeter(const PanelContext& context, const std::vector<Chosen>& chosen,
+             std::vector<std::int32_t> surfaces)
+        : surfaces_(std::move(surfaces)), counts_(chosen.size() * surfaces_.size()) {
+        for (const Chosen& one : chosen) is_member_.push_back(flags(context, one));
+    }
+
+    std::vector<double> operator()(const FrameInput& o) {
+        for (const Collision& one : o.advanced.collisions) {
+            if (!is_begun_ || !one.second.is_surface()) continue;
+            const auto k = std::ranges::find(surfaces_, one.second.surface()) - surfaces_.begin();
+            if (k == std::ssize(surfaces_)) continue;
+            for (std::size_t c = 0; c < is_member_.size(); ++c)
+                if (is_member_[c][static_cast<std::size_t>(one.first)])
+                    ++counts_[c * surfaces_.size() + static_cast<std::size_t>(k)];
+        }
+        is_begun_ = true;
+        return counts_;
+    }
+
+  private:
+    std::vector<std::int32_t> surfaces_;
+    std::vector<std::vector<bool>> is_member_;
+    std::vector<double> counts_;
+    bool is_begun_ = false;
+};
+
+// Of each choice, of each line, each way.
+class CrossingMeter {
+  public:
+    CrossingMeter(const PanelContext& context, const PanelSpec& spec,
+                  const std::vector<Chosen>& chosen) {
+        const Box& box = context.scene.gas.box;
+        const std::size_t lines = spec.line ? 1 : spec.surfaces.size();
+        for (const Chosen& one : chosen)
+            for (std::size_t k = 0; k < lines; ++k)
+                lines_.emplace_back(box, context.particles, crossed_line(box, spec, k),
+                                    members(context, one), velocity_changes(context.scene.run));
+    }
+
+    std::vector<double> operator()(const FrameInput& o) {
+        std::vector<double> counts;
+        for (LineCrossings& line : lines_)
+            for (const std::int64_t count : line.see(o.sample, o.advanced.collisions).count)
+                counts.push_back(static_cast<double>(count));
+        return counts;
+    }
+
+  private:
+    std::vector<LineCrossings> lines_;
+};
+
+// Names of plates: which particles, at what, which way; an arrow where that is not all.
+void add_plates(DialSubject& subject, const PanelContext& context, const PanelSpec& spec,
+                const std::vector<Chosen>& chosen, bool crossings) {
+    const Language language = context.language();
+    const Box& box = context.scene.gas.box;
+    const std::size_t places = spec.line ? 1 : spec.surfaces.size();
+    const auto with = [](const std::string& first, const std::string& between,
+                         const std::string& second) {
+        return first.empty() || second.empty() ? first + second : first + between + second;
+    };
+    for (std::size_t c = 0; c < chosen.size(); ++c)
+        for (std::size_t k = 0; k < places; ++k) {
+            const std::string which = spec.of.empty() ? "" : name_of(context.scene, chosen[c]);
+            const auto add = [&](const std::string& column, const std::string& name) {
+                subject.lines.push_back({column, name, role_among(context, chosen, c)});
+            };
+            if (!crossings) {
+                const std::int32_t surface = spec.surfaces[k];
+                add(with(which, ", ", box.surfaces.names()[static_cast<std::size_t>(surface)]),
+                    with(which, ", ", short_name(language, box, surface)));
+                continue;
+            }
+            const std::string at = name_of_line(box, spec, k);
+            const int axis = crossed_line(box, spec, k).axis;
+            const std::string before = with(which, ", ", places > 1 ? at : "");
+            for (const std::size_t way : {std::size_t{0}, std::size_t{1}})
+                add(with(with(which, ", ", at), ", ",
+                         std::string(ways_across(axis).at(way).english)),
+                    before.empty() ? say(language, ways_across(axis).at(way))
+                                   : before + " " + arrows_across(axis).at(way));
+        }
+    if (chosen.size() > 1) return;
+    for (std::size_t k = 0; k < subject.lines.size(); ++k)
+        subject.lines[k].role = surface_role(k, subject.lines.size());
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_counter(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const Box& box = context.scene.gas.box;
+    const bool crossings = spec.line || spec.counted == Counted::crossings;
+    const std::vector<Chosen> chosen = choices(spec);
+    DialSubject subject{
+        .part = "counter", .unit = "count", .counts = true, .needs_collisions = true};
+    add_plates(subject, context, spec, chosen, crossings);
+    subject.enough = 2.0 + 6.0 * static_cast<double>((subject.lines.size() + 1) / 2);
+    const bool is_one = crossings && (spec.line || spec.surfaces.size() == 1);
+    if (crossings) {
+        subject.quantity = Phrase{"crossings"};
+        subject.title = is_one ? say(language, "Crossings of {}", name_of_line(box, spec))
+                               : say(language, "Crossings");
+        subject.measure = CrossingMeter(context, spec, chosen);
+    } else {
+        subject.quantity = Phrase{"hits"};
+        subject.title = say(language, "Hits");
+        subject.measure = HitMeter(context, chosen, spec.surfaces);
+    }
+    return std::make_unique<CounterPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,407 @@
+#include "panels/dials/dial_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/plot/layers.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// Units; heights of digits in sizes of text.
+struct DialSize {
+    static constexpr double title_space = 2.0;  // above all faces
+    static constexpr double gap = 0.8;          // between faces
+    static constexpr double note_space = 1.4, least_under_note = 6.1;
+    static constexpr double digits = 1.35, digits_in_line = 1.2;  // under faces
+    static constexpr double one_line = 1.8, two_lines = 3.0, after_name = 0.5;
+    static constexpr double largest_digits = 2.6, digit_height = 0.73;  // beside a face
+    static constexpr double least_beside = 5.5, line = 1.35;
+    static constexpr std::size_t most_note_lines = 4;
+};
+
+struct DialState : PanelState {
+    struct Moment {
+        std::size_t now = 0, said = 0;  ///< frames
+    };
+    std::vector<Moment> runs;
+};
+
+TextStyle number_style(const DrawContext& dc, double size) {
+    return {.size = size * dc.unit, .weight = 500, .color = dc.theme.ink};
+}
+
+TextStyle name_style(const DrawContext& dc, const plot::Role& role) {
+    TextStyle style = label_style(dc);
+    style.color = legible(plot::color_of(role, dc.theme), dc.theme);
+    return style;
+}
+
+}  // namespace
+
+double DialScale::share(double value) const {
+    return std::clamp((value - low) / (high - low), 0.0, 1.0);
+}
+
+// Rare high numbers, as of a mean over a short time, do not make the rest small.
+DialScale scale_of_readings(const std::vector<std::vector<double>>& lines) {
+    constexpr double nearly_all = 0.99, rare = 1.3;
+    std::vector<double> all;
+    bool has_negative = false;
+    for (const std::vector<double>& line : lines)
+        for (const double value : line) {
+            if (!std::isfinite(value)) continue;
+            has_negative = has_negative || value < 0.0;
+            all.push_back(std::abs(value));
+        }
+    if (all.empty()) return {};
+    std::ranges::sort(all);
+    const double usual =
+        all[static_cast<std::size_t>(nearly_all * static_cast<double>(all.size() - 1))];
+    const double most = all.back() <= rare * usual ? all.back() : usual;
+    if (!(most > 0.0)) return {};
+    const double high = round_up_for_axis(most);
+    return {has_negative ? -high : 0.0, high};
+}
+
+namespace {
+
+// Where the number and the words of a reading stand, of those that the panel itself draws.
+struct PlaceOfWords {
+    TextStyle number;
+    Point at;    // of the number, right end of its baseline
+    Point name;  // left end of its baseline, or its middle
+    Align name_align = Align::left;
+};
+
+using WidestNumber = std::function<double(const TextStyle&)>;
+
+// Right of a face, in its middle: the number, the name, and so many lines of a note.
+PlaceOfWords words_beside(const DrawContext& dc, const Rect& words, const std::string& name,
+                          std::size_t lines, const WidestNumber& widest) {
+    const double u = dc.unit, of_unit = widest(number_style(dc, 1.0));
+    PlaceOfWords place{number_style(dc, 1.0), {}, {}};
+    place.number.align = Align::right;
+    place.number.size = std::clamp(words.width / of_unit, 1.0, DialSize::largest_digits) * u;
+    const double above = DialSize::digit_height * place.number.size;
+    const double height = above + DialSize::line * u * (name.empty() ? 0.0 : 1.0) +
+                          DialSize::line * u * static_cast<double>(lines);
+    const double y = words.y + 0.5 * (words.height - height) + above;
+    place.at = {words.x + widest(place.number), y};
+    place.name = {words.x, y + 1.1 * DialSize::line * u};
+    return place;
+}
+
+// In the middle under a face: name and number in a line, or the name under the number.
+PlaceOfWords words_below(const DrawContext& dc, const Rect& words, const std::string& name,
+                         bool is_one_line, const WidestNumber& widest) {
+    const double u = dc.unit, middle = words.x + 0.5 * words.width, y = words.y + 1.45 * u;
+    PlaceOfWords place{
+        number_style(dc, is_one_line ? DialSize::digits_in_line : DialSize::digits), {}, {}};
+    place.number.align = Align::right;
+    const double number = widest(place.number);
+    if (name.empty() || !is_one_line) {
+        place.at = {middle + 0.5 * number, y};
+        place.name = {middle, y + 1.3 * u};
+        place.name_align = Align::center;
+        return place;
+    }
+    const double name_width = measure_text(escape_markup(name), label_style(dc)).width;
+    const double half = 0.5 * (number + DialSize::after_name * u + name_width);
+    place.name = {middle - half, y};
+    place.at = {middle + half, y};
+    return place;
+}
+
+}  // namespace
+
+/// Where the faces and the words are; of several readings the words are under each face.
+struct DialPanel::Layout {
+    std::vector<Rect> faces, words;
+    std::vector<PlaceOfWords> places;      ///< where the panel draws words
+    std::vector<std::string> note_beside;  ///< lines under the words of the only reading
+    std::vector<std::string> note_rows;    ///< the same under the title
+};
+
+DialPanel::DialPanel(const PanelContext& context, const PanelSpec& spec, DialSubject subject)
+    : context_(context), subject_(std::move(subject)) {
+    if (spec.title) subject_.title = *spec.title;
+}
+
+void DialPanel::survey(const FrameInput& input) {
+    const std::vector<double> now = subject_.measure(input);
+    std::vector<std::vector<double>>& lines = record_.runs.front().lines;
+    lines.resize(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) lines[k].push_back(now[k]);
+}
+
+void DialPanel::make_axes() {
+    std::vector<std::vector<double>> all;
+    for (const DialRun& run : record_.runs)
+        all.insert(all.end(), run.lines.begin(), run.lines.end());
+    scale_ = scale_of_readings(all);
+    if (!subject_.counts) return;
+    for (const std::vector<double>& line : all)
+        for (const double value : line) scale_.high = std::max(scale_.high, value);
+}
+
+void DialPanel::archive(Archive& archive) {
+    archive(record_);
+    if (archive.is_reading()) make_axes();
+}
+
+std::shared_ptr<const PanelState> DialPanel::state(const FrameInput& input) {
+    if (input.refreshes_readouts || seen_ == 0) said_ = seen_;
+    auto state = std::make_shared<DialState>();
+    state->runs = {{seen_, said_}};
+    ++seen_;
+    return state;
+}
+
+std::shared_ptr<const PanelState> DialPanel::state_of_runs(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    auto all = std::make_shared<DialState>();
+    for (const auto& state : states)
+        all->runs.push_back(dynamic_cast<const DialState&>(*state).runs.front());
+    return all;
+}
+
+// Those of runs side by side have their names, and the runs' colours.
+std::vector<DialSubject::Line> DialPanel::lines() const {
+    if (!record_.compares()) return subject_.lines;
+    std::vector<DialSubject::Line> all;
+    for (std::size_t k = 0; k < record_.runs.size(); ++k)
+        for (const DialSubject::Line& line : subject_.lines) {
+            const std::string& run = record_.runs[k].name;
+            const bool is_only = subject_.lines.size() == 1;
+            all.push_back(
+                {line.column, is_only ? run : run + ", " + line.name, plot::stroke_of_run(k).role});
+        }
+    return all;
+}
+
+std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) const {
+    const auto& now = dynamic_cast<const DialState&>(state);
+    const std::vector<DialSubject::Line> all = lines();
+    std::vector<Reading> readings;
+    for (std::size_t k = 0; k < record_.runs.size(); ++k)
+        for (const std::vector<double>& line : record_.runs[k].lines) {
+            const auto of = [&](std::size_t frame) {
+                return line.at(std::min(frame, line.size() - 1));
+            };
+            // A mean is of states that all have the same frame.
+            const DialState::Moment& moment = now.runs.at(std::min(k, now.runs.size() - 1));
+            readings.push_back({all.at(readings.size()), of(moment.now), of(moment.said)});
+        }
+    return readings;
+}
+
+std::string DialPanel::number(double value) const {
+    if (std::isnan(value)) return "–";
+    if (subject_.counts) return grouped(std::llround(value));
+    return steady_number(context_.language(), value, {scale_.low, scale_.high});
+}
+
+double DialPanel::widest_number(const TextStyle& style) const {
+    return std::max(measure_text(number(scale_.low), style).width,
+                    measure_text(number(scale_.high), style).width);
+}
+
+std::string DialPanel::note() const {
+    if (record_.runs_in_mean == 1) return subject_.note;
+    const std::string mean = counted(context_.language(), record_.runs_in_mean,
+                                     Phrase{"mean of {} run"}, Phrase{"mean of {} runs"});
+    return subject_.note.empty() ? mean : mean + "; " + subject_.note;
+}
+
+// In as many rows as give the largest faces.
+DialPanel::Layout DialPanel::layout_in_grid(const DrawContext& dc, const Rect& area) const {
+    const double u = dc.unit;
+    const std::vector<DialSubject::Line> all = lines();
+    const std::size_t count = std::max<std::size_t>(1, all.size());
+    const auto widest = [this](const TextStyle& style) { return widest_number(style); };
+    Layout best;
+    double largest = -1.0;
+    for (std::size_t rows = 1; rows <= count; ++rows) {
+        const std::size_t columns = (count + rows - 1) / rows;
+        const double cell_width =
+            (area.width - DialSize::gap * u * static_cast<double>(columns - 1)) /
+            static_cast<double>(columns);
+        const double cell_height =
+            (area.height - DialSize::gap * u * static_cast<double>(rows - 1)) /
+            static_cast<double>(rows);
+        bool is_one_line = true;
+        for (const DialSubject::Line& line : all) {
+            const double name = measure_text(escape_markup(line.name), label_style(dc)).width;
+            is_one_line =
+                is_one_line && name + DialSize::after_name * u +
+                                       widest_number(number_style(dc, DialSize::digits_in_line)) <=
+                                   cell_width;
+        }
+        const double words =
+            !has_words() ? 0.0 : (is_one_line ? DialSize::one_line : DialSize::two_lines) * u;
+        const double across = (cell_width - width().units * u) / std::max(width().heights, 1e-9);
+        const double height = std::min(cell_height - words, across);
+        if (height <= largest && largest > 0.0) continue;
+        largest = height;
+        best = Layout();
+        const double face_height = std::max(height, u);
+        const double face_width =
+            std::min(cell_width, width().units * u + width().heights * face_height);
+        for (std::size_t k = 0; k < count; ++k) {
+            const double x =
+                area.x + static_cast<double>(k % columns) * (cell_width + DialSize::gap * u);
+            const double y =
+                area.y + static_cast<double>(k / columns) * (cell_height + DialSize::gap * u);
+            const double top = y + std::max(0.0, 0.5 * (cell_height - words - face_height));
+            best.faces.push_back(
+                {x + 0.5 * (cell_width - face_width), top, face_width, face_height});
+            best.words.push_back({x, top + face_height, cell_width, words});
+            if (has_words())
+                best.places.push_back(words_below(
+                    dc, best.words.back(), all.empty() ? "" : all[k].name, is_one_line, widest));
+        }
+    }
+    return best;
+}
+
+// A single face has its words beside it, where there is room.
+DialPanel::Layout DialPanel::layout(const DrawContext& dc) const {
+    const double u = dc.unit;
+    Rect area = dc.area;
+    area.y += DialSize::title_space * u;
+    area.height -= DialSize::title_space * u;
+    if (has_words() && lines().size() == 1) {
+        const double most = area.width - (DialSize::least_beside + DialSize::gap) * u;
+        const double height =
+            std::min(area.height, (most - width().units * u) / std::max(width().heights, 1e-9));
+        const double face_width = width().units * u + width().heights * height;
+        if (height >= 0.6 * area.height) {
+            Layout layout;
+            const double top = area.y + 0.5 * (area.height - height);
+            layout.faces = {{area.x, top, face_width, height}};
+            const double left = area.x + face_width + 1.4 * DialSize::gap * u;
+            layout.words = {{left, area.y, area.right() - left, area.height}};
+            TextStyle small = label_style(dc);
+            small.max_width = layout.words[0].width;
+            if (!note().empty())
+                layout.note_beside = wrapped(note(), small, DialSize::most_note_lines);
+            layout.places = {
+                words_beside(dc, layout.words[0], lines().front().name, layout.note_beside.size(),
+                             [this](const TextStyle& style) { return widest_number(style); })};
+            return layout;
+        }
+    }
+    TextStyle small = label_style(dc);
+    small.max_width = area.width;
+    std::vector<std::string> rows;
+    if (!note().empty()) rows = wrapped(note(), small, DialSize::most_note_lines);
+    const double taken = DialSize::note_space * u * static_cast<double>(rows.size());
+    if (area.height - taken < DialSize::least_under_note * u) rows.clear();
+    if (!rows.empty()) {
+        area.y += taken;
+        area.height -= taken;
+    }
+    Layout layout = layout_in_grid(dc, area);
+    layout.note_rows = std::move(rows);
+    return layout;
+}
+
+// The names, and the note under the title or beside the only face.
+void DialPanel::draw_words(Canvas& canvas, const DrawContext& dc, const Layout& layout) const {
+    const double u = dc.unit;
+    double row = dc.area.y + (DialSize::title_space + 0.75) * u;
+    for (const std::string& line : layout.note_rows) {
+        TextStyle style = label_style(dc);
+        style.max_width = dc.area.width;
+        draw_text(canvas, {dc.area.x, row}, escape_markup(line), style);
+        row += DialSize::note_space * u;
+    }
+    const std::vector<DialSubject::Line> all = lines();
+    for (std::size_t k = 0; k < layout.places.size(); ++k) {
+        const PlaceOfWords& place = layout.places[k];
+        TextStyle style = name_style(dc, all[k].role);
+        style.align = place.name_align;
+        style.max_width = layout.words[k].width;
+        double y = place.name.y;
+        if (!all[k].name.empty()) {
+            draw_text(canvas, place.name, escape_markup(all[k].name), style);
+            y += DialSize::line * u;
+        }
+        TextStyle small = label_style(dc);
+        small.max_width = layout.words[k].width;
+        for (const std::string& line : layout.note_beside) {
+            draw_text(canvas, {place.name.x, y}, escape_markup(line), small);
+            y += DialSize::line * u;
+        }
+    }
+}
+
+void DialPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    draw_panel_title(canvas, dc, escape_markup(subject_.title));
+    const Layout layout = this->layout(dc);
+    const std::vector<DialSubject::Line> all = lines();
+    for (std::size_t k = 0; k < all.size(); ++k) draw_face(canvas, dc, layout.faces[k], all[k]);
+    draw_words(canvas, dc, layout);
+}
+
+void DialPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const Layout layout = this->layout(dc);
+    const std::vector<Reading> now = readings(state);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        draw_value(canvas, dc, layout.faces[k], now[k]);
+        if (k < layout.places.size())
+            draw_text(canvas, layout.places[k].at, number(now[k].said), layout.places[k].number);
+    }
+}
+
+Table DialPanel::table(const PanelState& state, const Theme&) const {
+    Table table{{"part", "of", "value", "unit"}};
+    const bool compares = record_.compares();
+    if (compares) table.columns.insert(table.columns.begin() + 1, "run");
+    const std::vector<Reading> now = readings(state);
+    const std::size_t lines = std::max<std::size_t>(1, subject_.lines.size());
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        Cell value = now[k].value;
+        if (subject_.counts) value = static_cast<std::int64_t>(std::llround(now[k].value));
+        std::vector<Cell> row{subject_.part, now[k].line.column, value, subject_.unit};
+        if (compares) row.insert(row.begin() + 1, record_.runs[k / lines].name);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+// "pressure 1.25", "pressure: left wall 1.25 and right wall 1.3".
+std::string DialPanel::account_of(const std::vector<Reading>& readings) const {
+    const Language language = context_.language();
+    const std::string quantity = say(language, subject_.quantity);
+    if (readings.size() == 1) return quantity + " " + number(readings.front().value);
+    std::vector<std::string> each;
+    for (std::size_t k = 0; k < readings.size(); ++k)
+        each.push_back(subject_.lines.at(k % subject_.lines.size()).name + " " +
+                       number(readings[k].value));
+    return quantity + ": " + listed(language, each);
+}
+
+std::string DialPanel::account(const PanelState& state) const {
+    if (record_.compares()) return "";
+    std::string words = account_of(readings(state));
+    if (const std::string why = note(); !why.empty()) words += " (" + why + ")";
+    return sentence(capitalised(words));
+}
+
+std::vector<std::string> DialPanel::accounts_of_runs(const PanelState& state) const {
+    const std::vector<Reading> all = readings(state);
+    std::vector<std::string> accounts;
+    const auto lines = static_cast<std::ptrdiff_t>(subject_.lines.size());
+    for (std::size_t k = 0; k < record_.runs.size(); ++k) {
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(k) * lines;
+        accounts.push_back(account_of({first, first + lines}));
+    }
+    return accounts;
+}
+
+}  // namespace carom

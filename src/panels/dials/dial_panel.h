@@ -1,0 +1,119 @@
+// A few numbers that a pupil reads: each on a face of its own, with a name and its number. Which
+// numbers is given by the panel's own file, the look of a face by what derives from it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "panels/dials/dial_record.h"
+#include "panels/plot/plot.h"
+#include "panels/plot/plot_panel.h"
+#include "panels/shared_panel.h"
+
+namespace carom {
+
+/// What the faces show.
+struct DialSubject {
+    struct Line {
+        std::string column;  ///< in a table, in English
+        std::string name;    ///< plain words under its face; empty: none
+        plot::Role role = {.of = plot::Role::Of::bar};
+    };
+    std::function<std::vector<double>(const FrameInput&)> measure =
+        {};  ///< one number for each line, every frame of the first pass in order; NaN: none
+    std::vector<Line> lines = {};
+    std::string title = {};  ///< plain words
+    std::string note = {};   ///< plain words on what the numbers are
+    Phrase quantity = {};    ///< "pressure"
+    std::string part = {};   ///< in a table: "reading"
+    std::string unit = {};   ///< "1"
+    bool counts = false;     ///< whole numbers
+    bool needs_collisions = false;
+    std::optional<double> enough = {};  ///< Panel::enough_height()
+};
+
+/// The scale that all faces of a panel share for the whole film.
+struct DialScale {
+    double low = 0.0, high = 1.0;
+    void archive(auto& archive) { archive(low, high); }
+
+    /// Where a value lies on it, from 0 to 1; beyond its ends at these.
+    double share(double value) const;
+};
+
+/// A scale on which nearly all of some numbers lie: from 0, or symmetric about it where any is
+/// negative. NaN counts nothing.
+DialScale scale_of_readings(const std::vector<std::vector<double>>& lines);
+
+class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
+  public:
+    DialPanel(const PanelContext& context, const PanelSpec& spec, DialSubject subject);
+
+    void survey(const FrameInput& input) override;
+    bool surveys_collisions() const override { return subject_.needs_collisions; }
+    void archive(Archive& archive) override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    std::shared_ptr<const PanelState> state_of_runs(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    std::optional<double> enough_height() const override { return subject_.enough; }
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const final;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const final;
+    Table table(const PanelState& state, const Theme& theme) const override;
+    std::string account(const PanelState& state) const override;
+    std::vector<std::string> accounts_of_runs(const PanelState& state) const override;
+
+    /// One of the numbers in a state.
+    struct Reading {
+        DialSubject::Line line;
+        double value = 0.0;  ///< of this frame; NaN: none
+        double said = 0.0;   ///< as the number in words says it, which changes less often
+    };
+    std::vector<Reading> readings(const PanelState& state) const;
+
+    /// A reading in words, with the decimals that the film's numbers need; a dash for none.
+    std::string number(double value) const;
+
+  protected:
+    void make_axes() override;
+
+    /// The width of a face of some height: so many units, and so many heights.
+    struct Width {
+        double units = 0.0, heights = 1.0;
+    };
+    virtual Width width() const = 0;
+
+    /// Whether the number and the name stand beside or under the face; else the look draws them.
+    virtual bool has_words() const { return true; }
+
+    /// What is the same in every frame, and what changes.
+    virtual void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                           const DialSubject::Line& line) const = 0;
+    virtual void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                            const Reading& reading) const = 0;
+
+    const PanelContext& context() const { return context_; }
+    const DialScale& scale() const { return scale_; }
+
+    /// The width of the widest number in words.
+    double widest_number(const TextStyle& style) const;
+
+  private:
+    struct Layout;
+    Layout layout(const DrawContext& dc) const;
+    Layout layout_in_grid(const DrawContext& dc, const Rect& area) const;
+    void draw_words(Canvas& canvas, const DrawContext& dc, const Layout& layout) const;
+    std::vector<DialSubject::Line> lines() const;
+    std::string note() const;
+    std::string account_of(const std::vector<Reading>& readings) const;
+
+    PanelContext context_;
+    DialSubject subject_;
+    DialScale scale_;
+    std::size_t seen_ = 0, said_ = 0;
+};
+
+}  // namespace carom

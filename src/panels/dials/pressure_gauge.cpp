@@ -1,0 +1,80 @@
+// The pressure on walls or partitions as round gauges: what particles have given them over a time
+// before the present, since the pushes of single particles move no needle that could be read.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "panels/dials/round_dial.h"
+#include "panels/instruments/measured_surfaces.h"
+#include "panels/instruments/surface_pressure.h"
+#include "panels/plot/layers.h"
+#include "panels/plots/window.h"
+#include "panels/registry.h"
+
+namespace carom {
+namespace {
+
+// A needle rests until the mean is over this part of its window: before, it would jump.
+constexpr double least_share = 0.25;
+
+class GaugePanel : public DialPanel {
+  public:
+    using DialPanel::DialPanel;
+
+  protected:
+    Width width() const override { return {0.0, 2.0 / gauge_shape.depth}; }
+    void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                   const DialSubject::Line&) const override {
+        RoundDial(dc, face, gauge_shape).draw_face(canvas, scale(), context().language());
+    }
+    void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                    const Reading& reading) const override {
+        const double value = std::isnan(reading.value) ? 0.0 : reading.value;
+        RoundDial(dc, face, gauge_shape)
+            .draw_needle(canvas, scale().share(value), plot::color_of(reading.line.role, dc.theme));
+    }
+};
+
+// Without names of surfaces the sides that reflect or act, as one.
+std::vector<std::int32_t> gauged_surfaces(const Box& box, const PanelSpec& spec) {
+    if (!spec.surfaces.empty()) return spec.surfaces;
+    std::vector<std::int32_t> sides;
+    for (std::int32_t side = 0; side < 2 * box.dimension; ++side)
+        if (!box.is_periodic(side / 2)) sides.push_back(side);
+    return sides;
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const Box& box = context.scene.gas.box;
+    const Over over = spec.over.value_or(usual_window(context.scene.run));
+    const std::vector<std::int32_t> surfaces = gauged_surfaces(box, spec);
+    const bool is_one = spec.surfaces.empty();
+    DialSubject subject{.title = say(language, "Pressure"),
+                        .note = words_of_window(language, over, Phrase{"from frame to frame"}),
+                        .quantity = Phrase{"pressure"},
+                        .part = "gauge",
+                        .unit = unit_of_pressure(box),
+                        .enough = 11.0};
+    subject.measure = [meter = SurfacePressures(box, surfaces, over), is_one,
+                       least = over.window * least_share](const FrameInput& o) mutable {
+        std::vector<double> now = meter(o.tick.time, o.advanced);
+        if (is_one) now = {meter.of_all()};
+        if (o.tick.time < least) std::ranges::fill(now, std::numeric_limits<double>::quiet_NaN());
+        return now;
+    };
+    if (is_one) {
+        subject.lines = {{"all walls", say(language, "all walls")}};
+    } else {
+        const std::vector<std::string> columns = box.surfaces.names();
+        for (std::size_t k = 0; k < surfaces.size(); ++k)
+            subject.lines.push_back({columns[static_cast<std::size_t>(surfaces[k])],
+                                     short_name(language, box, surfaces[k]),
+                                     surface_role(k, surfaces.size())});
+    }
+    return std::make_unique<GaugePanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,72 @@
+// A watch that runs from the start, from a time, or from an event of the run: a hand, and the time
+// in figures. After a reversal it runs back as the clock does, and rests at 0 before its start.
+#include <algorithm>
+#include <cmath>
+
+#include "panels/dials/round_dial.h"
+#include "panels/plot/layers.h"
+#include "panels/registry.h"
+#include "scene/describe.h"
+#include "scene/time/timeline.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+class StopwatchPanel : public DialPanel {
+  public:
+    using DialPanel::DialPanel;
+    bool shows_time() const override { return false; }
+
+  protected:
+    Width width() const override { return {0.0, 2.0 / watch_shape.depth}; }
+    void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                   const DialSubject::Line&) const override {
+        RoundDial(dc, face, watch_shape).draw_face(canvas, scale(), context().language());
+    }
+    void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                    const Reading& reading) const override {
+        RoundDial(dc, face, watch_shape)
+            .draw_needle(canvas, scale().share(reading.value),
+                         plot::color_of(reading.line.role, dc.theme));
+    }
+};
+
+// The time that has passed since the start, less what has passed again after a reversal.
+double time_on_watch(const Run& run, const WatchStart& since, double now) {
+    Run from = run;
+    std::erase_if(from.events, [&](const RunEvent& event) { return event.at <= since.at; });
+    if (now <= since.at) return 0.0;
+    return std::max(0.0, folded_time(from, now) - since.at);
+}
+
+std::string words_of_start(const PanelContext& context, const WatchStart& since) {
+    const Language language = context.language();
+    if (since.at == 0.0 && !since.event) return say(language, "since the start");
+    const std::string when = say(language, "since time {}", plain_number(language, since.at));
+    if (!since.event) return when;
+    const RunEvent& event = context.scene.run.events.at(*since.event);
+    const std::string what = std::holds_alternative<ReverseVelocities>(event.action)
+                                 ? say(language, "velocities reversed")
+                                 : words_of_surface_event(language, event, context.scene.gas);
+    return what.empty() ? when : say(language, "{}: {}", when, what);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_stopwatch(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    DialSubject subject{.lines = {{"stopwatch", ""}},
+                        .title = say(language, "Stopwatch"),
+                        .note = words_of_start(context, spec.since),
+                        .quantity = Phrase{"time"},
+                        .part = "stopwatch",
+                        .unit = reduced::time,
+                        .enough = 11.0};
+    subject.measure = [run = context.scene.run, since = spec.since](const FrameInput& o) {
+        return std::vector{time_on_watch(run, since, o.tick.time)};
+    };
+    return std::make_unique<StopwatchPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

@@ -1,0 +1,184 @@
+// The temperature as the column of a thermometer: of all particles, of those chosen, or of those
+// that are in regions. One scale for all columns.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "panels/chosen.h"
+#include "panels/dials/dial_panel.h"
+#include "panels/instruments/measured_surfaces.h"
+#include "panels/instruments/trailing.h"
+#include "panels/plot/layers.h"
+#include "panels/plots/window.h"
+#include "panels/registry.h"
+#include "stats/paths/thermal_times.h"
+
+namespace carom {
+namespace {
+
+// Units.
+struct ThermometerSize {
+    static constexpr double tube = 0.5, bulb = 0.85, tick_gap = 0.3, tick = 0.45, line_width = 0.09;
+    static constexpr double width = 5.8, numbers = 4.1;  // of all, and left of the glass
+};
+
+class ThermometerPanel : public DialPanel {
+  public:
+    using DialPanel::DialPanel;
+
+  protected:
+    Width width() const override { return {ThermometerSize::width, 0.0}; }
+    void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                   const DialSubject::Line& line) const override;
+    void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                    const Reading& reading) const override;
+
+  private:
+    // The glass, and where the scale's ends are.
+    struct Glass {
+        double x, top, bottom, tube, bulb;
+        Point middle;  // of the bulb
+        Scale scale;
+    };
+    Glass glass(const DrawContext& dc, const Rect& face) const;
+};
+
+ThermometerPanel::Glass ThermometerPanel::glass(const DrawContext& dc, const Rect& face) const {
+    const double u = dc.unit, size = std::clamp(face.height / (9.0 * u), 1.0, 1.7) * u;
+    Glass glass{};
+    glass.tube = ThermometerSize::tube * size;
+    glass.bulb = ThermometerSize::bulb * size;
+    glass.x = face.x + ThermometerSize::numbers / ThermometerSize::width * face.width;
+    glass.top = face.y + 0.4 * u;
+    glass.middle = {glass.x, face.bottom() - glass.bulb - 0.05 * u};
+    glass.bottom = glass.middle.y - glass.bulb;
+    glass.scale = {scale().low, scale().high, glass.bottom - 0.15 * u, glass.top + glass.tube};
+    return glass;
+}
+
+// The outline of a tube with a round end on a bulb.
+std::vector<Point> glass_outline(Point middle, double radius, double half, double top) {
+    constexpr int steps = 60;
+    const double neck = std::asin(std::min(1.0, half / radius));
+    std::vector<Point> points;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = neck + (2.0 * std::numbers::pi - 2.0 * neck) * i / steps;
+        points.push_back(
+            {middle.x + radius * std::sin(angle), middle.y - radius * std::cos(angle)});
+    }
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = std::numbers::pi * i / steps;
+        points.push_back({middle.x - half * std::cos(angle), top + half - half * std::sin(angle)});
+    }
+    return points;
+}
+
+void ThermometerPanel::draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                                 const DialSubject::Line&) const {
+    const double u = dc.unit;
+    const Glass glass = this->glass(dc, face);
+    std::vector<Point> rim = glass_outline(glass.middle, glass.bulb, glass.tube, glass.top);
+    canvas.fill_polygon(rim, dc.theme.ground);
+    rim.push_back(rim.front());
+    canvas.stroke_path(rim, ThermometerSize::line_width * u, dc.theme.muted);
+    TextStyle style = label_style(dc);
+    style.align = Align::right;
+    const double height = std::abs(glass.scale.to - glass.scale.from);
+    const int most = std::clamp(static_cast<int>(height / (1.3 * u)) + 1, 3, 7);
+    const double right = glass.x - glass.tube - ThermometerSize::tick_gap * u;
+    for (const TickMark& mark : ticks(scale().low, scale().high, most)) {
+        const double y = glass.scale(mark.value);
+        canvas.stroke_line({right - ThermometerSize::tick * u, y}, {right, y},
+                           ThermometerSize::line_width * u, dc.theme.muted);
+        draw_text(canvas, {right - (ThermometerSize::tick + 0.25) * u, y + 0.36 * u},
+                  localised(context().language(), mark.label), style);
+    }
+}
+
+void ThermometerPanel::draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
+                                  const Reading& reading) const {
+    const double u = dc.unit;
+    const Glass glass = this->glass(dc, face);
+    const Color color = edge_of(plot::color_of(reading.line.role, dc.theme), dc.theme);
+    const double inner = 0.16 * u;
+    canvas.fill_circle(glass.middle, glass.bulb - inner, color);
+    if (std::isnan(reading.value)) return;
+    const double share = scale().share(reading.value);
+    const double level = glass.scale.from + share * (glass.scale.to - glass.scale.from);
+    canvas.fill(
+        {glass.x - glass.tube + inner, level, 2.0 * (glass.tube - inner), glass.middle.y - level},
+        color);
+}
+
+// Over the time that the panel looks back; of the moment where none has passed.
+class TemperatureMeter {
+  public:
+    TemperatureMeter(const PanelContext& context, std::vector<ThermalPart> parts, Over over)
+        : times_(context.scene.gas.box, context.particles, std::move(parts),
+                 velocity_changes(context.scene.run)),
+          accounts_(over),
+          is_of_moment_(over.since == Over::Since::now) {}
+
+    std::vector<double> operator()(const FrameInput& o) {
+        accounts_.add({o.tick.time, times_.see(o.sample, o.advanced.collisions)});
+        const Account &from = accounts_.from(), &to = accounts_.to();
+        if (is_of_moment_ || !(to.time > from.time))
+            return temperatures({}, times_.moment(o.sample));
+        return temperatures(from.of_each, to.of_each);
+    }
+
+  private:
+    struct Account {
+        double time;
+        std::vector<ThermalIntegrals> of_each;
+    };
+    static std::vector<double> temperatures(const std::vector<ThermalIntegrals>& from,
+                                            const std::vector<ThermalIntegrals>& to) {
+        std::vector<double> all;
+        for (std::size_t k = 0; k < to.size(); ++k) {
+            const ThermalIntegrals before = from.empty() ? ThermalIntegrals{} : from[k];
+            const double freedom = to[k].half_freedom - before.half_freedom;
+            all.push_back(freedom > 0.0 ? (to[k].energy - before.energy) / freedom
+                                        : std::numeric_limits<double>::quiet_NaN());
+        }
+        return all;
+    }
+
+    ThermalTimes times_;
+    Trailing<Account> accounts_;
+    bool is_of_moment_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const Over over = spec.over.value_or(usual_window(context.scene.run));
+    DialSubject subject{.title = say(language, "Temperature"),
+                        .note = words_of_window(language, over, Phrase{"now"}),
+                        .quantity = Phrase{"temperature"},
+                        .part = "thermometer",
+                        .unit = reduced::energy,
+                        .needs_collisions = true};
+    std::vector<ThermalPart> parts;
+    for (const NamedRegion& one : spec.regions) {
+        subject.lines.push_back(
+            {one.name, one.name, surface_role(parts.size(), spec.regions.size())});
+        parts.push_back({members(context, Chosen{}), one.region});
+    }
+    if (spec.regions.empty()) {
+        const std::vector<Chosen> chosen = choices(spec);
+        for (std::size_t k = 0; k < chosen.size(); ++k) {
+            subject.lines.push_back({column_name_of(context.scene, chosen[k]),
+                                     spec.of.empty() ? "" : name_of(context.scene, chosen[k]),
+                                     role_among(context, chosen, k)});
+            parts.push_back({members(context, chosen[k]), {}});
+        }
+    }
+    subject.measure = TemperatureMeter(context, std::move(parts), over);
+    return std::make_unique<ThermometerPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

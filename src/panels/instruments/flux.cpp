@@ -1,0 +1,167 @@
+// How many cross a partition or a line in a time, each way, and the energy that they carry; with
+// what kinetic theory says where it holds.
+#include <cmath>
+#include <limits>
+
+#include "panels/chosen.h"
+#include "panels/instruments/crossings.h"
+#include "panels/instruments/flux_theory.h"
+#include "panels/instruments/trailing.h"
+#include "panels/plots/series_panel.h"
+#include "panels/plots/window.h"
+#include "panels/registry.h"
+
+namespace carom {
+namespace {
+
+// What has crossed by a time, and what should have by theory.
+struct FluxAccount {
+    double time = 0.0;
+    std::array<FluxRates, 2> measured{}, expected{};
+    std::array<double, 2> unknown{};  ///< time of which theory says nothing
+};
+
+double flux_since(const FluxRates& from, const FluxRates& to, double time, Carried carried) {
+    const double particles = to.particles - from.particles, energy = to.energy - from.energy;
+    switch (carried) {
+        case Carried::particles:
+            return particles / time;
+        case Carried::energy:
+            return energy / time;
+        case Carried::mean_energy:
+            return particles > 0.0 ? energy / particles : std::numeric_limits<double>::quiet_NaN();
+    }
+    return 0.0;
+}
+
+class FluxMeter {
+  public:
+    FluxMeter(const PanelContext& context, const PanelSpec& spec, Over over,
+              std::shared_ptr<FluxTheory> theory)
+        : crossings_(context.scene.gas.box, context.particles,
+                     crossed_line(context.scene.gas.box, spec),
+                     members(context, choices(spec).front()), velocity_changes(context.scene.run)),
+          theory_(std::move(theory)),
+          accounts_(over),
+          carried_(spec.carried) {}
+
+    // Each way; then by theory, where there is one.
+    std::vector<double> operator()(const FrameInput& o) {
+        FluxAccount now{.time = o.tick.time};
+        const CrossingTotals& totals = crossings_.see(o.sample, o.advanced.collisions);
+        for (std::size_t way = 0; way < 2; ++way)
+            now.measured.at(way) = {static_cast<double>(totals.count.at(way)),
+                                    totals.energy.at(way)};
+        if (theory_) add_theory(o, now);
+        accounts_.add(now);
+        const FluxAccount &from = accounts_.from(), &to = accounts_.to();
+        const double time = to.time - from.time;
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        std::vector<double> all;
+        for (std::size_t way = 0; way < 2; ++way)
+            all.push_back(
+                time > 0.0 ? flux_since(from.measured.at(way), to.measured.at(way), time, carried_)
+                           : none);
+        for (std::size_t way = 0; theory_ && way < 2; ++way)
+            all.push_back(
+                time > 0.0 && to.unknown.at(way) == from.unknown.at(way)
+                    ? flux_since(from.expected.at(way), to.expected.at(way), time, carried_)
+                    : none);
+        return all;
+    }
+
+  private:
+    // Its rates change little from frame to frame.
+    void add_theory(const FrameInput& o, FluxAccount& now) {
+        const std::array<FluxRates, 2> rates = theory_->at(o);
+        if (!accounts_.empty()) {
+            const FluxAccount& last = accounts_.to();
+            const double step = 0.5 * (now.time - last.time);
+            for (std::size_t way = 0; way < 2; ++way) {
+                const FluxRates &a = last_rates_.at(way), &b = rates.at(way);
+                const FluxRates sum{a.particles + b.particles, a.energy + b.energy};
+                const bool is_known = std::isfinite(sum.particles);
+                now.unknown.at(way) = last.unknown.at(way) + (is_known ? 0.0 : 2.0 * step);
+                now.expected.at(way) = last.expected.at(way);
+                if (!is_known) continue;
+                now.expected.at(way).particles += step * sum.particles;
+                now.expected.at(way).energy += step * sum.energy;
+            }
+        }
+        last_rates_ = rates;
+    }
+
+    LineCrossings crossings_;
+    std::shared_ptr<FluxTheory> theory_;
+    Trailing<FluxAccount> accounts_;
+    Carried carried_;
+    std::array<FluxRates, 2> last_rates_{};
+};
+
+Phrase flux_title(Carried carried) {
+    switch (carried) {
+        case Carried::particles:
+            return Phrase{"Crossings per time"};
+        case Carried::energy:
+            return Phrase{"Energy carried across per time"};
+        case Carried::mean_energy:
+            return Phrase{"Mean energy of those that cross"};
+    }
+    return {};
+}
+
+Phrase flux_quantity(Carried carried) {
+    switch (carried) {
+        case Carried::particles:
+            return Phrase{"crossings per time"};
+        case Carried::energy:
+            return Phrase{"energy per time"};
+        case Carried::mean_energy:
+            return Phrase{"mean energy"};
+    }
+    return {};
+}
+
+std::string flux_unit(Carried carried) {
+    if (carried == Carried::particles) return "1/time";
+    return carried == Carried::energy ? "mass length^2/time^3" : reduced::energy;
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& spec) {
+    const Language language = context.language();
+    const Box& box = context.scene.gas.box;
+    const Over over = spec.over.value_or(usual_window(context.scene.run));
+    const CrossedLine line = crossed_line(box, spec);
+    std::shared_ptr<FluxTheory> theory;
+    if (spec.theory)
+        theory = flux_theory(
+            context, line,
+            spec.line ? std::optional<std::int32_t>() : std::optional(spec.surfaces.front()),
+            members(context, choices(spec).front()));
+    SeriesSubject subject{.quantity = flux_quantity(spec.carried), .unit = flux_unit(spec.carried)};
+    const std::array<Phrase, 2> ways = ways_across(line.axis);
+    for (std::size_t way = 0; way < 2; ++way) {
+        subject.names.push_back(say(language, ways.at(way)));
+        subject.lines.push_back(
+            {std::string(ways.at(way).english), {.of = plot::Role::Of::run, .index = way}});
+    }
+    title_with_names(subject, language, say(language, flux_title(spec.carried)));
+    subject.compared_title =
+        say(language, "{} {}", say(language, flux_title(spec.carried)), say(language, ways[0]));
+    const std::string window = words_of_window(language, over, Phrase{"from frame to frame"});
+    subject.notes = {window};
+    if (theory) {
+        for (std::size_t way = 0; way < 2; ++way)
+            subject.lines.push_back(
+                {"theory, " + std::string(ways.at(way).english), subject.lines.at(way).role, true});
+        subject.notes.insert(subject.notes.begin(),
+                             window + "; " + say(language, "dashed: kinetic theory"));
+    }
+    subject.measure = FluxMeter(context, spec, over, std::move(theory));
+    subject.needs_collisions = true;
+    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace carom

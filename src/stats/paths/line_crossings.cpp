@@ -1,0 +1,78 @@
+#include "stats/paths/line_crossings.h"
+
+#include <cmath>
+
+namespace carom {
+
+LineCrossings::LineCrossings(const Box& box, const Particles& particles, const CrossedLine& line,
+                             const std::vector<Eigen::Index>& members,
+                             std::vector<double> velocity_changes)
+    : box_(box),
+      particles_(particles),
+      line_(line),
+      is_member_(static_cast<std::size_t>(particles.count())),
+      paths_(box, std::move(velocity_changes)) {
+    for (const Eigen::Index i : members) is_member_[static_cast<std::size_t>(i)] = true;
+}
+
+const CrossingTotals& LineCrossings::see(const Sample& sample,
+                                         std::span<const Collision> collisions) {
+    paths_(sample, collisions, [this](const PathPiece& piece) {
+        if (is_member_[static_cast<std::size_t>(piece.particle)]) fly(piece);
+    });
+    return totals_;
+}
+
+// Which of the lines (in a periodic box, of the images of the line) is the last at or below a
+// place.
+double LineCrossings::level(double place) const {
+    const double above = (place - line_.at) / box_.length(line_.axis);
+    if (!box_.is_periodic(line_.axis)) return above >= 0.0 ? 0.0 : -1.0;
+    return std::floor(above);
+}
+
+// The crossings of a part of a flight on which it does not turn along the axis; it begins at this
+// time of the piece.
+void LineCrossings::add_monotone(const PathPiece& piece, double begin, const Point& from,
+                                 const Point& to) {
+    const double way = from.velocity + to.velocity;
+    const double first = level(from.place), last = level(to.place);
+    if (first == last) return;
+    const std::size_t direction = last > first ? 0 : 1;
+    const double pull = paths_.gravity()[line_.axis];
+    for (double k = std::min(first, last) + 1.0; k <= std::max(first, last); k += 1.0) {
+        const double distance = line_.at + k * box_.length(line_.axis) - from.place;
+        const double square = from.velocity * from.velocity + 2.0 * pull * distance;
+        const double speed = std::copysign(std::sqrt(std::max(0.0, square)), way);
+        const double sum = from.velocity + speed;
+        const double time = begin + (sum != 0.0 ? 2.0 * distance / sum : 0.0);
+        const int other = 1 - line_.axis;
+        if (line_.between) {
+            const double along = box_.wrapped(
+                other, piece.place[other] +
+                           time * (piece.velocity[other] + 0.5 * time * paths_.gravity()[other]));
+            if (along < line_.between->first || along > line_.between->second) continue;
+        }
+        ++totals_.count.at(direction);
+        const double inverse_mass = particles_.inverse_mass[piece.particle];
+        const Eigen::Array2d velocity = piece.velocity + time * paths_.gravity();
+        if (inverse_mass > 0.0)
+            totals_.energy.at(direction) += 0.5 * velocity.square().sum() / inverse_mass;
+    }
+}
+
+void LineCrossings::fly(const PathPiece& piece) {
+    const double pull = paths_.gravity()[line_.axis], span = piece.span();
+    const double place = piece.place[line_.axis], velocity = piece.velocity[line_.axis];
+    const auto at = [&](double time) {
+        return Point{place + time * (velocity + 0.5 * time * pull), velocity + time * pull};
+    };
+    const Point from = at(0.0), to = at(span);
+    if (from.velocity * to.velocity >= 0.0) return add_monotone(piece, 0.0, from, to);
+    const double turn = -velocity / pull;
+    const Point top = at(turn);
+    add_monotone(piece, 0.0, from, top);
+    add_monotone(piece, turn, top, to);
+}
+
+}  // namespace carom

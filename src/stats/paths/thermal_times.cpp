@@ -1,0 +1,138 @@
+#include "stats/paths/thermal_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+ThermalTimes::ThermalTimes(const Box& box, const Particles& particles,
+                           std::vector<ThermalPart> parts, std::vector<double> velocity_changes)
+    : box_(box),
+      particles_(particles),
+      parts_(std::move(parts)),
+      paths_(box, std::move(velocity_changes)),
+      integrals_(parts_.size()) {
+    for (const ThermalPart& part : parts_) {
+        std::vector<bool>& is_member =
+            is_member_.emplace_back(static_cast<std::size_t>(particles.count()));
+        for (const Eigen::Index i : part.members) is_member[static_cast<std::size_t>(i)] = true;
+    }
+    if ((particles.inverse_mass > 0.0).all()) mass_ = (1.0 / particles.inverse_mass).sum();
+}
+
+const std::vector<ThermalIntegrals>& ThermalTimes::see(const Sample& sample,
+                                                       std::span<const Collision> collisions) {
+    paths_(sample, collisions, [this](const PathPiece& piece) { fly(piece); });
+    look_for_drift(sample);
+    return integrals_;
+}
+
+std::vector<ThermalIntegrals> ThermalTimes::moment(const Sample& sample) {
+    look_for_drift(sample);
+    std::vector<ThermalIntegrals> now(parts_.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        for (const Eigen::Index i : parts_[k].members) {
+            if (particles_.inverse_mass[i] == 0.0) continue;
+            Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
+            for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
+                place[axis] = sample.position(i, axis);
+                velocity[axis] = sample.velocity(i, axis);
+            }
+            if (!is_in(place, parts_[k])) continue;
+            now[k].energy += 0.5 * (velocity - drift_).square().sum() / particles_.inverse_mass[i];
+            now[k].half_freedom += half_freedom(i);
+        }
+    return now;
+}
+
+// What drifts as a whole is no heat. It changes at reversals alone, at which there are samples.
+void ThermalTimes::look_for_drift(const Sample& sample) {
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
+        if (is_conserved(axis))
+            drift_[axis] = (sample.velocity.col(axis) / particles_.inverse_mass).sum() / mass_;
+}
+
+bool ThermalTimes::is_conserved(Eigen::Index axis) const {
+    return mass_ > 0.0 && box_.is_periodic(axis);
+}
+
+double ThermalTimes::half_freedom(Eigen::Index particle) const {
+    double sum = 0.0;
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
+        sum += is_conserved(axis) ? 1.0 - 1.0 / (particles_.inverse_mass[particle] * mass_) : 1.0;
+    return 0.5 * sum;
+}
+
+bool ThermalTimes::is_in(const Eigen::Array2d& place, const ThermalPart& part) const {
+    if (!part.region) return true;
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
+        const double inside = box_.wrapped(axis, place[axis]);
+        if (inside < part.region->low[axis] || inside >= part.region->high[axis]) return false;
+    }
+    return true;
+}
+
+void ThermalTimes::fly(const PathPiece& piece) {
+    if (particles_.inverse_mass[piece.particle] == 0.0) return;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        if (is_member_[k][static_cast<std::size_t>(piece.particle)]) add(piece, k);
+}
+
+// The energy is that of the middle of a stay and what gravity adds to its mean: exact, as the
+// velocity is linear in time.
+void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
+                            ThermalIntegrals& into) const {
+    const double inverse_mass = particles_.inverse_mass[piece.particle], span = to - from;
+    const Eigen::Array2d velocity = piece.velocity + 0.5 * (from + to) * paths_.gravity() - drift_;
+    const Eigen::Array2d bent = paths_.gravity() * span;
+    into.energy +=
+        0.5 * span * (velocity.square().sum() + bent.square().sum() / 12.0) / inverse_mass;
+    into.half_freedom += span * half_freedom(piece.particle);
+}
+
+// The times of the piece at which it is at a place on an axis, or at an image of it.
+void ThermalTimes::add_crossings(const PathPiece& piece, int axis, double edge) {
+    const double span = piece.span(), start = piece.place[axis], velocity = piece.velocity[axis];
+    const double pull = paths_.gravity()[axis];
+    const auto at = [&](double time) { return start + time * (velocity + 0.5 * time * pull); };
+    double low = std::min(start, at(span)), high = std::max(start, at(span));
+    const double turn = pull != 0.0 ? -velocity / pull : -1.0;
+    if (turn > 0.0 && turn < span) {
+        low = std::min(low, at(turn));
+        high = std::max(high, at(turn));
+    }
+    const double length = box_.length(axis);
+    const bool is_periodic = box_.is_periodic(axis);
+    const double first = is_periodic ? std::ceil((low - edge) / length) : 0.0;
+    const double last = is_periodic ? std::floor((high - edge) / length) : 0.0;
+    const auto add_time = [&](double time) {
+        if (time > 0.0 && time < span) times_.push_back(time);
+    };
+    for (double k = first; k <= last; k += 1.0) {
+        const double way = edge + k * length - start;
+        const double square = velocity * velocity + 2.0 * pull * way;
+        if (square < 0.0) continue;
+        const double root = std::sqrt(square);
+        for (const double sum : {velocity + root, velocity - root})
+            if (sum != 0.0) add_time(2.0 * way / sum);
+    }
+}
+
+void ThermalTimes::add(const PathPiece& piece, std::size_t part) {
+    const std::optional<Region>& region = parts_[part].region;
+    if (!region) return add_stay(piece, 0.0, piece.span(), integrals_[part]);
+    times_.assign({0.0, piece.span()});
+    for (int axis = 0; axis < box_.dimension; ++axis)
+        for (const double edge : {region->low[axis], region->high[axis]})
+            add_crossings(piece, axis, edge);
+    std::ranges::sort(times_);
+    for (std::size_t i = 1; i < times_.size(); ++i) {
+        const double middle = 0.5 * (times_[i - 1] + times_[i]);
+        if (!(times_[i] > times_[i - 1])) continue;
+        const Eigen::Array2d place =
+            piece.place + middle * (piece.velocity + 0.5 * middle * paths_.gravity());
+        if (is_in(place, parts_[part])) add_stay(piece, times_[i - 1], times_[i], integrals_[part]);
+    }
+}
+
+}  // namespace carom

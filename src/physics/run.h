@@ -1,6 +1,7 @@
 // What happens to the gas in time, as plain values; reversal_times() may be called from any thread.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -83,6 +84,15 @@ struct Run {
     double tolerance = 1e-9;  ///< largest return distance, in units of the smallest radius, or on a
                               ///< line of points of the mean spacing
 };
+
+/// Whether an event does more than reverse velocities or nudge particles: it acts on surfaces or
+/// heats the gas.
+inline bool acts_on_box(const std::vector<RunEvent>& events) {
+    return std::ranges::any_of(events, [](const RunEvent& event) {
+        return !std::holds_alternative<ReverseVelocities>(event.action) &&
+               !std::holds_alternative<Perturbation>(event.action);
+    });
+}
 
 /// When velocities are reversed, in order.
 inline std::vector<double> reversal_times(const Run& run) {

@@ -142,13 +142,14 @@ struct Surfaces {
         return all;
     }
 
+    /// Whether all sides only reflect.
+    bool sides_reflect() const {
+        return std::ranges::all_of(
+            sides, [](const Behaviour& side) { return std::holds_alternative<Reflecting>(side); });
+    }
     /// Whether there is nothing but reflecting sides.
     bool are_plain() const {
-        return std::ranges::all_of(sides,
-                                   [](const Behaviour& side) {
-                                       return std::holds_alternative<Reflecting>(side);
-                                   }) &&
-               partitions.empty() && obstacles.empty() && (gravity == 0.0).all();
+        return sides_reflect() && partitions.empty() && obstacles.empty() && (gravity == 0.0).all();
     }
 };
 

@@ -44,9 +44,7 @@ struct BoxWords {
 
 BoxWords words_of(Language language, const Box& box) {
     const bool across = box.is_periodic(0), up = box.is_periodic(1);
-    const bool walls_act = std::ranges::any_of(box.surfaces.sides, [](const Behaviour& side) {
-        return !std::holds_alternative<Reflecting>(side);
-    });
+    const bool walls_act = !box.surfaces.sides_reflect();
     const double width = box.size[0], height = box.size[1];
     if (box.dimension == 1) {
         if (!across) return {say(language, "on a wire of length {} between two walls", width), ""};

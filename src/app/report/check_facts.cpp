@@ -52,9 +52,7 @@ Fact box_fact(const Box& box) {
                             across ? "ends joined" : "between walls")};
     walls["bottom"] = side_word(box, 2);
     walls["top"] = side_word(box, 3);
-    const bool walls_act = std::ranges::any_of(box.surfaces.sides, [](const Behaviour& side) {
-        return !std::holds_alternative<Reflecting>(side);
-    });
+    const bool walls_act = !box.surfaces.sides_reflect();
     std::string words = across ? "periodic" : walls_act ? "walls that act" : "solid walls";
     if (across != up)
         words = across ? "periodic across, solid below and above"

@@ -81,14 +81,8 @@ class Parts {
         };
         const bool is_alike = (surfaces.gravity == 0.0).all() && surfaces.obstacles.empty() &&
                               std::ranges::all_of(surfaces.partitions, never_reflects) &&
-                              std::ranges::all_of(surfaces.sides, [](const Behaviour& side) {
-                                  return std::holds_alternative<Reflecting>(side);
-                              });
-        const bool changes = std::ranges::any_of(scene.run.events, [](const RunEvent& event) {
-            return !std::holds_alternative<ReverseVelocities>(event.action) &&
-                   !std::holds_alternative<Perturbation>(event.action);
-        });
-        if (!is_alike || changes || !regions_.empty()) return false;
+                              surfaces.sides_reflect() && !acts_on_box(scene.run.events);
+        if (!is_alike || !regions_.empty()) return false;
         const double place = box_.place_of(static_cast<std::size_t>(surfaces_.front()));
         return place == 0.5 * box_.size[axis()];
     }

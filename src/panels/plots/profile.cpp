@@ -92,17 +92,11 @@ Over over_of(const PanelContext& context, const PanelSpec& spec) {
 // Energy is kept, and nothing but gravity and walls acts.
 bool has_law(const Scene& scene, FieldOf quantity, int axis) {
     const Surfaces& surfaces = scene.gas.box.surfaces;
-    const bool changes = std::ranges::any_of(scene.run.events, [](const RunEvent& event) {
-        return !std::holds_alternative<ReverseVelocities>(event.action) &&
-               !std::holds_alternative<Perturbation>(event.action);
-    });
-    return quantity == FieldOf::density && !changes && surfaces.gravity[axis] != 0.0 &&
+    return quantity == FieldOf::density && !acts_on_box(scene.run.events) &&
+           surfaces.gravity[axis] != 0.0 &&
            (scene.gas.box.dimension == 1 || surfaces.gravity[1 - axis] == 0.0) &&
            !scene.gas.box.is_periodic(axis) && surfaces.partitions.empty() &&
-           surfaces.obstacles.empty() &&
-           std::ranges::all_of(surfaces.sides, [](const Behaviour& side) {
-               return std::holds_alternative<Reflecting>(side);
-           });
+           surfaces.obstacles.empty() && surfaces.sides_reflect();
 }
 
 class ProfilePanel : public RecordPanel<ProfileRecord> {

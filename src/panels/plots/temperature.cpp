@@ -8,6 +8,7 @@
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "physics/surfaces/behaviours.h"
 
 namespace carom {
 namespace {
@@ -15,13 +16,9 @@ namespace {
 // The temperature of all baths of the run, where they have but one.
 std::optional<double> only_bath(const Scene& scene) {
     std::vector<double> all;
-    const auto add = [&](const Behaviour& behaviour) {
-        if (const auto* bath = std::get_if<Bath>(&behaviour)) all.push_back(bath->temperature);
-    };
-    for (const Behaviour& side : scene.gas.box.surfaces.sides) add(side);
-    for (const Partition& one : scene.gas.box.surfaces.partitions) add(one.behaviour);
-    for (const RunEvent& event : scene.run.events)
-        if (const auto* change = std::get_if<ChangeSurface>(&event.action)) add(change->behaviour);
+    for (const auto& list : behaviours_in_time(scene.gas.box.surfaces, scene.run))
+        for (const Behaviour& behaviour : list)
+            if (const auto* bath = std::get_if<Bath>(&behaviour)) all.push_back(bath->temperature);
     const bool is_one = !all.empty() && std::ranges::count(all, all.front()) == std::ssize(all);
     return is_one ? std::optional(all.front()) : std::nullopt;
 }

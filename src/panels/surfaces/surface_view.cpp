@@ -7,29 +7,10 @@
 
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_words.h"
-#include "physics/surfaces/barrier.h"
+#include "physics/surfaces/behaviours.h"
 
 namespace carom {
 namespace {
-
-// What each side and partition is at some time of the run.
-std::vector<std::vector<Behaviour>> behaviours_in_time(const Scene& scene) {
-    const Surfaces& surfaces = scene.gas.box.surfaces;
-    std::vector<std::vector<Behaviour>> all;
-    for (const Behaviour& side : surfaces.sides) all.push_back({side});
-    for (const Partition& partition : surfaces.partitions) all.push_back({partition.behaviour});
-    const auto add = [&](std::int32_t surface, const Behaviour& behaviour) {
-        const auto k = static_cast<std::size_t>(surface);
-        if (k < all.size()) all[k].push_back(behaviour);
-    };
-    for (const RunEvent& event : scene.run.events) {
-        if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-            add(change->surface, change->behaviour);
-        if (const auto* move = std::get_if<MoveSurface>(&event.action))
-            add(move->surface, Driven{move->velocity});
-    }
-    return all;
-}
 
 // How far outside of a side it reaches, in units.
 double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
@@ -63,7 +44,7 @@ SurfaceView::SurfaceView(const PanelContext& context)
                                       return std::holds_alternative<ChangeSurface>(event.action) ||
                                              std::holds_alternative<MoveSurface>(event.action);
                                   })),
-      behaviours_(behaviours_in_time(context.scene)),
+      behaviours_(behaviours_in_time(context.scene.gas.box.surfaces, context.scene.run)),
       extent_{Eigen::Array2d::Zero(), context.scene.gas.box.size} {
     for (std::size_t side = 0; side < 4; ++side) still_ = still_ && !may_move(side);
     constexpr double infinite = std::numeric_limits<double>::infinity();

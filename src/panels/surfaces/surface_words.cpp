@@ -26,7 +26,7 @@ std::string with_held(Language language, const SurfaceState& state, const std::s
     return state.is_held ? say(language, "{}, {}", words, say(language, "held")) : words;
 }
 
-bool moves(const SurfaceState& state) { return state.motion && state.motion->velocity != 0.0; }
+bool is_moving(const SurfaceState& state) { return state.motion && state.motion->velocity != 0.0; }
 
 std::vector<std::string> names_of_passing(const Gas& gas, const Membrane& membrane) {
     std::vector<std::string> names;
@@ -55,9 +55,9 @@ std::string doing_of(Language language, const Gas& gas, const SurfaceState& stat
     const bool reflects = std::holds_alternative<Reflecting>(state.behaviour);
     if (!reflects && !std::holds_alternative<Driven>(state.behaviour))
         return with_held(language, state, words_of(language, state.behaviour, gas, axis));
-    return moves(state) ? say(language, "moves at velocity {}",
-                              three_digits(language, state.motion->velocity))
-                        : say(language, "stands still");
+    return is_moving(state) ? say(language, "moves at velocity {}",
+                                  three_digits(language, state.motion->velocity))
+                            : say(language, "stands still");
 }
 
 }  // namespace

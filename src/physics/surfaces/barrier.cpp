@@ -130,10 +130,6 @@ double Barrier::end_along(std::size_t axis, bool high) const {
     return high ? std::max(place[axis], end) : std::min(place[axis], end);
 }
 
-bool moves(const Behaviour& behaviour) {
-    return std::holds_alternative<Driven>(behaviour) || std::holds_alternative<Piston>(behaviour);
-}
-
 std::vector<Behaviour> behaviours_of(const Box& box) {
     const Surfaces& surfaces = box.surfaces;
     std::vector<Behaviour> behaviours(surfaces.sides.begin(), surfaces.sides.end());

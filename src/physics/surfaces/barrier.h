@@ -44,9 +44,6 @@ struct Barrier {
     double end_along(std::size_t axis, bool high) const;
 };
 
-/// Whether such a surface moves.
-bool moves(const Behaviour& behaviour);
-
 /// What each surface of a box does: the sides, the partitions, the obstacles.
 std::vector<Behaviour> behaviours_of(const Box& box);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "physics/surfaces/barrier.h"
+#include "physics/surfaces/behaviours.h"
 #include "physics/surfaces/driven_path.h"
 
 namespace carom {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "physics/surfaces/behaviours.h"
 #include "scene/keys/binding.h"
 #include "scene/limits.h"
 #include "scene/reading/overlay_reading.h"
@@ -46,23 +47,10 @@ std::optional<std::int32_t> surface_called(const std::string& name, const Node& 
     return std::nullopt;
 }
 
-bool may_move(const Behaviour& behaviour) {
-    return std::holds_alternative<Piston>(behaviour) || std::holds_alternative<Driven>(behaviour);
-}
-
 // At some time of the run.
 bool may_move(const Reading& reading, std::int32_t surface) {
-    const Surfaces& surfaces = reading.gas.box.surfaces;
-    const Partition* line = surfaces.partition(surface);
-    if (may_move(line != nullptr ? line->behaviour
-                                 : surfaces.sides[static_cast<std::size_t>(surface)]))
-        return true;
-    return std::ranges::any_of(reading.run.events, [&](const RunEvent& event) {
-        const auto* change = std::get_if<ChangeSurface>(&event.action);
-        const auto* move = std::get_if<MoveSurface>(&event.action);
-        return (change != nullptr && change->surface == surface && may_move(change->behaviour)) ||
-               (move != nullptr && move->surface == surface);
-    });
+    const auto all = behaviours_in_time(reading.gas.box.surfaces, reading.run);
+    return std::ranges::any_of(all.at(static_cast<std::size_t>(surface)), moves);
 }
 
 const Node& place_of_surfaces(const Node& node) {

@@ -67,11 +67,8 @@ bool are_apart(const Box& box, const std::vector<Obstacle::Disk>& disks, double 
 
 std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool ends_at_walls) {
     const Surfaces& surfaces = box.surfaces;
-    const bool is_still = std::ranges::all_of(surfaces.sides, [](const Behaviour& side) {
-        return std::holds_alternative<Reflecting>(side);
-    });
     const bool has_walls = !box.is_periodic(0) || !box.is_periodic(1);
-    if (box.dimension != 2 || !is_still || !surfaces.partitions.empty() ||
+    if (box.dimension != 2 || !surfaces.sides_reflect() || !surfaces.partitions.empty() ||
         (surfaces.gravity != 0.0).any() || (has_walls && !ends_at_walls))
         return {};
     std::vector<Obstacle::Disk> disks;

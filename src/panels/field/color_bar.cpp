@@ -25,6 +25,18 @@ std::vector<TickMark> marks_of(const ColorScale& scale) {
     return marks;
 }
 
+std::vector<TickMark> marks_with_room(const ColorScale& scale, double height, double line) {
+    const std::vector<TickMark> all = marks_of(scale);
+    const std::size_t last = all.size() - 1;
+    std::size_t step = 1;
+    while (step < last && height * static_cast<double>(step) < line * static_cast<double>(last))
+        ++step;
+    std::vector<TickMark> marks;
+    for (std::size_t i = 0; i <= last; ++i)
+        if ((last - i) % step == 0) marks.push_back(all[i]);
+    return marks;
+}
+
 void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
                     const ColorScale& scale, double opacity) {
     constexpr int steps = 256;
@@ -42,7 +54,8 @@ void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
         scale.symbol.empty() || measure_text(title, label_style(dc)).width <= dc.area.width;
     draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, fits ? title : scale.symbol, style);
     const Scale up{0.0, scale.top, bar.bottom(), bar.y};
-    for (const TickMark& mark : marks_of(scale))
+    const double line = 1.65 * u;  // those at the ends are moved inwards
+    for (const TickMark& mark : marks_with_room(scale, bar.height, line))
         draw_text(canvas,
                   {bar.right() + 0.4 * u,
                    std::clamp(up(mark.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},

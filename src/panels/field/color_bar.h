@@ -28,6 +28,10 @@ void fix_top(ColorScale& scale, std::vector<double>& values, double share_above)
 /// The numbers beside its bar; the last says whether there are values above.
 std::vector<TickMark> marks_of(const ColorScale& scale);
 
+/// Those of them that stand a line or more apart beside a bar of this height, evenly, the last
+/// among them.
+std::vector<TickMark> marks_with_room(const ColorScale& scale, double height, double line);
+
 /// Draws title, bar and numbers, as high as the area. With less than full `opacity` the colours lie
 /// over the ground.
 void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,

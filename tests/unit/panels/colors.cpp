@@ -462,3 +462,17 @@ TEST_CASE(
         CHECK(marks_of({"", top, true}).back().value == doctest::Approx(top));
     }
 }
+
+TEST_CASE("beside a short scale there are fewer numbers, and always the highest") {
+    const ColorScale scale{"", 0.8, true};
+    const auto labels = [&](double height) {
+        std::string all;
+        for (const TickMark& mark : marks_with_room(scale, height, 10.0)) all += mark.label + " ";
+        return all;
+    };
+    CHECK(labels(40.0) == "0.0 0.2 0.4 0.6 ≥ 0.8 ");
+    CHECK(labels(39.0) == "0.0 0.4 ≥ 0.8 ");
+    CHECK(labels(19.0) == "0.2 ≥ 0.8 ");
+    CHECK(labels(13.0) == "0.0 ≥ 0.8 ");
+    CHECK(labels(5.0) == "0.0 ≥ 0.8 ");
+}

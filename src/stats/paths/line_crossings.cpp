@@ -11,7 +11,8 @@ LineCrossings::LineCrossings(const Box& box, const Particles& particles, const C
       particles_(particles),
       line_(line),
       is_member_(static_cast<std::size_t>(particles.count())),
-      paths_(box, std::move(velocity_changes)) {
+      paths_(box, std::move(velocity_changes)),
+      ends_(is_member_.size()) {
     for (const Eigen::Index i : members) is_member_[static_cast<std::size_t>(i)] = true;
 }
 
@@ -31,13 +32,23 @@ double LineCrossings::level(double place) const {
     return std::floor(above);
 }
 
+// Pieces join but for round-off: one that ends at the line does not begin on its other side, or a
+// crossing would be lost.
+double LineCrossings::level_at_start(const PathPiece& piece) const {
+    const std::optional<End>& end = ends_[static_cast<std::size_t>(piece.particle)];
+    const double place = piece.place[line_.axis];
+    if (!end) return level(place);
+    if (!box_.is_periodic(line_.axis)) return end->level;
+    return end->level + std::round((place - end->place) / box_.length(line_.axis));
+}
+
 // The crossings of a part of a flight on which it does not turn along the axis; it begins at this
-// time of the piece.
-void LineCrossings::add_monotone(const PathPiece& piece, double begin, const Point& from,
-                                 const Point& to) {
+// time of the piece, and on this level. Gives the level where it ends.
+double LineCrossings::add_monotone(const PathPiece& piece, double begin, const Point& from,
+                                   const Point& to, double first) {
     const double way = from.velocity + to.velocity;
-    const double first = level(from.place), last = level(to.place);
-    if (first == last) return;
+    const double last = level(to.place);
+    if (first == last) return last;
     const std::size_t direction = last > first ? 0 : 1;
     const double pull = paths_.gravity()[line_.axis];
     for (double k = std::min(first, last) + 1.0; k <= std::max(first, last); k += 1.0) {
@@ -59,6 +70,7 @@ void LineCrossings::add_monotone(const PathPiece& piece, double begin, const Poi
         if (inverse_mass > 0.0)
             totals_.energy.at(direction) += 0.5 * velocity.square().sum() / inverse_mass;
     }
+    return last;
 }
 
 void LineCrossings::fly(const PathPiece& piece) {
@@ -68,11 +80,16 @@ void LineCrossings::fly(const PathPiece& piece) {
         return Point{place + time * (velocity + 0.5 * time * pull), velocity + time * pull};
     };
     const Point from = at(0.0), to = at(span);
-    if (from.velocity * to.velocity >= 0.0) return add_monotone(piece, 0.0, from, to);
-    const double turn = -velocity / pull;
-    const Point top = at(turn);
-    add_monotone(piece, 0.0, from, top);
-    add_monotone(piece, turn, top, to);
+    double reached = level_at_start(piece);
+    if (from.velocity * to.velocity >= 0.0) {
+        reached = add_monotone(piece, 0.0, from, to, reached);
+    } else {
+        const double turn = -velocity / pull;
+        const Point top = at(turn);
+        reached = add_monotone(piece, 0.0, from, top, reached);
+        reached = add_monotone(piece, turn, top, to, reached);
+    }
+    ends_[static_cast<std::size_t>(piece.particle)] = End{to.place, reached};
 }
 
 }  // namespace carom

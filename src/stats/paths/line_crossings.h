@@ -42,14 +42,22 @@ class LineCrossings {
         double place, velocity;
     };
     void fly(const PathPiece& piece);
-    void add_monotone(const PathPiece& piece, double begin, const Point& from, const Point& to);
+    /// Where a particle is at the end of a piece: its next one begins there but for round-off, or a
+    /// box length away.
+    struct End {
+        double place, level;
+    };
+    double add_monotone(const PathPiece& piece, double begin, const Point& from, const Point& to,
+                        double first);
     double level(double place) const;
+    double level_at_start(const PathPiece& piece) const;
 
     Box box_;
     Particles particles_;
     CrossedLine line_;
     std::vector<bool> is_member_;
     Paths paths_;
+    std::vector<std::optional<End>> ends_;
     CrossingTotals totals_;
 };
 

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "stats/paths/bond_order.h"
 #include "stats/paths/free_flights.h"
 #include "stats/paths/lag_averages.h"
+#include "stats/paths/line_crossings.h"
 #include "stats/paths/near_pairs.h"
 
 using namespace carom;
@@ -305,4 +307,27 @@ TEST_CASE("a hexagonal lattice has the order 1, a square one 0, a turned one its
     CHECK(std::abs(order_of(east, up, 0.1) - std::polar(1.0, 0.6)) < 1e-12);
     CHECK(std::abs(order_of(east, north, 0.3)) < 1e-12);  // four neighbours: 1 - 1 + 1 - 1
     CHECK(std::abs(order_of(1.5 * east, 1.5 * north, 0.0)) == 0.0);  // none within 1.4
+}
+
+TEST_CASE("what crosses a line one way less what comes back is the change of what is beyond it") {
+    // Centres turn back at 0.4 from the floor, but for round-off exactly on the line.
+    for (const double at : {0.4, 4.5}) {
+        CAPTURE(at);
+        const Gas gas = gas_of(20, Wall::solid, -0.7);
+        Simulation simulation(gas, Run{});
+        const Particles particles = simulation.particles();
+        LineCrossings crossings(gas.box, particles, {.axis = 1, .at = at}, all_of(20), {});
+        const auto beyond = [&](const Sample& sample) {
+            return (sample.position.col(1) > at).count();
+        };
+        std::optional<Eigen::Index> begun;
+        std::int64_t most = 0;
+        see(gas, 200.0, 50, [&](const Sample& sample, std::span<const Collision> all) {
+            const auto [up, down] = crossings.see(sample, all).count;
+            if (!begun) begun = beyond(sample);
+            CHECK(up - down == beyond(sample) - *begun);
+            most = up;
+        });
+        if (at > 1.0) CHECK(most > 1000);
+    }
 }

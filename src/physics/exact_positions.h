@@ -13,6 +13,7 @@
 
 namespace carom {
 
+class Archive;
 class Real;
 
 /// Distances of all particles from their positions in another state, as lengths.
@@ -32,6 +33,12 @@ struct ReturnDistance {
 /// Made by Simulation::exact_positions().
 class ExactPositions {
   public:
+    /// Of no particles.
+    ExactPositions() = default;
+
+    /// Writes the positions with all their bits, or reads them.
+    void archive(Archive& archive);
+
     /// Across periodic sides the nearest image counts. Throws std::invalid_argument unless both are
     /// states of one gas in numbers of one kind, doubles or multiprecision.
     friend ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b);

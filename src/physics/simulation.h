@@ -22,6 +22,8 @@
 
 namespace carom {
 
+class Archive;
+
 /// An event of the run that cannot happen: a perturbation that would push a particle into another
 /// or into a wall, a partition that would close on a particle.
 class RunEventError : public std::runtime_error {
@@ -47,12 +49,21 @@ class Simulation {
     /// it. Throws std::invalid_argument for what no run can be, also if particles overlap.
     Simulation(const Box& box, Particles particles, const Sample& start, const Run& run);
 
+    /// The state that archive() wrote, of a simulation of this box and these particles in this run.
+    /// Throws as archive() and the other constructors do.
+    Simulation(const Box& box, Particles particles, const Run& run, Archive& state);
+
     /// A copy is an independent simulation that goes on alike, bit for bit.
     Simulation(const Simulation&);
     Simulation& operator=(const Simulation&);
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
     ~Simulation();
+
+    /// Writes the state, or replaces it by one that was written for the same box, particles and
+    /// run: the simulation then goes on as that one would have, bit for bit. Throws SystemError if
+    /// the archive is damaged or of another kind of simulation, which leaves this one as it was.
+    void archive(Archive& archive);
 
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and advances to it;
     /// not limited by `run.until`. Tells `on_progress` now and then how far it is. Throws

@@ -72,16 +72,16 @@ void Archive::bytes(void* data, std::size_t size) {
     at_ += size;
 }
 
-// A wrong number must not make a list that no memory holds: each item has a byte at least.
-std::size_t Archive::size_of(std::size_t size) {
+// A wrong number must not make a list that no memory holds.
+std::size_t Archive::size_of(std::size_t size, std::size_t bytes) {
     auto whole = static_cast<std::uint64_t>(size);
     number(whole);
-    if (reading_ && whole > content_.size() - at_) refuse("it ends early");
+    if (reading_ && whole > (content_.size() - at_) / bytes) refuse("it ends early");
     return static_cast<std::size_t>(whole);
 }
 
-std::size_t Archive::area_of(std::int64_t rows, std::int64_t columns) const {
-    const auto most = static_cast<std::int64_t>(content_.size() - at_);
+std::size_t Archive::area_of(std::int64_t rows, std::int64_t columns, std::size_t bytes) const {
+    const auto most = static_cast<std::int64_t>((content_.size() - at_) / bytes);
     if (reading_ && (rows < 0 || columns < 0 || (columns > 0 && rows > most / columns)))
         refuse("it ends early");
     return static_cast<std::size_t>(rows * columns);

@@ -3,6 +3,7 @@
 // fingerprint, so that what is cut short or changed is refused as a whole.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <concepts>
@@ -12,6 +13,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -75,8 +77,9 @@ class Archive {
 
   private:
     void bytes(void* data, std::size_t size);
-    std::size_t size_of(std::size_t size);
-    std::size_t area_of(std::int64_t rows, std::int64_t columns) const;
+    /// What is read is refused where so many items, of `bytes` each at least, are not there.
+    std::size_t size_of(std::size_t size, std::size_t bytes = 1);
+    std::size_t area_of(std::int64_t rows, std::int64_t columns, std::size_t bytes) const;
 
     template <class T>
     void number(T& value) {
@@ -124,7 +127,12 @@ class Archive {
         auto rows = static_cast<std::int64_t>(its.rows()), columns = std::int64_t{its.cols()};
         number(rows);
         number(columns);
-        const std::size_t count = area_of(rows, columns);
+        const std::size_t count = area_of(rows, columns, sizeof(typename T::Scalar));
+        const auto is = [](std::int64_t size, std::int64_t fixed) {
+            return fixed < 0 || size == fixed;
+        };
+        if (!is(rows, T::RowsAtCompileTime) || !is(columns, T::ColsAtCompileTime))
+            refuse("it holds an array of another shape");
         if (reading_) its.resize(rows, columns);
         if constexpr (std::same_as<typename T::Scalar, bool>)
             for (std::size_t i = 0; i < count; ++i) value(its.data()[i]);
@@ -138,21 +146,42 @@ class Archive {
         bytes(text.data(), size);
     }
 
-    template <class T>
-    void parts(std::vector<T>& list) {
+    template <class T, class Allocator>
+    void parts(std::vector<T, Allocator>& list) {
+        if constexpr (std::is_arithmetic_v<T>) {
+            const std::size_t size = size_of(list.size(), sizeof(T));
+            if (reading_) list.resize(size);
+            numbers(list.data(), size);
+        } else {
+            items(list);
+        }
+    }
+
+    void parts(std::vector<bool>& list) {
         const std::size_t size = size_of(list.size());
         if (reading_) list.resize(size);
-        if constexpr (std::is_arithmetic_v<T>)
-            numbers(list.data(), size);
-        else
-            for (T& item : list) value(item);
+        for (std::size_t k = 0; k < size; ++k) {
+            bool item = list[k];
+            value(item);
+            list[k] = item;
+        }
     }
 
     template <class T>
     void parts(std::deque<T>& list) {
+        items(list);
+    }
+
+    // A wrong size must not take far more memory than there are bytes: a list grows as it is read.
+    template <class List>
+    void items(List& list) {
+        constexpr std::size_t most_unread = 1024;
         const std::size_t size = size_of(list.size());
-        if (reading_) list.resize(size);
-        for (T& item : list) value(item);
+        if (list.size() > size) list.resize(size);
+        for (std::size_t k = 0; k < size; ++k) {
+            if (k == list.size()) list.resize(std::min(size, k + most_unread));
+            value(list[k]);
+        }
     }
 
     template <class T, std::size_t count>
@@ -188,7 +217,22 @@ class Archive {
 
     template <class Key, class T>
     void parts(std::map<Key, T>& its) {
-        std::vector<std::pair<Key, T>> list(its.begin(), its.end());
+        ordered<std::pair<Key, T>>(its);
+    }
+
+    template <class Key, class T>
+    void parts(std::multimap<Key, T>& its) {
+        ordered<std::pair<Key, T>>(its);
+    }
+
+    template <class T>
+    void parts(std::set<T>& its) {
+        ordered<T>(its);
+    }
+
+    template <class Item, class Container>
+    void ordered(Container& its) {
+        std::vector<Item> list(its.begin(), its.end());
         value(list);
         if (reading_) its = {list.begin(), list.end()};
     }

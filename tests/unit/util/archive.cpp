@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -29,6 +31,9 @@ struct Outer {
     std::vector<double> list;
     std::vector<Inner> nested;
     std::map<std::string, int> map;
+    std::multimap<double, int> multimap;
+    std::set<std::pair<double, int>> set;
+    std::vector<bool> flags;
     std::array<std::pair<int, double>, 2> pairs{};
     Eigen::ArrayXd line;
     Eigen::ArrayXXd plane;
@@ -36,8 +41,8 @@ struct Outer {
     Eigen::Array2d fixed{0.0, 0.0};
     std::variant<double, Inner> either, other;
     void archive(Archive& archive) {
-        archive(flag, colour, count, small, list, nested, map, pairs, line, plane, whole, fixed,
-                either, other);
+        archive(flag, colour, count, small, list, nested, map, multimap, set, flags, pairs, line,
+                plane, whole, fixed, either, other);
     }
 };
 
@@ -50,6 +55,9 @@ Outer example() {
     value.list = {0.1, -0.0, std::numeric_limits<double>::infinity(), 5e-324};
     value.nested = {{0.3, "a name"}, {0.4, std::nullopt}, {0.5, std::string("\0\xff", 2)}};
     value.map = {{"one", 1}, {"two", 2}};
+    value.multimap = {{0.5, 1}, {0.5, 2}, {0.1, 3}};
+    value.set = {{0.5, 1}, {0.1, 7}};
+    value.flags = {true, false, true};
     value.pairs = {std::pair{1, 0.1}, {2, 0.2}};
     value.line = Eigen::ArrayXd::LinSpaced(5, 0.0, 1.0);
     value.plane = Eigen::ArrayXXd::Constant(3, 2, 0.7);
@@ -93,6 +101,9 @@ TEST_CASE("what an archive holds is read back, bit for bit") {
     CHECK(value.nested.at(1).name == std::nullopt);
     CHECK(value.nested.at(2).name == std::string("\0\xff", 2));
     CHECK(value.map.at("two") == 2);
+    CHECK(value.multimap == example().multimap);
+    CHECK(value.set == example().set);
+    CHECK(value.flags == example().flags);
     CHECK(value.plane.rows() == 3);
     CHECK(value.fixed[1] == 2.5);
     CHECK(std::get<double>(value.either) == 0.6);
@@ -107,6 +118,27 @@ TEST_CASE("an archive that is cut short anywhere is refused") {
         CHECK(refusal_of(bytes.substr(0, size)).starts_with("cannot read film.plan: it"));
     }
     CHECK(refusal_of(bytes.substr(0, bytes.size() - 1)).find("cut short") != std::string::npos);
+}
+
+TEST_CASE("a list of a wrong size and an array of a wrong shape are refused") {
+    Archive archive;
+    std::uint64_t items = 5;
+    double one = 1.0, another = 2.0;
+    archive(items, one, another);
+    Archive of_numbers(archive.finished(), "film.plan");
+    std::vector<double> numbers;
+    CHECK_THROWS_WITH_AS(of_numbers(numbers), "cannot read film.plan: it ends early", SystemError);
+    CHECK(numbers.capacity() <= 2);
+    Archive of_pairs(archive.finished(), "film.plan");
+    std::vector<std::pair<double, double>> pairs;
+    CHECK_THROWS_WITH_AS(of_pairs(pairs), "cannot read film.plan: it ends early", SystemError);
+    Archive three;
+    Eigen::ArrayXd line = Eigen::ArrayXd::LinSpaced(3, 0.0, 1.0);
+    three(line);
+    Archive of_three(three.finished(), "film.plan");
+    Eigen::Array2d fixed{0.0, 0.0};
+    CHECK_THROWS_WITH_AS(of_three(fixed),
+                         "cannot read film.plan: it holds an array of another shape", SystemError);
 }
 
 TEST_CASE("an archive in which any byte was changed is refused") {

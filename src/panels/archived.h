@@ -1,6 +1,10 @@
 // How an Archive writes and reads plain values of the modules below.
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include "draw/geometry.h"
 #include "physics/advance_result.h"
 #include "physics/particles.h"
@@ -8,6 +12,15 @@
 #include "util/archive.h"
 
 namespace carom {
+
+/// A value that several share and none changes; it may be null.
+template <class T>
+void archive_parts(Archive& archive, std::shared_ptr<const T>& its) {
+    std::optional<T> value;
+    if (its) value = *its;
+    archive(value);
+    if (archive.is_reading()) its = value ? std::make_shared<const T>(*std::move(value)) : nullptr;
+}
 
 inline void archive_parts(Archive& archive, Point& point) { archive(point.x, point.y); }
 

@@ -75,6 +75,10 @@ class Panel {
     /// Second pass, every frame in order.
     virtual std::shared_ptr<const PanelState> state(const FrameInput& input) = 0;
 
+    /// Writes or reads all that state() keeps from frame to frame. A panel that reads it after
+    /// archive() gives, from the next frame on, the states of one that has seen all frames before.
+    virtual void archive_progress(Archive& archive) = 0;
+
     /// Draws what is the same in every frame. Called from any thread after fix_axes().
     virtual void draw_ground(Canvas& canvas, const DrawContext& dc) const = 0;
 

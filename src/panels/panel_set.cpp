@@ -211,6 +211,10 @@ void PanelSet::archive(Archive& archive) {
     for_each_panel([&](Panel& panel, std::size_t) { panel.archive(archive); });
 }
 
+void PanelSet::archive_progress(Archive& archive) {
+    for_each_panel([&](Panel& panel, std::size_t) { panel.archive_progress(archive); });
+}
+
 bool PanelSet::refreshes_readouts(const Tick& tick) const {
     constexpr int readouts_a_second = 5;
     return !is_film_ || tick.phase != Phase::moving ||

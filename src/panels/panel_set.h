@@ -77,6 +77,12 @@ class PanelSet {
     /// Writes or reads what the first pass has fixed.
     void archive(Archive& archive);
 
+    /// Writes or reads how far the second pass is: all that its frames so far have left in the
+    /// panels. A set that reads it after archive() gives, from the next frame on, the very same as
+    /// one that has given all frames before. What play_beside() plays is not part of it: it must
+    /// begin with that frame.
+    void archive_progress(Archive& archive);
+
     /// Second pass, every frame in order. Numbers in words stay the same for a fifth of a second,
     /// so that they can be read; in a still they are those of its frame.
     FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,

@@ -50,6 +50,10 @@ struct CellSums {
     Eigen::ArrayXd mean_speed() const { return speed / particles; }
     Eigen::ArrayXXd mean_velocity() const { return velocity.colwise() / particles; }
     Eigen::ArrayXd temperature() const;
+
+    void archive(auto& archive) {
+        archive(time, particles, speed, velocity, thermal_energy, thermal_freedom);
+    }
 };
 
 /// Follows a run.
@@ -73,6 +77,9 @@ class CellAverages {
     /// moment where no time has passed. After the first see().
     CellSums sums() const;
 
+    /// Writes or reads all that was seen; what is wanted is not part of it.
+    void archive(auto& archive) { archive(paths_, slices_, moment_, is_first_, from_); }
+
   private:
     struct Point {
         double time = 0.0;
@@ -88,6 +95,7 @@ class CellAverages {
     struct Slice {
         std::int64_t number = 0;
         CellSums sums;
+        void archive(auto& archive) { archive(number, sums); }
     };
     Point at(const Sample& sample, Eigen::Index particle) const;
     bool is_member(Eigen::Index particle) const {

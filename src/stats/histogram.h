@@ -24,6 +24,7 @@ struct Histogram {
     Bins bins;
     std::vector<std::int64_t> counts;  ///< one for each bin
     std::int64_t below = 0, above = 0;
+    void archive(auto& archive) { archive(bins, counts, below, above); }
 };
 
 /// Bins values: bin k holds [edge(k), edge(k + 1)), the last its upper edge too. NaN counts as

@@ -20,6 +20,7 @@ struct MeanHistogram {
     double values = 0.0;     ///< finite ones, of all samples together
     double mean = 0.0;       ///< of them; NaN where there are none
     double deviation = 0.0;  ///< root of the mean square about the mean
+    void archive(auto& archive) { archive(bins, counts, below, above, values, mean, deviation); }
 };
 
 class RunningHistogram {
@@ -34,16 +35,21 @@ class RunningHistogram {
     /// Of at least one sample. Its cost does not grow with the window.
     MeanHistogram mean() const;
 
+    /// Writes or reads the samples so far; bins and window are not part of it.
+    void archive(auto& archive) { archive(entries_, sum_, samples_, older_, newer_); }
+
   private:
     // Sums that two sets of values add up to those of both (Chan, Golub and LeVeque 1983).
     struct Moments {
         double count = 0.0, mean = 0.0, squares = 0.0;
         void join(const Moments& other);
+        void archive(auto& archive) { archive(count, mean, squares); }
     };
     struct Entry {
         double time = 0.0;
         Histogram histogram;
         Moments moments;
+        void archive(auto& archive) { archive(time, histogram, moments); }
     };
     static Moments moments_of(const Eigen::ArrayXd& values);
     void drop_first();

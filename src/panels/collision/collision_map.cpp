@@ -87,6 +87,7 @@ class CollisionMapPanel : public PlotPanel {
         if (archive.is_reading()) make_plot();
     }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive&) override {}
     Plot plot(const PanelState* state) const override;
 
   private:

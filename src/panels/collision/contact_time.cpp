@@ -36,6 +36,7 @@ class ContactTimePanel : public PlotPanel {
     bool surveys_collisions() const override { return true; }
     void fix_axes() override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive&) override {}
     Plot plot(const PanelState* state) const override;
     void archive(Archive& archive) override {
         archive(collision_, contact_, are_points_, first_, last_, top_);

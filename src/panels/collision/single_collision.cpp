@@ -29,6 +29,7 @@ class SingleCollisionPanel : public Panel {
     void fix_axes() override { met_ = watch_.collision(); }
     void archive(Archive& archive) override { archive(met_); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive&) override {}
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "draw/axis.h"
+#include "panels/archived.h"
 #include "panels/chosen.h"
 #include "stats/mean_error.h"
 #include "util/text.h"
@@ -231,6 +232,11 @@ std::shared_ptr<const PanelState> CurvePanel::state(const FrameInput& input) {
         readouts_ = std::make_shared<const CurveValues>(state->runs.front());
     state->readouts = readouts_;
     return state;
+}
+
+void CurvePanel::archive_progress(Archive& archive) {
+    shown_->archive(archive);
+    archive(readouts_);
 }
 
 std::shared_ptr<const PanelState> CurvePanel::state_of_runs(

@@ -25,6 +25,7 @@ struct CurveValues {
     std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
     std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
     std::vector<std::vector<double>> errors = {};   ///< of these, where they are means of runs
+    void archive(auto& archive) { archive(curves, numbers, errors); }
 };
 
 /// Follows a run.
@@ -42,6 +43,9 @@ class CurveMeter {
     virtual void fix_reach(double) {}
 
     virtual CurveValues values() const = 0;
+
+    /// Writes or reads all that see() has gathered, after fix_reach().
+    virtual void archive(Archive& archive) = 0;
 };
 
 /// What the curves show.
@@ -117,6 +121,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     void survey(const FrameInput& input) override;
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override;
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;

@@ -92,6 +92,12 @@ class FlightMeter : public CurveMeter {
         return now;
     }
 
+    // What was kept until the reach was known has been added then.
+    void archive(Archive& archive) override {
+        archive(flights_);
+        for (SlidingSum& one : sums_) archive(one);
+    }
+
   private:
     // Thinned, as all of them are looked at again: every second one once there are too many.
     void keep(std::size_t k, double value) {

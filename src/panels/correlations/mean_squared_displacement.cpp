@@ -277,6 +277,11 @@ class DisplacementMeter : public LagMeter {
         return now;
     }
 
+    void archive(Archive& archive) override {
+        LagMeter::archive(archive);
+        archive(speeds_);
+    }
+
   private:
     static std::size_t groups_in(double size) {
         return static_cast<std::size_t>(std::min(size, 20.0));

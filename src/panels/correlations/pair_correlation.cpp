@@ -61,6 +61,7 @@ class PairMeter : public CurveMeter {
         const Eigen::ArrayXd g = pairs_.values();
         return {{{g.begin(), g.end()}}};
     }
+    void archive(Archive& archive) override { archive(pairs_); }
 
   private:
     Box box_;

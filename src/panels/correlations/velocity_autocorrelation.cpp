@@ -62,6 +62,11 @@ class AutocorrelationMeter : public LagMeter {
         return now;
     }
 
+    void archive(Archive& archive) override {
+        LagMeter::archive(archive);
+        archive(time_, loss_);
+    }
+
   private:
     double inverse_mass(Eigen::Index i) const { return context_.particles.inverse_mass[i]; }
 

@@ -57,6 +57,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     bool surveys_collisions() const override { return subject_.needs_collisions; }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override { archive(seen_, said_); }
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     std::optional<double> enough_height() const override { return subject_.enough; }

@@ -70,6 +70,7 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     bool wants_return_distances() const override { return true; }
     void archive(Archive& archive) override { archive(record_, low_, high_, last_); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive&) override {}
     Plot plot(const PanelState* state) const override;
 
   private:

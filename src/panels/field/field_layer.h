@@ -37,6 +37,12 @@ class CellQuantity {
     /// particles on average.
     Eigen::ArrayXd values(Eigen::Index axis = 0, double least_particles = least_in_cell) const;
 
+    /// Writes or reads all that was seen.
+    void archive(auto& archive) {
+        archive(all_);
+        if (part_) archive(*part_);
+    }
+
   private:
     FieldOf of_;
     double area_;
@@ -68,6 +74,10 @@ class FieldLayer {
 
     /// Second pass, every frame in order; null without a field.
     std::shared_ptr<const FieldState> see(const FrameInput& input);
+
+    void archive_progress(auto& archive) {
+        if (shown_) archive(*shown_);
+    }
 
     /// Draws a state; `place` gives the rectangle on the canvas of a region of the box.
     void draw(Canvas& canvas, const DrawContext& dc, const FieldState& state,

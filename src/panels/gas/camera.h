@@ -39,6 +39,9 @@ class Camera {
 
     void archive(auto& archive) { archive(way_); }
 
+    /// Writes or reads how far it is on its way.
+    void archive_progress(auto& archive) { archive(next_); }
+
   private:
     struct Frame {
         double time, seconds;

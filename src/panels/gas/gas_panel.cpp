@@ -111,6 +111,11 @@ std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
     return state;
 }
 
+void GasPanel::archive_progress(Archive& archive) {
+    ParticlePanel::archive_progress(archive);
+    archive(trails_, moving_seconds_, last_time_);
+}
+
 bool GasPanel::stands_alone() const {
     const LayoutSpec& layout = context_.scene.film.layout;
     const double right = layout.gas.x + layout.gas.width;

@@ -19,6 +19,7 @@ class GasPanel : public ParticlePanel {
     void fix_axes() override;
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override;
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
@@ -42,6 +43,7 @@ class GasPanel : public ParticlePanel {
     struct TrailPoint {
         double film_time;  // seconds
         Point place;       // scene units
+        void archive(auto& archive) { archive(film_time, place); }
     };
     struct Trail {
         std::vector<Point> places;  // oldest first, scene units

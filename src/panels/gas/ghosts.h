@@ -16,6 +16,7 @@ struct Ghosts {
     std::string words;
     int frame = 0;          ///< the first with the mark
     Eigen::ArrayXXf place;  ///< of all particles, a column for each axis
+    void archive(auto& archive) { archive(words, frame, place); }
 };
 
 /// The marks of a scene as its frames pass.
@@ -32,6 +33,9 @@ class GhostKeeper {
 
     /// How much of their words is seen, from 0 to 1.
     double words_alpha(const Tick& tick) const;
+
+    /// Writes or reads which mark is the present one, and what it has stamped.
+    void archive(auto& archive) { archive(next_, present_); }
 
   private:
     const Scene& scene_;

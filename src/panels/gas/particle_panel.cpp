@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/archived.h"
 #include "panels/chosen.h"
 #include "util/text.h"
 
@@ -87,6 +88,12 @@ void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, cons
     style.color = ink;
     style.align = Align::center;
     draw_text(canvas, {left + 0.5 * bar, y - 0.6 * u}, plain_number(language, length), style);
+}
+
+void ParticlePanel::archive_progress(Archive& archive) {
+    archive(ghosts_);
+    camera_.archive_progress(archive);
+    field_.archive_progress(archive);
 }
 
 bool ParticlePanel::is_filled(Eigen::Index particle) const {

@@ -50,6 +50,7 @@ struct ParticleState : PanelState {
 class ParticlePanel : public Panel {
   public:
     bool surveys_collisions() const override { return flashes_.asked() || field_.shown(); }
+    void archive_progress(Archive& archive) override;
     void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
 
     /// fix_axes() of the boxes of two runs: with one scale of colours, one

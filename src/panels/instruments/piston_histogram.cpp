@@ -83,9 +83,12 @@ class PistonMeter : public CurveMeter {
         return now;
     }
 
+    void archive(Archive& archive) override { archive(times_, last_, law_); }
+
   private:
     struct Moment {
         double time, place, velocity, acceleration;
+        void archive(auto& archive) { archive(time, place, velocity, acceleration); }
     };
 
     double acceleration(const SurfaceState& state) const {

@@ -15,6 +15,8 @@ struct PistonOverGas {
     double zero = 0.0;       ///< the place where h is 0
     double direction = 1.0;  ///< of h
 
+    void archive(auto& archive) { archive(law, mass, zero, direction); }
+
     double mean_place() const { return zero + direction * law.mean(); }
     double density_at(double place) const { return law.density(direction * (place - zero)); }
 };

@@ -81,6 +81,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
 
     void survey(const FrameInput& input) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
     void archive(Archive& archive) override;
 

@@ -37,6 +37,8 @@ class LineEnds {
     /// Second pass, every frame in order; none of plain ones.
     std::vector<End> see(const FrameInput& input, double memory);
 
+    void archive_progress(auto& archive) { archive(paths_); }
+
     /// Draws one at `x` (pixels), across the wire at the height `y`.
     void draw(Canvas& canvas, const DrawContext& dc, const End& end, std::size_t side, double x,
               double y) const;

@@ -108,6 +108,12 @@ std::shared_ptr<const PanelState> LinePanel::state(const FrameInput& input) {
     return state;
 }
 
+void LinePanel::archive_progress(Archive& archive) {
+    ParticlePanel::archive_progress(archive);
+    archive(*lines_, last_places_);
+    ends_.archive_progress(archive);
+}
+
 std::string LinePanel::account(const PanelState& state) const {
     const auto& now = static_cast<const State&>(state);
     std::vector<SurfaceState> states;

@@ -18,6 +18,7 @@ class WorldLines {
         double time;          ///< simulated
         double place;         ///< as drawn, length
         std::uint16_t shade;  ///< of the piece that ends here
+        void archive(auto& archive) { archive(time, place, shade); }
     };
 
     /// Of the last `memory` units of simulated time. Refers to the map and the colours.
@@ -36,6 +37,9 @@ class WorldLines {
 
     /// The simulated times of reversals in memory.
     std::vector<double> reversals(double now) const;
+
+    /// Writes or reads the lines.
+    void archive(auto& archive) { archive(bends_, reversals_); }
 
   private:
     void choose(const LineMap& map);

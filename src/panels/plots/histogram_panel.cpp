@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/plots/window.h"
 #include "panels/surfaces/side_extent.h"
@@ -173,6 +174,11 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
     for (std::size_t k = 0; k < broken_until_.size(); ++k)
         state->broken.push_back(broken_bars(state->counts.series[k], input.tick.frame, k));
     return state;
+}
+
+void HistogramPanel::archive_progress(Archive& archive) {
+    for (RunningHistogram& one : running_) archive(one);
+    archive(seen_until_, readouts_, broken_until_);
 }
 
 // Those that the axis cannot hold, and those that it could not a moment ago: a bar that wavers

@@ -51,6 +51,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void survey(const FrameInput& input) override;
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override;
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;

@@ -104,6 +104,7 @@ struct HistogramCounts {
     std::vector<MeanHistogram> series;
     std::vector<std::vector<double>> errors = {};  ///< of the bars of each series, where they are
                                                    ///< means of several runs
+    void archive(auto& archive) { archive(series, errors); }
 };
 
 /// Means over runs, with their standard errors. Requires one at least.

@@ -46,6 +46,7 @@ class PointsPanel : public PlotPanel {
     void archive(Archive& archive) override;
     bool surveys_collisions() const override { return static_cast<bool>(subject_.corners); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
 
     /// For tests: the points of a set in a state.

@@ -108,6 +108,9 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
     bool surveys_collisions() const override { return window_of(over_) != 0.0; }
     bool wants_collisions() const override { return surveys_collisions(); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override {
+        for (CellQuantity& one : shown_) archive(one);
+    }
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;

@@ -61,6 +61,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
 
     void survey(const FrameInput& input) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
     bool surveys_collisions() const override { return subject_.needs_collisions; }
     void archive(Archive& archive) override;

@@ -109,6 +109,7 @@ class TextPanel : public Panel {
     }
 
     void archive(Archive&) override {}
+    void archive_progress(Archive&) override {}
     void draw(Canvas&, const DrawContext&, const PanelState&) const override {}
     Table table(const PanelState&, const Theme&) const override { return {}; }
 

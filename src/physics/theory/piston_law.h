@@ -47,6 +47,8 @@ struct PistonLaw {
     double period(double mass) const {
         return 2.0 * std::numbers::pi * deviation() * std::sqrt(mass / temperature());
     }
+
+    void archive(auto& archive) { archive(count, energy, force, dimension); }
 };
 
 }  // namespace carom

@@ -17,6 +17,7 @@ struct FreeFlight {
     Eigen::Index particle = 0;
     double ended = 0.0;  ///< time
     double length = 0.0, duration = 0.0;
+    void archive(auto& archive) { archive(particle, ended, length, duration); }
 };
 
 /// What particles have done in a time, whether or not it ended with a collision.
@@ -39,6 +40,17 @@ class FreeFlights {
 
     /// Since the sample before, of each particle.
     const std::vector<FlightTotals>& totals() const { return totals_; }
+
+    /// Writes or reads the present flights.
+    void archive(auto& archive) {
+        archive(paths_, now_);
+        is_begun_.resize(now_.size());
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            bool is_begun = is_begun_[i];
+            archive(is_begun);
+            is_begun_[i] = is_begun;
+        }
+    }
 
   private:
     bool ends(const Collision& collision) const;

@@ -34,12 +34,16 @@ class LagAverages {
     /// the run has come to both ends; NaN where there are none yet.
     Eigen::ArrayXd means(std::size_t list) const;
 
+    /// Writes or reads all that was seen; lists and lags are not part of it.
+    void archive(auto& archive) { archive(paths_, tracks_, sums_, times_); }
+
   private:
     struct Track {
         Eigen::Index list = 0;
         std::deque<PathPiece> pieces = {};  ///< within the longest lag; places go on through sides
         std::size_t dropped = 0;            ///< before these
         std::vector<std::size_t> older = {};  ///< for each lag, the piece where its earlier end is
+        void archive(auto& archive) { archive(list, pieces, dropped, older); }
     };
     void add(Track& track, PathPiece piece);
     void add_lag(Track& track, int k);

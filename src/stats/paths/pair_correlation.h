@@ -48,6 +48,11 @@ class PairCorrelation {
     /// g in each ring, over the window; of the moment where no time has passed.
     Eigen::ArrayXd values() const;
 
+    /// Writes or reads all that was seen; what is wanted is not part of it.
+    void archive(auto& archive) {
+        archive(paths_, pairs_, expected_, moment_, moment_expected_, sides_, time_);
+    }
+
   private:
     bool is_wanted(Eigen::Index i, Eigen::Index j) const;
     void find_kinds();

@@ -21,6 +21,12 @@ struct PathPiece {
     const Collision* ended_by = nullptr;  ///< none: the sample, or an event of the run
 
     double span() const { return to - from; }
+
+    /// All but the collision, which is known during the call only that gives the piece.
+    void archive(auto& archive) {
+        archive(particle, from, to, place, velocity);
+        ended_by = nullptr;
+    }
 };
 
 /// Times at which the velocities of a run change without a collision.
@@ -58,10 +64,14 @@ class Paths {
 
     const Eigen::Array2d& gravity() const { return gravity_; }
 
+    /// Writes or reads where the particles are.
+    void archive(auto& archive) { archive(last_, time_); }
+
   private:
     struct Point {
         double time = 0.0;
         Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
+        void archive(auto& archive) { archive(time, place, velocity); }
     };
     static Point at(const Sample& sample, Eigen::Index particle);
     Point moved(const Point& from, double time) const;

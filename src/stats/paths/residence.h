@@ -26,6 +26,9 @@ class Residence {
     /// Of each bin, up to the last that was reached.
     const std::vector<double>& times() const { return times_; }
 
+    /// Writes or reads the times; the width is not part of it.
+    void archive(auto& archive) { archive(times_); }
+
   private:
     void add_monotone(const Stretch& stretch);
     void add(double place, double time);

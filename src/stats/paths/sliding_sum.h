@@ -32,10 +32,14 @@ class SlidingSum {
         return all;
     }
 
+    /// Writes or reads what was added; the window is not part of it.
+    void archive(auto& archive) { archive(slices_); }
+
   private:
     struct Slice {
         std::int64_t number;
         Eigen::ArrayXd sums;
+        void archive(auto& archive) { archive(number, sums); }
     };
     Eigen::ArrayXd none_;
     std::optional<double> window_;  ///< none: all

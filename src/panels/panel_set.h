@@ -74,6 +74,12 @@ class PanelSet {
     /// Refers to the recording.
     void play_beside(const Recording& recording) { beside_.emplace(recording); }
 
+    /// The frames of the run beside it that the coming frame_data() will take, before number `end`
+    /// (Player::rest()). None where nothing plays beside it.
+    std::optional<Recording> rest_beside(std::size_t end) const {
+        return beside_ ? std::optional(beside_->rest(end)) : std::nullopt;
+    }
+
     /// Writes or reads what the first pass has fixed.
     void archive(Archive& archive);
 

@@ -1,6 +1,7 @@
 #include "panels/recording.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "panels/archived.h"
@@ -74,6 +75,35 @@ void Recording::Player::next() {
         sample_ = &recording_->samples_[frame.sample];
     }
     ++next_;
+}
+
+Recording Recording::Player::rest(std::size_t end) const {
+    const std::vector<Tick>& ticks = recording_->ticks_;
+    if (end < next_ || end > ticks.size())
+        throw std::out_of_range("a part of a recording beyond its frames");
+    Recording rest;
+    rest.ticks_.assign(ticks.begin() + std::ptrdiff_t(next_), ticks.begin() + std::ptrdiff_t(end));
+    rest.with_collisions_ = recording_->with_collisions_;
+    rest.start_ = simulation_;
+    if (!simulation_) rest.keep_part(*recording_, next_, end);
+    return rest;
+}
+
+// Frames that share a sample share it in the part too.
+void Recording::keep_part(const Recording& whole, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+        const Frame& frame = whole.frames_[i];
+        if (i == first || frame.sample != whole.frames_[i - 1].sample)
+            samples_.push_back(whole.samples_[frame.sample]);
+        frames_.push_back(frame);
+        frames_.back().sample = samples_.size() - 1;
+    }
+}
+
+Recording Recording::part(std::size_t first, std::size_t end) const {
+    Player player(*this);
+    while (player.shown() < first) player.next();
+    return player.rest(end);
 }
 
 void Recording::play(std::size_t end, const Viewer& see) const {

@@ -51,6 +51,14 @@ class Recording {
         const Sample& sample() const { return *sample_; }
         const AdvanceResult& advanced() const { return advanced_; }
 
+        /// How many frames it has shown; the next one has this number.
+        std::size_t shown() const { return next_; }
+
+        /// The frames from the next one on and before number `end`, as a recording of its own,
+        /// which shows them as this one would, bit for bit. Throws std::out_of_range where that is
+        /// beyond the last one.
+        Recording rest(std::size_t end) const;
+
       private:
         const Recording* recording_;
         std::size_t next_ = 0;
@@ -59,9 +67,14 @@ class Recording {
         AdvanceResult advanced_;
     };
 
-    /// Shows the frames before number `end` to a viewer.
+    /// The frames [first, end) alone: Player::rest() at the first. A run that is not kept is
+    /// simulated up to there; several parts of it are had from one Player.
+    Recording part(std::size_t first, std::size_t end) const;
+
+    /// Shows the frames before number `end` to a viewer, counted from the first one that is here.
     void play(std::size_t end, const Viewer& see) const;
 
+    /// Of the frames that are here, with their numbers in the whole film.
     const std::vector<Tick>& ticks() const { return ticks_; }
 
     /// Whether it is in memory. If not, each play() simulates.
@@ -82,13 +95,14 @@ class Recording {
     };
     bool keep(const Sample& sample, const AdvanceResult& advanced, std::size_t most);
     void simulate(Simulation simulation, const Viewer& see) const;
+    void keep_part(const Recording& whole, std::size_t first, std::size_t end);
 
     std::vector<Tick> ticks_;
     bool with_collisions_ = false;
     std::vector<Sample> samples_;
     std::vector<Frame> frames_;
     std::size_t bytes_ = 0;
-    std::optional<Simulation> start_;  ///< of a run that is not kept
+    std::optional<Simulation> start_;  ///< of a run that is not kept, before its first frame
 };
 
 }  // namespace carom

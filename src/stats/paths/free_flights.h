@@ -42,15 +42,7 @@ class FreeFlights {
     const std::vector<FlightTotals>& totals() const { return totals_; }
 
     /// Writes or reads the present flights.
-    void archive(auto& archive) {
-        archive(paths_, now_);
-        is_begun_.resize(now_.size());
-        for (std::size_t i = 0; i < now_.size(); ++i) {
-            bool is_begun = is_begun_[i];
-            archive(is_begun);
-            is_begun_[i] = is_begun;
-        }
-    }
+    void archive(auto& archive) { archive(paths_, now_, is_begun_); }
 
   private:
     bool ends(const Collision& collision) const;

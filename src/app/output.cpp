@@ -31,9 +31,11 @@ bool is_stream(const fs::path& path) {
 }
 
 [[noreturn]] void fail(const std::string& path) {
-    throw SystemError(fmt::format("cannot write {}: {}",
-                                  Output::is_standard_output(path) ? "standard output" : path,
-                                  std::generic_category().message(errno)));
+    const int error = errno;
+    throw_system_error(fmt::format("cannot write {}: {}",
+                                   Output::is_standard_output(path) ? "standard output" : path,
+                                   std::generic_category().message(error)),
+                       error);
 }
 
 // A named pipe is waited for until somebody reads it.

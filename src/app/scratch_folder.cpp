@@ -25,9 +25,12 @@ ScratchFolder::ScratchFolder() {
                                       error.message()));
     }
     std::string name = (folder / "carom.XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-        throw SystemError(
-            fmt::format("cannot write {}: {}", name, std::generic_category().message(errno)));
+    if (mkdtemp(name.data()) == nullptr) {
+        const int cause = errno;
+        throw_system_error(
+            fmt::format("cannot write {}: {}", name, std::generic_category().message(cause)),
+            cause);
+    }
     path_ = name;
 }
 

@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(std::string_view what, const fs::path& path, int error = errno) {
-    throw SystemError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)));
+    throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)),
+                       error);
 }
 
 // Names have room for 255 bytes: of a long one the beginning, as whole code points.

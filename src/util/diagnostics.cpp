@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 
 #include "util/text.h"
 
@@ -76,5 +78,12 @@ std::string to_text(const Diagnostic& diagnostic) {
 
 SceneError::SceneError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(all_texts(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+
+void throw_system_error(const std::string& message, int error) {
+    constexpr std::array passing{ENOSPC, EDQUOT, EIO,    EAGAIN, EMFILE,
+                                 ENFILE, ENOMEM, ESTALE, EBUSY,  ETIMEDOUT};
+    if (std::ranges::find(passing, error) != passing.end()) throw TemporaryError(message);
+    throw SystemError(message);
+}
 
 }  // namespace carom

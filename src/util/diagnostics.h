@@ -72,4 +72,15 @@ class SystemError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The work failed, and may succeed when it is tried again: a full disk, too many open files, a
+/// file system that does not answer (exit code 75, EX_TEMPFAIL of sysexits.h).
+class TemporaryError : public SystemError {
+  public:
+    using SystemError::SystemError;
+};
+
+/// Throws `message` as a TemporaryError where the error number of the system `error` is one that
+/// passes, otherwise as a SystemError.
+[[noreturn]] void throw_system_error(const std::string& message, int error);
+
 }  // namespace carom

@@ -104,7 +104,7 @@ TEST_CASE("a folder that cannot be written is exit code 1 with its name") {
     CHECK(contents(folder.path() / "file") == "x");
 }
 
-TEST_CASE("a full disk is exit code 1; the earlier film stays and no part is left") {
+TEST_CASE("a full disk is exit code 75; the earlier film stays and no part is left") {
     const TemporaryFolder folder;
     folder.write("film.mp4", "earlier");
     // A limit on file sizes fails as a full disk does, one buffer late, and needs no rights.
@@ -127,7 +127,7 @@ TEST_CASE("a full disk is exit code 1; the earlier film stays and no part is lef
     const std::string kept = contents(disk / "film.mp4");
     const auto entries = std::distance(fs::directory_iterator(disk), {});
     run({"umount", disk.string()});
-    CHECK(full.exit_code == 1);
+    CHECK(full.exit_code == 75);
     CHECK(full.err.find("No space left on device") != std::string::npos);
     CHECK(kept == "earlier");
     CHECK(entries == 1);
@@ -206,20 +206,20 @@ TEST_CASE("an empty name of a scene can be seen") {
     CHECK(outcome.err == "\"\": error: cannot be read: No such file or directory\n");
 }
 
-TEST_CASE("help that cannot be written is exit code 1") {
-    CHECK(shell("'" + program + "' --help > /dev/full").exit_code == 1);
-    CHECK(shell("'" + program + "' render --help > /dev/full").exit_code == 1);
+TEST_CASE("help that cannot be written on a full device is exit code 75") {
+    CHECK(shell("'" + program + "' --help > /dev/full").exit_code == 75);
+    CHECK(shell("'" + program + "' render --help > /dev/full").exit_code == 75);
     CHECK(shell("'" + program + "' render --help > /dev/null").exit_code == 0);
 }
 
-TEST_CASE("what a command has made stays where its report cannot be written, and the code is 1") {
+TEST_CASE("what a command has made stays where its report cannot be written, and the code is 75") {
     const TemporaryFolder folder;
     const Outcome film = shell(render_small("film.mp4", ">/dev/full"), folder.path());
-    CHECK(film.exit_code == 1);
+    CHECK(film.exit_code == 75);
     CHECK(film.err.find("cannot write standard output: No space left") != std::string::npos);
     CHECK(shell(render_small("heard.mp4"), folder.path()).exit_code == 0);
     CHECK(contents(folder.path() / "film.mp4") == contents(folder.path() / "heard.mp4"));
-    CHECK(shell("'" + program + "' new a.yaml >/dev/full", folder.path()).exit_code == 1);
+    CHECK(shell("'" + program + "' new a.yaml >/dev/full", folder.path()).exit_code == 75);
     CHECK(fs::exists(folder.path() / "a.yaml"));
 }
 

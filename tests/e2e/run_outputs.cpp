@@ -81,7 +81,9 @@ TEST_CASE("a scene that does not say how long is told to; the command line can s
     CHECK(json::parse(given.out)["time"] == 1e5);
 }
 
-TEST_CASE("what cannot be written is exit code 1; earlier files stay and no part is left") {
+TEST_CASE(
+    "what cannot be written is exit code 1, a full device 75; earlier files stay and no part is "
+    "left") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", "title: T\n" + small_gas);
     folder.write("a.csv", "earlier");
@@ -103,11 +105,11 @@ TEST_CASE("what cannot be written is exit code 1; earlier files stay and no part
     for (const char* arguments : {"--json - >/dev/full", "--csv - >/dev/full"}) {
         CAPTURE(arguments);
         const Outcome full = attempt(arguments);
-        CHECK(full.exit_code == 1);
+        CHECK(full.exit_code == 75);
         CHECK(full.err.find("No space left on device") != std::string::npos);
     }
     const Outcome table = shell("'" + program + "' run scene.yaml >/dev/full", folder.path());
-    CHECK(table.exit_code == 1);
+    CHECK(table.exit_code == 75);
 }
 
 TEST_CASE("a file that is open already is written as it stands") {

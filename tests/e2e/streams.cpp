@@ -68,7 +68,7 @@ TEST_CASE("`still -o -` writes the very file to standard output, and nothing els
         CHECK(streamed.err.empty());
         CHECK((streamed.out == contents(folder.path() / ("file." + format))));
     }
-    CHECK(call("still '" + scene + "' -o - >/dev/full", folder.path()).exit_code == 1);
+    CHECK(call("still '" + scene + "' -o - >/dev/full", folder.path()).exit_code == 75);
 }
 
 TEST_CASE("`render -o -` writes the very film to standard output, its report elsewhere") {

@@ -100,7 +100,9 @@ void refuse_empty_values(CLI::App& app) {
 // Of what a command has printed there, and of the help; that it was closed is no error.
 void finish_standard_output() {
     if ((std::cout.flush() && std::fflush(stdout) == 0) || errno == EBADF) return;
-    throw SystemError("cannot write standard output: " + std::generic_category().message(errno));
+    const int error = errno;
+    throw_system_error("cannot write standard output: " + std::generic_category().message(error),
+                       error);
 }
 
 // The command that is named does its work at the end of parsing.
@@ -126,6 +128,9 @@ int parse_and_run(int argc, const char* const* argv) {
     return 0;
 }
 
+// EX_TEMPFAIL of sysexits.h.
+constexpr int exit_code_of_temporary_error = 75;
+
 int complain(int code, const std::string& what) {
     say(what + "\n");
     return code;
@@ -142,6 +147,8 @@ int run_command_line(int argc, const char* const* argv) {
         return complain(2, fmt::format("carom: {}", error.what()));
     } catch (const Interrupted& stop) {
         return complain(130, fmt::format("carom: {}", stop.what()));
+    } catch (const TemporaryError& error) {
+        return complain(exit_code_of_temporary_error, fmt::format("carom: {}", error.what()));
     } catch (const std::bad_alloc&) {
         return complain(1,
                         "carom: not enough memory; a smaller picture or fewer particles need less");

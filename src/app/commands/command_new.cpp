@@ -90,8 +90,9 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
 [[noreturn]] void fail(const fs::path& file, int cause) {
     if (cause == EEXIST)
         throw UsageError(fmt::format("{} exists already and was left unchanged", file.string()));
-    throw SystemError(
-        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(cause)));
+    throw_system_error(
+        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(cause)),
+        cause);
 }
 
 // Only where there is nothing: an earlier file is never replaced, not even one of this moment.

@@ -133,8 +133,9 @@ void FigureFolder::take_in(const fs::path& from, const std::string& file, const 
     std::error_code error;
     fs::rename(from / file, path_ / file, error);
     if (error)
-        throw SystemError(
-            fmt::format("{}: cannot be written: {}", (path_ / file).string(), error.message()));
+        throw_system_error(
+            fmt::format("{}: cannot be written: {}", (path_ / file).string(), error.message()),
+            error.value());
     manifest_.files[file] = {figure, inputs, content};
 }
 

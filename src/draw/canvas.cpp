@@ -131,6 +131,8 @@ void trace_circle(cairo_t* context, Point center, double radius) {
 
 }  // namespace
 
+std::string drawing_library() { return std::string("cairo ") + cairo_version_string(); }
+
 // Columns and rows of pixels, the last of them not included.
 struct PixelBox {
     int left, top, right, bottom;

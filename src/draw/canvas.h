@@ -41,6 +41,9 @@ struct Circle {
     Color color;
 };
 
+/// The library that draws, with its version.
+std::string drawing_library();
+
 enum class Backdrop { black, transparent };
 
 class Canvas {

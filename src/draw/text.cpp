@@ -378,6 +378,8 @@ bool is_raster(cairo_t* context) {
 
 }  // namespace
 
+std::string text_library() { return std::string("pango ") + pango_version_string(); }
+
 TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style) {
     const Line& line = line_of(markup, style);
     cairo_t* context = canvas.handle();

@@ -65,6 +65,9 @@ class TextLog {
     std::vector<DrawnLine> lines;
 };
 
+/// The library that sets text, with its version.
+std::string text_library();
+
 /// Plain text made safe as markup: & < > ' " escaped.
 std::string escape_markup(const std::string& text);
 

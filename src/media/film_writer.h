@@ -13,6 +13,8 @@
 
 namespace carom {
 
+class Archive;
+
 enum class Quality { draft, standard, final_ };
 
 /// A part of a film that players can jump to.
@@ -43,8 +45,16 @@ class FilmSegment {
 
     virtual void add(const Canvas& frame) = 0;  ///< the next one in order
     virtual void finish() {}                    ///< after its last frame, on the same thread
+
+    /// Writes what has become of its frames, after finish(); or reads it into a new segment of the
+    /// same number in another writer with the same settings, in place of frames. Throws
+    /// SystemError.
+    virtual void archive(Archive& archive) = 0;
     virtual void join() = 0;  ///< to the film: all segments in order, one at a time
 };
+
+/// The library that encodes, with its version.
+std::string encoding_library();
 
 /// A film that is being written; it appears whole or not at all. All throw SystemError.
 class FilmWriter {

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <vector>
 
 #include "media/film_writer.h"
+#include "util/archive.h"
 #include "util/atomic_file.h"
 
 namespace carom {
@@ -25,22 +25,26 @@ class FrameFolder : public FilmWriter {
   private:
     class Segment : public FilmSegment {
       public:
-        Segment(FrameFolder& film, int first) : film_(film), next_(first) {}
-        void add(const Canvas& frame) override {
-            const std::vector<std::uint8_t> png = frame.png();
-            film_.folder_.write(fmt::format("frame-{:0{}}.png", ++next_, film_.digits_), png);
-            film_.bytes_ += static_cast<std::int64_t>(png.size());
+        Segment(FrameFolder& film, int first) : film_(film), first_(first) {}
+        void add(const Canvas& frame) override { pictures_.push_back(frame.png()); }
+        void archive(Archive& archive) override { archive(pictures_); }
+        void join() override {
+            int number = first_;  // from 0; files count from 1
+            for (const std::vector<std::uint8_t>& png : pictures_) {
+                film_.folder_.write(fmt::format("frame-{:0{}}.png", ++number, film_.digits_), png);
+                film_.bytes_ += static_cast<std::int64_t>(png.size());
+            }
         }
-        void join() override {}
 
       private:
         FrameFolder& film_;
-        int next_;  ///< from 0; files count from 1
+        int first_;
+        std::vector<std::vector<std::uint8_t>> pictures_;
     };
 
     AtomicFolder folder_;
     std::size_t digits_;
-    std::atomic<std::int64_t> bytes_ = 0;
+    std::int64_t bytes_ = 0;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "media/gif_palette.h"
 #include "media/libav.h"
+#include "util/archive.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 
@@ -140,13 +141,9 @@ class GifFilm : public FilmWriter {
     // Each frame is kept as the part of it that differs from the one before; the first is whole.
     class Segment : public FilmSegment {
       public:
-        explicit Segment(GifFilm& film) : film_(film), finder_(film.palette_) {
-            libav::listen();
-            context_ = open_encoder(film.settings_);
-            indices_ = libav::frame(AV_PIX_FMT_PAL8, context_->width, context_->height);
-            indices_->pts = 0;
-        }
+        explicit Segment(GifFilm& film) : film_(film), finder_(film.palette_) { libav::listen(); }
         void add(const Canvas& canvas) override {
+            if (!context_) open();
             convert(canvas.pixels());
             libav::check_encoder(encoder_name, avcodec_send_frame(context_.get(), indices_.get()));
             ++indices_->pts;
@@ -155,11 +152,17 @@ class GifFilm : public FilmWriter {
                                  avcodec_receive_packet(context_.get(), packet.get()));
             images_.push_back(image_of({packet->data, static_cast<std::size_t>(packet->size)}));
         }
+        void archive(Archive& archive) override { archive(images_); }
         void join() override {
             for (Bytes& image : images_) film_.write(image);
         }
 
       private:
+        void open() {
+            context_ = open_encoder(film_.settings_);
+            indices_ = libav::frame(AV_PIX_FMT_PAL8, context_->width, context_->height);
+            indices_->pts = 0;
+        }
         void convert(const PixelView& frame) {
             assert(frame.width == indices_->width && frame.height == indices_->height);
             // The encoder keeps the frame before.

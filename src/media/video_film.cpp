@@ -10,6 +10,7 @@ extern "C" {
 #include <cassert>
 #include <limits>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ extern "C" {
 #include "media/film_writer.h"
 #include "media/libav.h"
 #include "media/yuv.h"
+#include "util/archive.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 
@@ -106,6 +108,38 @@ void set_chapters(AVFormatContext& context, const VideoSettings& settings) {
     }
 }
 
+// Data beside the picture: alpha planes of WebM are there.
+void archive_side_data(Archive& archive, AVPacket& packet, int index) {
+    AVPacketSideDataType type = {};
+    std::vector<std::uint8_t> bytes;
+    if (!archive.is_reading()) {
+        const AVPacketSideData& its = packet.side_data[index];
+        type = its.type;
+        bytes.assign(its.data, its.data + its.size);
+    }
+    archive(type, bytes);
+    if (!archive.is_reading()) return;
+    std::uint8_t* const data = av_packet_new_side_data(&packet, type, bytes.size());
+    if (data == nullptr) throw std::bad_alloc();
+    std::ranges::copy(bytes, data);
+}
+
+void archive_packet(Archive& archive, AVPacket& packet) {
+    std::vector<std::uint8_t> bytes(packet.data, packet.data + packet.size);
+    std::int64_t time = packet.pts;
+    int flags = packet.flags;
+    archive(bytes, time, flags);
+    if (archive.is_reading()) {
+        if (av_new_packet(&packet, static_cast<int>(bytes.size())) < 0) throw std::bad_alloc();
+        std::ranges::copy(bytes, packet.data);
+        packet.pts = time;
+        packet.flags = flags;
+    }
+    auto count = static_cast<std::int32_t>(packet.side_data_elems);
+    archive(count);
+    for (int k = 0; k < count; ++k) archive_side_data(archive, packet, k);
+}
+
 class VideoFilm : public FilmWriter {
   public:
     VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
@@ -123,11 +157,14 @@ class VideoFilm : public FilmWriter {
         explicit Segment(VideoFilm& film);
         void add(const Canvas& frame) override;
         void finish() override;
+        void archive(Archive& archive) override;
         void join() override { film_.append(*this); }
 
       private:
         friend class VideoFilm;
         void check(int result) const { libav::check_encoder(film_.codec_.encoder, result); }
+        void open();
+        void keep_parameters();
         void encode(const AVFrame* frame);
 
         VideoFilm& film_;
@@ -143,6 +180,14 @@ class VideoFilm : public FilmWriter {
     void append(Segment& segment);
     void check(int result) const;
 
+    /// What an encoder of the film says of itself, for segments that were encoded elsewhere.
+    struct Template {
+        Owned<AVCodecParameters> parameters;
+        AVRational time_base;
+        int reordering;
+    };
+    std::optional<Template> template_;
+
     VideoSettings settings_;
     const Codec& codec_;
     AtomicFile file_;
@@ -153,14 +198,16 @@ class VideoFilm : public FilmWriter {
     std::int64_t bytes_ = 0;
 };
 
-VideoFilm::Segment::Segment(VideoFilm& film) : film_(film) {
-    libav::listen();
-    context_ = open_encoder(film.settings_, film.codec_);
+VideoFilm::Segment::Segment(VideoFilm& film) : film_(film) { libav::listen(); }
+
+void VideoFilm::Segment::open() {
+    context_ = open_encoder(film_.settings_, film_.codec_);
     frame_ = frame_for(*context_);
     frame_->pts = 0;
 }
 
 void VideoFilm::Segment::add(const Canvas& canvas) {
+    if (!context_) open();
     const PixelView frame = canvas.pixels();
     const VideoSettings& settings = film_.settings_;
     assert(frame.width == settings.width && frame.height == settings.height);
@@ -191,6 +238,10 @@ void VideoFilm::Segment::encode(const AVFrame* frame) {
 void VideoFilm::Segment::finish() {
     encode(nullptr);
     assert(static_cast<std::int64_t>(packets_.size()) == frame_->pts);
+    keep_parameters();
+}
+
+void VideoFilm::Segment::keep_parameters() {
     parameters_ = owned(avcodec_parameters_alloc());
     check(avcodec_parameters_from_context(parameters_.get(), context_.get()));
     time_base_ = context_->time_base;
@@ -199,13 +250,41 @@ void VideoFilm::Segment::finish() {
     frame_.reset();
 }
 
+// Parameters are those of an encoder of the same settings; they are compared all the same, as the
+// libraries of two machines may differ.
+void VideoFilm::Segment::archive(Archive& archive) {
+    if (archive.is_reading()) {
+        if (!film_.template_) {
+            open();
+            keep_parameters();
+            film_.template_ = {std::move(parameters_), time_base_, reordering_};
+        }
+        parameters_ = owned(avcodec_parameters_alloc());
+        check(avcodec_parameters_copy(parameters_.get(), film_.template_->parameters.get()));
+        time_base_ = film_.template_->time_base;
+        reordering_ = film_.template_->reordering;
+    }
+    std::vector<std::uint8_t> header(parameters_->extradata,
+                                     parameters_->extradata + parameters_->extradata_size);
+    const std::vector<std::uint8_t> own = header;
+    archive(header);
+    if (header != own) archive.refuse("it was encoded with other parameters");
+    auto count = static_cast<std::int64_t>(packets_.size());
+    archive(count);
+    for (std::int64_t k = 0; k < count; ++k) {
+        if (archive.is_reading()) packets_.push_back(owned(av_packet_alloc()));
+        archive_packet(archive, *packets_[static_cast<std::size_t>(k)]);
+    }
+}
+
 // A failed write is reported by libav late, in other words, or only by the context's error field.
 void VideoFilm::check(int result) const {
     const int write_error = io_ ? io_->error : 0;
     if (result >= 0 && write_error >= 0) return;
-    throw SystemError(
+    throw_system_error(
         fmt::format("cannot write {}: {}", file_.path().string(),
-                    write_error < 0 ? libav::words_of(write_error) : libav::cause_of(result)));
+                    write_error < 0 ? libav::words_of(write_error) : libav::cause_of(result)),
+        AVUNERROR(write_error < 0 ? write_error : result));
 }
 
 void VideoFilm::start(const Segment& segment) {
@@ -270,6 +349,12 @@ void VideoFilm::commit() {
 }
 
 }  // namespace
+
+std::string encoding_library() {
+    const unsigned version = avcodec_version();
+    return fmt::format("libavcodec {}.{}.{}", AV_VERSION_MAJOR(version), AV_VERSION_MINOR(version),
+                       AV_VERSION_MICRO(version));
+}
 
 std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
                                      const VideoSettings& settings, int) {

@@ -35,6 +35,7 @@ class FadingSegment : public FilmSegment {
         inner_->add(covered);
     }
     void finish() override { inner_->finish(); }
+    void archive(Archive& archive) override { inner_->archive(archive); }
     void join() override { inner_->join(); }
 
   private:

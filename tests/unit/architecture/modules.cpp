@@ -56,7 +56,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "shared_panel.h",
        "table.h"}}},
     {"app",
-     {{"film", "figures", "report", "commands", "app"},
+     {{"chunks", "film", "figures", "report", "commands", "app"},
       {"command.h", "json.h", "output.h", "progress.h", "resources.h", "scratch_folder.h",
        "simulate.h", "stopwatch.h"}}},
 };

@@ -1,0 +1,280 @@
+#include "app/chunks/plan_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/chunks/build_facts.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+#include "util/fingerprint.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* format_name = "carom-plan";
+constexpr int format_version = 1;
+constexpr std::int64_t most_json_bytes = 64 << 20;
+constexpr std::int64_t most_file_bytes = std::int64_t{64} << 30;
+
+const char* name_of(PlanKind kind) { return kind == PlanKind::film ? "film" : "sweep"; }
+const char* unit_of(PlanKind kind) { return kind == PlanKind::film ? "frame" : "run"; }
+const char* ending_of(PlanKind kind) { return kind == PlanKind::film ? ".chunk" : ".runs"; }
+
+std::string stem_of(int chunk) { return fmt::format("chunks/{:04}", chunk); }
+
+// First and last, as people count frames; from 0, as they are numbered in panels and files.
+Json to_json(const PlannedChunk& chunk, PlanKind kind) {
+    const std::string unit = unit_of(kind);
+    Json json{{"chunk", chunk.number},
+              {"first_" + unit, chunk.first},
+              {"last_" + unit, chunk.end - 1},
+              {"output", stem_of(chunk.number) + ending_of(kind)},
+              {"manifest", stem_of(chunk.number) + ".json"},
+              {"seconds", chunk.seconds},
+              {"memory_bytes", chunk.memory_bytes},
+              {"memory_bytes_a_thread", chunk.memory_bytes_a_thread}};
+    if (!chunk.start.empty()) json["start"] = chunk.start;
+    return json;
+}
+
+PlannedChunk chunk_of(const Json& json, PlanKind kind) {
+    const std::string unit = unit_of(kind);
+    return {.number = json.at("chunk"),
+            .first = json.at("first_" + unit),
+            .end = json.at("last_" + unit).get<std::int64_t>() + 1,
+            .seconds = json.at("seconds"),
+            .memory_bytes = json.at("memory_bytes"),
+            .memory_bytes_a_thread = json.at("memory_bytes_a_thread"),
+            .start = json.value("start", "")};
+}
+
+// Of all but the fingerprint itself.
+std::string fingerprint_of(Json contents) {
+    contents.erase("fingerprint");
+    return fingerprint(text_of(contents));
+}
+
+// What the files of a plan are called; nothing else is ever removed.
+bool is_of_plan(const fs::path& path) {
+    const std::string name = path.filename().string();
+    const std::string extension = path.extension().string();
+    const auto is_one_of = [&](const std::vector<std::string>& endings) {
+        return std::ranges::find(endings, extension) != endings.end();
+    };
+    return name == "plan.json" || name == "film.plan" || name == "sweep.plan" || name == "starts" ||
+           name == "chunks" || name.starts_with(".") ||
+           (path.parent_path().filename() == "starts" && is_one_of({".start"})) ||
+           (path.parent_path().filename() == "chunks" && is_one_of({".chunk", ".runs", ".json"}));
+}
+
+void refuse_other_files(const fs::path& folder) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
+        if (!is_of_plan(entry.path()))
+            throw UsageError(
+                fmt::format("{} is not a file of a plan; choose another folder, or move it away",
+                            entry.path().string()));
+    if (error && fs::exists(folder))
+        throw UsageError(fmt::format("{}: {}", folder.string(), error.message()));
+}
+
+// The first of some numbers.
+std::string shortened(std::vector<std::string> numbers) {
+    constexpr std::size_t most = 12;
+    if (numbers.size() <= most) return fmt::format("{}", fmt::join(numbers, ", "));
+    const std::size_t rest = numbers.size() - most;
+    numbers.resize(most);
+    return fmt::format("{} and {} more", fmt::join(numbers, ", "), rest);
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& cause) {
+    throw UsageError(fmt::format("{}: {}; plan again", (folder / "plan.json").string(), cause));
+}
+
+}  // namespace
+
+PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
+    refuse_other_files(folder_);
+    std::error_code error;
+    for (const char* name : {"plan.json", "film.plan", "sweep.plan", "starts", "chunks"}) {
+        fs::remove_all(folder_ / name, error);
+        if (error)
+            throw_system_error(
+                fmt::format("cannot remove {}: {}", (folder_ / name).string(), error.message()),
+                error.value());
+    }
+}
+
+void PlanWriter::write(const std::string& name, std::string_view bytes) {
+    write_file(folder_ / name, bytes);
+    files_[name] = fingerprint(bytes);
+}
+
+void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk>& chunks) {
+    Json contents{{"format", format_name},
+                  {"format_version", format_version},
+                  {"kind", name_of(header.kind)},
+                  {"request", header.request}};
+    for (const auto& [name, value] : header.facts.items()) contents[name] = value;
+    contents["files"] = files_;
+    contents["chunks"] = Json::array();
+    for (const PlannedChunk& chunk : chunks)
+        contents["chunks"].push_back(to_json(chunk, header.kind));
+    contents["fingerprint"] = fingerprint_of(contents);
+    write_file(folder_ / "plan.json", text_of(contents, 2) + "\n");
+}
+
+PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
+    if (!is_plan(folder_))
+        throw UsageError(
+            fmt::format("{} holds no plan (plan.json); make one with carom plan SCENE -o {}",
+                        folder_.string(), folder_.string()));
+    constexpr bool may_throw = false;
+    contents_ = Json::parse(read_file(folder_ / "plan.json", most_json_bytes), nullptr, may_throw);
+    if (!contents_.is_object() || contents_.value("format", Json()) != format_name)
+        refuse(folder_, "this is not a plan of carom");
+    if (const Json version = contents_.value("format_version", Json()); version != format_version)
+        refuse(folder_, fmt::format("its format has version {}, and this program reads version {}",
+                                    text_of(version), format_version));
+    if (contents_.value("fingerprint", Json()) != fingerprint_of(contents_))
+        refuse(folder_, "it was changed after it was written");
+    for (const Json& chunk : contents_.at("chunks")) chunks_.push_back(chunk_of(chunk, kind()));
+}
+
+PlanKind PlanFolder::kind() const {
+    return contents_.at("kind") == name_of(PlanKind::film) ? PlanKind::film : PlanKind::sweep;
+}
+
+std::string PlanFolder::fingerprint() const { return contents_.at("fingerprint"); }
+
+void PlanFolder::require(PlanKind wanted, const std::string& command) const {
+    if (kind() != wanted)
+        throw UsageError(fmt::format("{} is the plan of a {}, and carom {} works on that of a {}",
+                                     folder_.string(), name_of(kind()), command, name_of(wanted)));
+}
+
+const PlannedChunk& PlanFolder::chunk(int number) const {
+    if (number < 1 || number > static_cast<int>(chunks_.size()))
+        throw UsageError(fmt::format("--chunk {}: the chunks of {} have the numbers 1 to {}",
+                                     number, folder_.string(), chunks_.size()));
+    return chunks_[static_cast<std::size_t>(number) - 1];
+}
+
+std::string PlanFolder::read(const std::string& name) const {
+    std::string bytes = read_file(folder_ / name, most_file_bytes);
+    if (contents_.at("files").value(name, Json()) != carom::fingerprint(bytes))
+        throw SystemError(fmt::format("cannot read {}: it was changed after it was written",
+                                      (folder_ / name).string()));
+    return bytes;
+}
+
+fs::path PlanFolder::output(const PlannedChunk& chunk) const {
+    return folder_ / (stem_of(chunk.number) + ending_of(kind()));
+}
+
+fs::path PlanFolder::manifest(const PlannedChunk& chunk) const {
+    return folder_ / (stem_of(chunk.number) + ".json");
+}
+
+// Null where there is none, or what is there is no JSON.
+Json PlanFolder::read_manifest(const PlannedChunk& chunk) const {
+    std::error_code error;
+    if (!fs::is_regular_file(manifest(chunk), error)) return {};
+    constexpr bool may_throw = false;
+    Json json = Json::parse(read_file(manifest(chunk), most_json_bytes), nullptr, may_throw);
+    return json.is_object() ? json : Json();
+}
+
+bool PlanFolder::is_done(const PlannedChunk& chunk) const {
+    const Json json = read_manifest(chunk);
+    if (json.is_null() || json.value("plan", Json()) != fingerprint() ||
+        json.value("chunk", Json()) != chunk.number)
+        return false;
+    const auto found = fingerprint_of_file(output(chunk));
+    return found && json.value("fingerprint", Json()) == *found;
+}
+
+std::vector<int> PlanFolder::missing() const {
+    std::vector<int> numbers;
+    for (const PlannedChunk& chunk : chunks_)
+        if (!is_done(chunk)) numbers.push_back(chunk.number);
+    return numbers;
+}
+
+void PlanFolder::finish(const PlannedChunk& chunk, const Json& build, double seconds) const {
+    const auto content = fingerprint_of_file(output(chunk));
+    if (!content) throw TemporaryError(fmt::format("cannot read back {}", output(chunk).string()));
+    const Json json{{"chunk", chunk.number},
+                    {"plan", fingerprint()},
+                    {"fingerprint", *content},
+                    {"seconds", seconds},
+                    {"build", build}};
+    write_file(manifest(chunk), text_of(json, 2) + "\n");
+}
+
+void PlanFolder::require_all_done(bool allow_mixed) const {
+    std::vector<std::string> missing, changed;
+    for (const PlannedChunk& chunk : chunks_) {
+        const Json json = read_manifest(chunk);
+        if (json.is_null()) {
+            missing.push_back(std::to_string(chunk.number));
+        } else if (!is_done(chunk)) {
+            changed.push_back(std::to_string(chunk.number));
+        } else if (!allow_mixed) {
+            const std::string other =
+                difference(request().at("build"), json.value("build", Json::object()), "the plan",
+                           fmt::format("chunk {}", chunk.number));
+            if (!other.empty())
+                throw SystemError(
+                    fmt::format("{}: {}; make the chunk again on a machine as that of the plan, or "
+                                "join with --allow-mixed",
+                                folder_.string(), other));
+        }
+    }
+    const char* verb = kind() == PlanKind::film ? "render" : "run";
+    if (!missing.empty())
+        throw UsageError(
+            fmt::format("{}: {} of {} chunks are missing ({}); make them with carom "
+                        "{} {} --chunk K",
+                        folder_.string(), missing.size(), chunks_.size(), shortened(missing), verb,
+                        folder_.string()));
+    if (!changed.empty())
+        throw SystemError(
+            fmt::format("{}: the output of chunk {} is of another plan, cut short or changed; make "
+                        "it again with carom {} {} --chunk K",
+                        folder_.string(), shortened(changed), verb, folder_.string()));
+}
+
+void PlanFolder::require_same_build(const Json& build) const {
+    const std::string other = difference(request().at("build"), build, "the plan", "this program");
+    if (!other.empty())
+        throw UsageError(fmt::format(
+            "{}: {}; the chunks of a plan are made by one build of carom with one set of "
+            "libraries: plan again with this one, or use --allow-mixed",
+            folder_.string(), other));
+}
+
+bool is_plan(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path / "plan.json", error);
+}
+
+bool is_planned(const fs::path& folder, const Json& request) {
+    if (!is_plan(folder)) return false;
+    try {
+        const PlanFolder plan(folder);
+        if (plan.request() != request) return false;
+        for (const auto& [name, content] : plan.contents().at("files").items())
+            if (fingerprint_of_file(folder / name) != content.get<std::string>()) return false;
+        return true;
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
+}  // namespace carom

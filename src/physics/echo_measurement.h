@@ -46,6 +46,11 @@ class EchoMeasurement {
     /// The distance at `time`, if it is one of those chosen.
     std::optional<ReturnDistance> compare(double time, const Positions& positions);
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(mirrors_, reversals_, kept_, compared_, distance_);
+    }
+
   private:
     std::multimap<double, double> mirrors_;  ///< when to keep positions, and when to compare them
     std::set<double> reversals_;             ///< chosen times that mirror themselves

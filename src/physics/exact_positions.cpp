@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "physics/archived.h"
 #include "physics/multiprecision/multiprecision.h"
 
 namespace carom {
@@ -50,6 +52,15 @@ ExactPositions::ExactPositions(const Box& box, Eigen::ArrayXXd doubles)
 
 ExactPositions::ExactPositions(const Box& box, std::vector<Real> coordinates)
     : box_(box), coordinates_(std::make_shared<const std::vector<Real>>(std::move(coordinates))) {}
+
+void ExactPositions::archive(Archive& archive) {
+    std::optional<std::vector<Real>> in_full;
+    if (coordinates_ != nullptr) in_full = *coordinates_;
+    archive(box_, doubles_, in_full);
+    if (!archive.is_reading()) return;
+    coordinates_.reset();
+    if (in_full) coordinates_ = std::make_shared<const std::vector<Real>>(*std::move(in_full));
+}
 
 ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b) {
     const bool in_full = a.coordinates_ != nullptr;

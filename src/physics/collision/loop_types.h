@@ -40,6 +40,14 @@ struct Prediction {
     std::int32_t partner = 0;             ///< in that contact
     std::uint32_t partner_collisions : 29 = 0;
     std::uint32_t border : 3 = 0;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        std::uint32_t collisions = partner_collisions, side = border;
+        archive(contact_time, partner, collisions, side);
+        partner_collisions = collisions & ((1U << 29) - 1U);
+        border = side & 7U;
+    }
 };
 
 /// The same, and when.
@@ -59,6 +67,11 @@ inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
 struct Properties {
     double radius;
     double inverse_mass;  ///< 0 for an infinite mass
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(radius, inverse_mass);
+    }
 };
 
 /// What geometries have in common whose bodies know what they are, and stay in one order.

@@ -113,6 +113,18 @@ class EventLoop {
     }
     double heat_of_events() const { return heat_of_events_; }
 
+    /// Writes or reads all that changes in the course of a run.
+    template <class Archive>
+    void archive(Archive& archive) {
+        const std::size_t count = bodies_.size();
+        archive(bodies_, number_, geometry_, queue_, clock_, now_, changes_, heat_of_events_,
+                cycles_since_sorted_, counts_, impulses_, last_collision_, at_one_instant_,
+                last_pair_[0], last_pair_[1]);
+        if (bodies_.size() != count || number_.size() != count)
+            archive.refuse("it holds another number of particles");
+        fetch_ahead_ = {};
+    }
+
   private:
     static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
     using Disks = std::conditional_t<of_doubles, Plane, MpPlane>;

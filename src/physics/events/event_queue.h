@@ -67,21 +67,44 @@ class EventQueue {
     /// buckets to the number of events in the last cycle.
     void begin_cycle(double shift);
 
+    /// All but what look_ahead() has reported.
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(nodes_, chunks_, free_chunk_, years_, heads_, occupied_, crowd_, bucket_,
+                year_begin_, width_, per_width_, cycle_, events_in_cycle_);
+        looked_at_ = prefetched_ = -1;
+    }
+
   private:
     struct Node {
         double time = never<double>;
         std::int32_t previous = 0;  ///< in the list, or ~list at its head
         std::int32_t next = 0;      ///< or null_link()
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(time, previous, next);
+        }
     };
     /// Particles deferred to a year, and the chunk of that year that was filled before, or none.
     struct alignas(64) Chunk {
         static constexpr std::int32_t most = 15;
         std::array<std::int32_t, most> particle{};
         std::int32_t before = none;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(particle, before);
+        }
     };
     struct Year {
         std::int32_t chunk;  ///< the last one
         std::int32_t used;   ///< of it
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(chunk, used);
+        }
     };
     static constexpr std::int32_t none = -1;
 

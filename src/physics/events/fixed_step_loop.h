@@ -39,6 +39,11 @@ class FixedStepLoop {
     double heat_of_events() const { return 0.0; }
     SurfaceError at_present(const SurfaceError& error) const { return error; }
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(first_, steps_, now_, order_, counts_, impulses_);
+    }
+
   private:
     void move_to(double time);
     void reflect(std::vector<Collision>* record);

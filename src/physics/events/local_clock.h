@@ -37,6 +37,11 @@ class LocalClock {
         return 0.0;
     }
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(high_, low_);
+    }
+
   private:
     double high_ = 0.0;
     double low_ = 0.0;
@@ -51,6 +56,9 @@ class MpClock {
     Real local(double time) const { return {time, bits_}; }
     double absolute(const Real& time) const { return static_cast<double>(time); }
     Real move_epoch_to(const Real& time) const { return time; }
+
+    template <class Archive>
+    void archive(Archive&) {}
 
   private:
     int bits_;

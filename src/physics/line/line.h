@@ -28,6 +28,11 @@ struct Bead {
     std::uint32_t collisions;
     std::int32_t turns;  ///< how often it has gone round a periodic line
     Prediction prediction;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(x, v, time, radius, inverse_mass, collisions, turns, prediction);
+    }
 };
 
 /// Of beads, or of beads that fall (surfaces/open_line.h).
@@ -63,6 +68,10 @@ class Line : public PlainBodies<BodyType> {
     /// it touches, or overlaps by less than `slack` times the length.
     std::optional<std::int32_t> overlapped(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                            double slack) const;
+
+    /// Nothing changes but the bodies.
+    template <class Archive>
+    void archive(Archive&) {}
 
   protected:
     std::int32_t last() const { return count_ - 1; }

@@ -19,6 +19,11 @@ struct alignas(64) MpDisk {
         double radius = 0.0;
         double distance = 0.0;  ///< |x| + |y|, and
         double speed = 0.0;     ///< |vx| + |vy|: scales of the errors made
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(x, v, time, radius, distance, speed);
+        }
     };
     Shadow shadow;
     double radius = 0.0;
@@ -31,6 +36,12 @@ struct alignas(64) MpDisk {
     std::array<Real, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
     std::array<Real, 2> v;
     Real time;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(shadow, radius, inverse_mass, prediction, event_late, collisions, cell, event_time,
+                x, v, time);
+    }
 };
 static_assert(sizeof(MpDisk::Shadow) == 64);
 

@@ -29,6 +29,11 @@ class MpEventQueue {
     /// there is none.
     std::int32_t earliest() const;
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(times_, keys_, winner_);
+    }
+
   private:
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
     std::int32_t earlier(std::int32_t a, std::int32_t b) const;

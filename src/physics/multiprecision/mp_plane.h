@@ -30,6 +30,11 @@ class MpPlane : public PlainBodies<MpDisk> {
     void cross(Bodies& bodies, std::int32_t i, int side, const Real& now);
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(grid_);
+    }
+
   private:
     /// The disk whose next event is searched, in doubles, at the present.
     struct Viewer {

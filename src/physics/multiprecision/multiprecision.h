@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -163,7 +164,37 @@ class Real {
         return std::log10(digits) + static_cast<double>(exponent) * std::log10(2.0);
     }
 
+    /// With its precision and every bit, as hexadecimal digits.
+    template <class Archive>
+    void archive(Archive& archive) {
+        std::int64_t its_bits = value_->_mpfr_d != nullptr ? bits() : 0;
+        std::string text = its_bits > 0 ? hexadecimal() : std::string();
+        archive(its_bits, text);
+        if (!set_hexadecimal(its_bits, text)) archive.refuse("it holds what is no number");
+    }
+
   private:
+    // As mpfr_set_str() reads it: whole digits, and behind an @ the power of 16 that they count in.
+    std::string hexadecimal() const {
+        mpfr_exp_t exponent = 0;
+        char* const written = mpfr_get_str(nullptr, &exponent, 16, 0, value_, MPFR_RNDN);
+        std::string text = written;
+        mpfr_free_str(written);
+        if (!is_finite()) return text;
+        const auto digits = static_cast<mpfr_exp_t>(text.size() - (text[0] == '-' ? 1 : 0));
+        return text + "@" + std::to_string(exponent - digits);
+    }
+    // False if it is no number of so many bits. Without bits it is as moved from.
+    bool set_hexadecimal(std::int64_t bits, const std::string& text) {
+        constexpr std::int64_t most = 1 << 20;  // far more than a run has
+        if (bits < 0 || bits > most) return false;
+        if (value_->_mpfr_d != nullptr) mpfr_clear(value_);
+        value_->_mpfr_d = nullptr;
+        if (bits == 0) return text.empty();
+        mpfr_init2(value_, static_cast<mpfr_prec_t>(bits));
+        return mpfr_set_str(value_, text.c_str(), 16, MPFR_RNDN) == 0;
+    }
+
     struct Unset {};
     Real(Unset, mpfr_prec_t bits) { mpfr_init2(value_, bits); }
     static Real room_for(const Real& a, const Real& b) {

@@ -72,10 +72,21 @@ class CellGrid {
     void add(std::int32_t particle, double radius, Cell cell);
     void move(std::int32_t particle, double radius, Cell from, Cell to);
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(last_cell_, narrow_, cell_size_, overhang_, small_radius_, has_large_, plain_,
+                inner_, around_, fine_, coarse_, fine_slots_, coarse_slots_, coarse_cell_, next_);
+    }
+
     /// What a cell holds.
     class Slots {
       public:
         Slots() = default;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(particle_, rest_);
+        }
 
       private:
         friend class CellGrid;
@@ -121,6 +132,11 @@ class CellGrid {
     /// them, and how many.
     struct Inner {
         unsigned first, count;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(first, count);
+        }
     };
     const std::array<Inner, 2>& inner() const { return inner_; }
 
@@ -141,6 +157,11 @@ class CellGrid {
         std::int32_t cells;
         bool periodic;
         double length;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(cells, periodic, length);
+        }
     };
     struct Wrapped {
         std::int32_t cell;  ///< -1 beyond a wall

@@ -22,6 +22,11 @@ struct alignas(64) DiskState {
     std::uint32_t collisions;
     Cell cell;
     Prediction prediction;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(x, v, time, collisions, cell, prediction);
+    }
 };
 static_assert(sizeof(DiskState) == 64);
 
@@ -50,6 +55,12 @@ class DiskProperties {
 
     /// Gives the disks new numbers: k is who was before[k].
     void renumber(const std::vector<std::int32_t>& before);
+
+    /// In the order that the disks have.
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(each_);
+    }
 
   private:
     LargeVector<Properties> each_;

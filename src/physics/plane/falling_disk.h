@@ -21,6 +21,11 @@ struct PreciseDiskState {
     std::uint32_t collisions = 0;
     Cell cell{};
     Prediction prediction{};
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(x, v, time, collisions, cell, prediction);
+    }
 };
 
 /// partner < 0 in its prediction: barrier -1 - partner. What a search for contacts needs of most
@@ -36,6 +41,13 @@ struct FallingDisk
     /// the surface it is let through, whatever it meets there.
     std::uint64_t passing = 0;
     bool is_at_rest = false;  ///< on a floor, so that it does not fall
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        std::conditional_t<std::is_same_v<Scalar, double>, DiskState,
+                           PreciseDiskState<Scalar>>::archive(archive);
+        archive(a, radius, inverse_mass, species, turns, passing, is_at_rest);
+    }
 };
 
 using FallingDisks = LargeVector<FallingDisk<double>>;

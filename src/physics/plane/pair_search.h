@@ -72,6 +72,11 @@ class PairSearch {
         fill_grid(bodies);
     }
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(grid_, origin_, properties_);
+    }
+
     /// The body goes over to the next cell.
     template <typename Scalar>
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);

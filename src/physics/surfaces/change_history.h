@@ -20,6 +20,11 @@ struct Scaling {
     std::optional<std::int32_t> species;
     Scalar factor;
     std::array<Scalar, 2> mean;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(species, factor, mean);
+    }
 };
 
 /// A surface is changed from one control to another, in one part of it: other events may have
@@ -35,6 +40,11 @@ struct SurfaceChange {
     Part part;
     SurfaceControl<Scalar> before, after;
     bool is_pending = false;  ///< an end that another motion makes void
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(surface, part, before, after, is_pending);
+    }
 
     SurfaceControl<Scalar> applied_to(SurfaceControl<Scalar> control) const {
         if (part == Part::opening) {

@@ -16,6 +16,11 @@ class MirroredSchedule {
     struct Entry {
         Time time;
         What what;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(time, what);
+        }
     };
 
     void add_ahead(Entry entry) {
@@ -56,6 +61,11 @@ class MirroredSchedule {
                 invert(one.what);
             }
         }
+    }
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(ahead_, behind_);
     }
 
   private:

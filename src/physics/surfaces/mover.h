@@ -34,6 +34,12 @@ struct Mover {
         time = now;
     }
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(is_mobile, axis, place, velocity, acceleration, time, inverse_mass, low, high,
+                changes);
+    }
+
     /// When it leaves the part of the box where it is registered.
     Scalar registered_until() const {
         return time + std::min(fall_time<Scalar>(place - low, velocity, acceleration),

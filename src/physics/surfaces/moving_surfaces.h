@@ -23,6 +23,11 @@ struct SurfaceControl {
     bool is_open = false;
     bool is_held = false;   ///< a piston that stands still
     Scalar velocity = 0.0;  ///< along its normal
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(behaviour, is_open, is_held, velocity);
+    }
 };
 
 template <typename Scalar>
@@ -74,6 +79,11 @@ class MovingSurfaces {
     void advance(const Scalar& now);
     void shift_epoch(const Scalar& shift);
     void reverse();
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(behaviours_, is_open_, is_held_, movers_, driven_work_, most_work_);
+    }
 
   protected:
     static auto& at(auto& things, std::integral auto i) {

@@ -40,6 +40,11 @@ class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
                        const Agenda<Scalar>& agenda) const;
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(surfaces_);
+    }
+
   private:
     SurfaceSet<Scalar> surfaces_;
 };

@@ -89,6 +89,13 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
                        const Agenda<Scalar>& agenda);
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        Base::archive(archive);
+        archive(gridded_, surfaces_, moving_, listed_, first_listed_);
+        note_ends_of_grid();
+    }
+
   private:
     using Base::at, Base::box_, Base::grid_, Base::near_, Base::properties_, Base::origin_,
         Base::of_doubles;
@@ -108,6 +115,11 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     struct Interval {
         double low = 0.0, high = 0.0;
         double length() const { return high - low; }
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(low, high);
+        }
     };
     /// A barrier that may move, and the columns or rows of cells from which a disk can reach it
     /// until its mover is registered anew.
@@ -115,6 +127,11 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
         std::int32_t barrier;
         std::size_t axis;
         int first = 0, last = 0;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(barrier, axis, first, last);
+        }
     };
     std::array<Interval, 2> enclosed(const Scalar& now) const;
     void fit_grid(const Scalar& now, std::size_t count);

@@ -1,6 +1,8 @@
 // What an event of the run does to a surface: the control that it has from then on.
 #pragma once
 
+#include <stdexcept>
+#include <type_traits>
 #include <variant>
 
 #include "physics/run.h"
@@ -12,6 +14,18 @@ using SurfaceAction = std::variant<SetOpen, MoveSurface, HoldPiston, ReleasePist
 
 inline std::int32_t surface_of(const SurfaceAction& action) {
     return std::visit([](const auto& its) { return its.surface; }, action);
+}
+
+/// Throws std::logic_error if this event does not change a surface.
+inline SurfaceAction surface_action(const decltype(RunEvent::action)& action) {
+    return std::visit(
+        [](const auto& its) -> SurfaceAction {
+            if constexpr (std::is_constructible_v<SurfaceAction, decltype(its)>)
+                return its;
+            else
+                throw std::logic_error("this event does not change a surface");
+        },
+        action);
 }
 
 /// `time` is the simulated time at which it happens.

@@ -74,6 +74,12 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     /// The surface that has done most work on disks since then, if any has done any.
     std::optional<std::int32_t> hardest_worker() const;
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        Base::archive(archive);
+        archive(totals_, at_rest_);
+    }
+
   private:
     BarrierMotion<Scalar> motion_of(const Body& body, const Barrier& barrier,
                                     const Scalar& now) const;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,41 +17,63 @@
 
 namespace carom::test {
 
-/// A film's frames, or the first `most` of them, and what draws them: panels that have read what
-/// the first pass of others has fixed.
-struct Shot {
+/// A film after its first pass. Its panels refer to it.
+struct SurveyedFilm {
     Scene scene;
-    Recording beside;  ///< of the run beside the film's own, if there is one
-    std::unique_ptr<PanelSet> panels;
-    std::vector<FrameData> frames;
+    Particles particles;
+    Sample start;                          ///< at time 0
+    std::optional<RunStart> start_beside;  ///< of the run beside the film's own, if there is one
+    Recording run, beside;
+    std::string axes;  ///< what the first pass has fixed
 
-    explicit Shot(const Scene& loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
-        : Shot(start_scene(loaded), most) {}
+    /// Keeps at most so many bytes of each run.
+    explicit SurveyedFilm(const Scene& loaded, std::size_t most = Recording::most_bytes)
+        : SurveyedFilm(start_scene(loaded), most) {}
+    SurveyedFilm(const SurveyedFilm&) = delete;
+    SurveyedFilm& operator=(const SurveyedFilm&) = delete;
 
-    Shot(StartedScene started, std::size_t most) : scene(std::move(started.scene)) {
-        Simulation& start = started.simulation;
-        const Particles particles = start.particles();
-        const Sample sample_at_start = start.sample();
+    /// Panels that have read what others have fixed, ready for the second pass.
+    std::unique_ptr<PanelSet> read_panels() const {
+        auto panels = std::make_unique<PanelSet>(scene, particles, start,
+                                                 start_beside ? &*start_beside : nullptr);
+        Archive read(axes, "axes");
+        panels->archive(read);
+        read.expect_end();
+        if (start_beside) panels->play_beside(beside);
+        return panels;
+    }
+
+  private:
+    SurveyedFilm(StartedScene started, std::size_t most)
+        : scene(std::move(started.scene)),
+          particles(started.simulation.particles()),
+          start(started.simulation.sample()) {
         std::optional<StartedScene> other;
-        std::optional<RunStart> start_beside;
         if (scene.film.beside) {
             other = start_scene(*scene.film.beside->scene);
             start_beside = {other->simulation.particles(), other->simulation.sample()};
         }
-        const RunStart* its = start_beside ? &*start_beside : nullptr;
-        PanelSet first(scene, particles, sample_at_start, its);
+        PanelSet first(scene, particles, start, start_beside ? &*start_beside : nullptr);
         const auto ignore = [](const Tick&, const Sample&, const AdvanceResult&) {};
         if (other)
-            beside = first.record_beside(std::move(other->simulation), timeline(scene), ignore);
-        const Recording run = first.record(start, timeline(scene), ignore);
+            beside =
+                first.record_beside(std::move(other->simulation), timeline(scene), ignore, most);
+        run = first.record(std::move(started.simulation), timeline(scene), ignore, most);
         first.fix_axes();
         Archive written;
         first.archive(written);
-        panels = std::make_unique<PanelSet>(scene, particles, sample_at_start, its);
-        Archive read(written.finished(), "axes");
-        panels->archive(read);
-        read.expect_end();
-        if (other) panels->play_beside(beside);
+        axes = written.finished();
+    }
+};
+
+/// A film's frames, or the first `most` of them, and what draws them: panels that have read what
+/// the first pass of others has fixed.
+struct Shot : SurveyedFilm {
+    std::unique_ptr<PanelSet> panels;
+    std::vector<FrameData> frames;
+
+    explicit Shot(const Scene& loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
+        : SurveyedFilm(loaded), panels(read_panels()) {
         run.play(std::min(run.ticks().size(), most),
                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
                      frames.push_back(panels->frame_data(tick, sample, advanced));

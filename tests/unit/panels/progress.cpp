@@ -1,0 +1,252 @@
+// A film that is drawn in parts: what its panels have gathered before a frame, written there and
+// read by others, gives the frames from there on as if these had seen all of them.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "panels/recording.h"
+#include "panels/registry.h"
+#include "support/pixels.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+#include "support/test_root.h"
+#include "util/diagnostics.h"
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Picture = std::vector<std::uint32_t>;
+
+std::string progress_of(PanelSet& panels) {
+    Archive archive;
+    panels.archive_progress(archive);
+    return archive.finished();
+}
+
+// A film as its whole second pass gives it, and what a part needs that begins at one of its frames.
+struct WholeFilm {
+    test::SurveyedFilm film;
+    std::unique_ptr<PanelSet> panels = film.read_panels();
+    FramePainter painter{*panels};
+    std::vector<FrameData> frames = {};
+    std::vector<std::string> progress = {};  // before each frame, and after the last
+
+    explicit WholeFilm(const Scene& scene, std::size_t most = Recording::most_bytes)
+        : film(scene, most) {
+        film.run.play(size(),
+                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                          progress.push_back(progress_of(*panels));
+                          frames.push_back(panels->frame_data(tick, sample, advanced));
+                      });
+        progress.push_back(progress_of(*panels));
+    }
+    std::size_t size() const { return film.run.ticks().size(); }
+    Picture picture(std::size_t frame) { return test::pixels_of(painter.paint(frames[frame])); }
+};
+
+// The frames of a part, as panels give them that have seen no frame before.
+struct Part {
+    const WholeFilm& whole;
+    Recording run, beside = {};
+    std::unique_ptr<PanelSet> panels;
+    Recording::Player player{run};
+
+    Part(const WholeFilm& of, Recording its, std::optional<Recording> other, std::size_t first)
+        : whole(of), run(std::move(its)), panels(of.film.read_panels()) {
+        if (other) {
+            beside = std::move(*other);
+            panels->play_beside(beside);
+        }
+        Archive read(whole.progress[first], "progress");
+        panels->archive_progress(read);
+        read.expect_end();
+    }
+    Part(const WholeFilm& of, std::size_t first, std::size_t end)
+        : Part(of, of.film.run.part(first, end),
+               of.film.start_beside ? std::optional(of.film.beside.part(first, end)) : std::nullopt,
+               first) {}
+    Part(const Part&) = delete;  // its panels refer to its recording
+    Part& operator=(const Part&) = delete;
+
+    FrameData next() {
+        player.next();
+        return panels->frame_data(player.tick(), player.sample(), player.advanced());
+    }
+};
+
+// Whether the frames of a part are those of the whole film, and leave the same in the panels.
+void check_frames(WholeFilm& whole, Part& part, std::size_t first, std::size_t end) {
+    CAPTURE(first);
+    REQUIRE(progress_of(*part.panels) == whole.progress[first]);
+    REQUIRE(part.run.ticks().size() == end - first);
+    constexpr std::size_t drawn = 2;
+    for (std::size_t i = first; i < end; ++i) {
+        const FrameData frame = part.next();
+        CHECK(frame.tick.frame == static_cast<int>(i));
+        CHECK(frame.bytes == whole.frames[i].bytes);
+        CHECK(progress_of(*part.panels) == whole.progress[i + 1]);
+        if (i >= first + drawn && i + 1 < end) continue;
+        CHECK(test::pixels_of(whole.painter.paint(frame)) == whole.picture(i));
+        if (i == first)
+            CHECK(test::pixels_of(FramePainter(*part.panels).paint(frame)) == whole.picture(i));
+    }
+}
+
+std::string film(const std::string& keys) {
+    return "film: {template: data, size: [320, 180], fps: 10, seconds: 2.5, " + keys + "}\n";
+}
+
+std::string plane(const std::string& keys, const std::string& events = "",
+                  const std::string& more = "") {
+    return "title: T\nbox: {size: [20, 15]}\n" + more +
+           "gas:\n  - {name: light, count: 24, radius: 0.4, temperature: 1}\n"
+           "  - {name: heavy, count: 1, radius: 1, mass: 9, velocity: [0.9, 0.4], position: "
+           "[5, 6]}\nrun: {until: 6, equilibrate: 1, events: [" +
+           events + "]}\n" + film(keys);
+}
+
+std::string wire(const std::string& keys, const std::string& box = "{length: 12}") {
+    return "title: T\nbox: " + box +
+           "\ngas: [{name: a, count: 4, radius: 0.1, mass: 2, temperature: 1}, {name: b, count: 3, "
+           "radius: 0, temperature: 1}]\nrun: {until: 6, events: [{at: 1, mark: here}, {at: 3, "
+           "reverse: velocities}]}\n" +
+           film(keys);
+}
+
+std::string piston(const std::string& keys) {
+    return "title: T\nbox: {size: [10, 14], walls: {top: {mass: 20, force: -3}}}\n"
+           "gas: [{name: a, count: 20, radius: 0.05, temperature: {exact: 2}}]\n"
+           "run: {until: 8}\n" +
+           film(keys);
+}
+
+// All kinds of panel, and all that pictures of the gas gather on their way.
+std::vector<std::string> all_kinds() {
+    const std::string divided = "partitions: [{name: divider, x: 10, gaps: [[5, 9]]}]\n";
+    return {
+        plane("panels: [{kind: speed-histogram, over: start}, {kind: energy-histogram, over: "
+              "{window: 2}, of: [light, heavy]}, {kind: velocity-histogram, range: [-1, 1], bins: "
+              "9}, position-histogram], trails: {of: [heavy, 3], seconds: 1}, velocities: true"),
+        plane("panels: [temperature, energy-by-species, speed-classes, entropy], title_card: 0.5, "
+              "field: {of: concentration, species: light, cells: 5, over: 2}",
+              "{at: 1, mark: here}, {at: 2, pause: 0.5}, {at: 4, mark: there}"),
+        plane("panels: [{kind: pressure, surfaces: divider}, {kind: pressure, gauge: "
+              "true}, thermometer, stopwatch], field: {of: flow, cells: 4, over: 20}, end_card: "
+              "The end, flashes: "
+              "true",
+              "", divided),
+        plane("panels: [{kind: counter, surfaces: left}, {kind: counter, line: {x: 9}}, {kind: "
+              "profile, quantity: temperature, cells: 6}, {kind: positions, of: [0, 1]}], slow: "
+              "[{from: 1, to: 3, factor: 0.4}]"),
+        plane("panels: [sides, {kind: flux, surfaces: divider}, monitors, {kind: text, words: "
+              "Words}], spotlight: [{from: 0.5, on: 0}], callouts: [{at: 0.5, on: 1, text: this "
+              "one, for: 9}], camera: [{at: 1, follow: 1, width: 5}]",
+              "", divided),
+        plane("panels: [mean-squared-displacement, velocity-autocorrelation, pair-correlation, "
+              "free-path]"),
+        plane("panels: [{kind: free-time, over: {window: 2}}, orientational-order, {kind: phase, "
+              "of: [heavy]}, {kind: pair-correlation, over: {window: 1}}]"),
+        plane("panels: [speed-histogram, temperature, {kind: profile, over: start}, free-path], "
+              "beside: {own_label: A, label: B, set: "
+              "gas.0.temperature=4}",
+              "{at: 2, pause: 0.5}"),
+        wire("panels: [collision-map, contact-time, "
+             "single-collision, return-distance]"),
+        wire("panels: [{kind: phase, of: [0, 1]}, return-distance], flashes: true, camera: [{at: "
+             "1, follow: 1, width: 5}], field: {of: density, cells: 5, over: 1}",
+             "{length: 12, walls: periodic}"),
+        wire("panels: [piston, energy-account]", "{length: 12, walls: {right: {velocity: -0.2}}}"),
+        piston("panels: [piston, piston-histogram, pressure-volume, energy-account]"),
+    };
+}
+
+// The second pass of a run that is too large for memory: parts of it in order, from one simulation.
+void check_parts_of_long_run(const Scene& scene) {
+    WholeFilm whole(scene, 0);
+    REQUIRE_FALSE(whole.film.run.is_kept());
+    Recording::Player player(whole.film.run);
+    std::optional<Recording::Player> other;
+    if (whole.film.start_beside) other.emplace(whole.film.beside);
+    for (std::size_t first = 0; first < whole.size(); ++first) {
+        const std::size_t end = std::min(first + 2, whole.size());
+        Part part(whole, player.rest(end), other ? std::optional(other->rest(end)) : std::nullopt,
+                  first);
+        CHECK_FALSE(part.run.is_kept());
+        check_frames(whole, part, first, end);
+        player.next();
+        if (other) other->next();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("panels of every kind go on from any frame as if they had seen all before") {
+    std::set<std::string> seen;
+    for (const std::string& text : all_kinds()) {
+        CAPTURE(text);
+        const Scene scene = test::scene_from(text);
+        for (const PanelSpec& spec : scene.film.panels) seen.insert(spec.kind);
+        WholeFilm whole(scene);
+        for (std::size_t first = 0; first < whole.size(); ++first) {
+            const std::size_t end = std::min(first + 2, whole.size());
+            Part part(whole, first, end);
+            check_frames(whole, part, first, end);
+        }
+        check_parts_of_long_run(scene);
+    }
+    for (const PanelKind& kind : panel_kinds())
+        if (kind.in_films_instead.empty()) {
+            CAPTURE(kind.name);
+            CHECK(seen.contains(kind.name));
+        }
+}
+
+namespace {
+
+std::vector<fs::path> scene_files() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(test::checkout() / "scenes"))
+        if (entry.path().extension() == ".yaml" && entry.path().parent_path().filename() != "sets")
+            files.push_back(entry.path());
+    return files;
+}
+
+// Of two seconds, and of few particles where it would take long.
+Scene short_film(const fs::path& path) {
+    Overrides overrides{"film.size=[320, 180]", "film.fps=10", "film.seconds=2"};
+    if (path.stem() == "freezing") overrides.emplace_back("gas.0.count=60");
+    return load_scene(path, test::resources(), overrides);
+}
+
+// The second frame, one in the middle and the last; and of what is no motion the second frame each.
+std::vector<std::size_t> starts_of_parts(const std::vector<Tick>& ticks) {
+    std::set<std::size_t> starts{1, ticks.size() / 2, ticks.size() - 1};
+    for (std::size_t i = 2; i < ticks.size(); ++i)
+        if (ticks[i].phase != Phase::moving && ticks[i - 1].phase == ticks[i].phase &&
+            ticks[i - 2].phase != ticks[i].phase)
+            starts.insert(i);
+    return {starts.begin(), starts.end()};
+}
+
+}  // namespace
+
+TEST_CASE("the film of every scene can be drawn from a frame on, to its end") {
+    const std::vector<fs::path> files = scene_files();
+    CHECK(files.size() > 40);
+    for (const fs::path& path : files) {
+        CAPTURE(path.string());
+        WholeFilm whole(short_film(path));
+        for (const std::size_t first : starts_of_parts(whole.film.run.ticks())) {
+            Part part(whole, first, whole.size());
+            check_frames(whole, part, first, whole.size());
+        }
+    }
+}

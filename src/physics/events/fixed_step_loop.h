@@ -41,7 +41,7 @@ class FixedStepLoop {
 
     template <class Archive>
     void archive(Archive& archive) {
-        archive(first_, steps_, now_, order_, counts_, impulses_);
+        archive(step_, first_, steps_, now_, order_, counts_, impulses_);
     }
 
   private:

@@ -118,7 +118,8 @@ bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) 
     return frames * (bytes_of_sample(particles, dimension) + sizeof(Frame)) <= most_bytes;
 }
 
-void Recording::archive(Archive& archive, const std::function<Simulation()>& start) {
+void Recording::archive(Archive& archive, const Box& box, const Particles& particles,
+                        const Run& run) {
     bool kept = is_kept();
     archive(kept, with_collisions_, ticks_, samples_);
     auto count = static_cast<std::int64_t>(frames_.size());
@@ -129,7 +130,11 @@ void Recording::archive(Archive& archive, const std::function<Simulation()>& sta
         archive(sample, frame.advanced, frame.collisions);
         frame.sample = static_cast<std::size_t>(sample);
     }
-    if (archive.is_reading() && !kept) start_ = start();
+    if (kept) return start_.reset();
+    if (archive.is_reading())
+        start_.emplace(box, particles, run, archive);
+    else
+        start_->archive(archive);
 }
 
 }  // namespace carom

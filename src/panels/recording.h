@@ -83,9 +83,9 @@ class Recording {
     /// Whether `frames` of so many particles could be kept, but for their collisions.
     static bool fits(std::size_t frames, std::int64_t particles, int dimension);
 
-    /// Writes or reads it. What was not kept is not written; `start` gives its simulation when it
-    /// is read.
-    void archive(Archive& archive, const std::function<Simulation()>& start);
+    /// Writes or reads it, a part too; of what is not kept the exact state before its first frame,
+    /// which is one of a simulation of this box and these particles in this run.
+    void archive(Archive& archive, const Box& box, const Particles& particles, const Run& run);
 
   private:
     struct Frame {

@@ -52,6 +52,7 @@ struct SurveyedFilm {
         if (scene.film.beside) {
             other = start_scene(*scene.film.beside->scene);
             start_beside = {other->simulation.particles(), other->simulation.sample()};
+            scene.film.beside->scene = std::make_shared<Scene>(other->scene);
         }
         PanelSet first(scene, particles, start, start_beside ? &*start_beside : nullptr);
         const auto ignore = [](const Tick&, const Sample&, const AdvanceResult&) {};

@@ -101,16 +101,16 @@ Scene scene_of(const SceneRecord& record, const Archive& archive) {
     return scene;
 }
 
-// All but the scene, in writing and in reading. `start` makes the simulation of a scene anew.
-void archive_rest(Archive& archive, FilmPlan& plan,
-                  const std::function<Simulation(const Scene&)>& start) {
+// All but the scene, in writing and in reading.
+void archive_rest(Archive& archive, FilmPlan& plan) {
     archive(plan.span, plan.segments, plan.particles, plan.start, plan.axes, plan.colors, plan.text,
             plan.passes);
-    plan.run.archive(archive, [&] { return start(plan.scene); });
+    plan.run.archive(archive, plan.scene.gas.box, plan.particles, plan.scene.run);
     if (!plan.scene.film.beside) return;
     if (archive.is_reading()) plan.beside.emplace();
     archive(plan.beside->start);
-    plan.beside->run.archive(archive, [&] { return start(*plan.scene.film.beside->scene); });
+    const Scene& other = *plan.scene.film.beside->scene;
+    plan.beside->run.archive(archive, other.gas.box, plan.beside->start.particles, other.run);
 }
 
 // Its panels are surveyed as it is recorded.
@@ -188,18 +188,17 @@ void write_plan(FilmPlan& plan, const std::filesystem::path& path) {
     Archive archive;
     SceneRecord record = record_of(plan.scene);
     archive(record);
-    archive_rest(archive, plan, {});
+    archive_rest(archive, plan);
     write_file(path, archive.finished());
 }
 
-FilmPlan read_plan(const std::filesystem::path& path, Progress& progress) {
+FilmPlan read_plan(const std::filesystem::path& path) {
     Archive archive(read_file(path, most_plan_bytes), path.string());
     SceneRecord record;
     archive(record);
     FilmPlan plan;
     plan.scene = scene_of(record, archive);
-    archive_rest(archive, plan,
-                 [&](const Scene& scene) { return start_scene(scene, progress).simulation; });
+    archive_rest(archive, plan);
     archive.expect_end();
     return plan;
 }

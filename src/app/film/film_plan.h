@@ -69,8 +69,8 @@ std::vector<std::string> expected_passes(const Scene& scene, std::int64_t partic
 /// Writes a plan, whole or not at all. Throws SystemError.
 void write_plan(FilmPlan& plan, const std::filesystem::path& path);
 
-/// Reads it back; a run that was too large for memory is placed and equilibrated anew. Throws
-/// SystemError where the file is damaged, of another version of carom, or its template changed.
-FilmPlan read_plan(const std::filesystem::path& path, Progress& progress);
+/// Reads it back. Throws SystemError where the file is damaged, of another version of carom, or its
+/// template changed.
+FilmPlan read_plan(const std::filesystem::path& path);
 
 }  // namespace carom

@@ -71,7 +71,7 @@ void draw_one_by_one(const FilmPlan& plan, const fs::path& path) {
 
 std::string refusal_of(const fs::path& path) {
     try {
-        read_plan(path, silent());
+        read_plan(path);
     } catch (const SystemError& error) {
         return error.what();
     }
@@ -93,7 +93,7 @@ TEST_CASE("a film drawn from a plan that was read back is the film itself, byte 
             CHECK(plan.passes.size() == 1);
             CHECK(plan.beside.has_value() == scene.film.beside.has_value());
             write_plan(plan, folder.path() / "film.plan");
-            const FilmPlan read = read_plan(folder.path() / "film.plan", silent());
+            const FilmPlan read = read_plan(folder.path() / "film.plan");
             CHECK(read.text.transcript == plan.text.transcript);
             CHECK(read.run.is_kept());
             draw_one_by_one(read, again);
@@ -116,7 +116,7 @@ TEST_CASE("a run that is too large for memory is simulated again, to the same pi
     CHECK(draw_still(plan, 4.0, png, silent()).file() == kept);
     const TemporaryFolder folder;
     write_plan(plan, folder.path() / "film.plan");
-    const FilmPlan read = read_plan(folder.path() / "film.plan", silent());
+    const FilmPlan read = read_plan(folder.path() / "film.plan");
     CHECK_FALSE(read.run.is_kept());
     CHECK(draw_still(read, 4.0, png, silent()).file() == kept);
 }

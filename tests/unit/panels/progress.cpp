@@ -84,18 +84,18 @@ struct Part {
 // Whether the frames of a part are those of the whole film, and leave the same in the panels.
 void check_frames(WholeFilm& whole, Part& part, std::size_t first, std::size_t end) {
     CAPTURE(first);
-    REQUIRE(progress_of(*part.panels) == whole.progress[first]);
+    REQUIRE((progress_of(*part.panels) == whole.progress[first]));
     REQUIRE(part.run.ticks().size() == end - first);
     constexpr std::size_t drawn = 2;
     for (std::size_t i = first; i < end; ++i) {
         const FrameData frame = part.next();
         CHECK(frame.tick.frame == static_cast<int>(i));
         CHECK(frame.bytes == whole.frames[i].bytes);
-        CHECK(progress_of(*part.panels) == whole.progress[i + 1]);
+        CHECK((progress_of(*part.panels) == whole.progress[i + 1]));
         if (i >= first + drawn && i + 1 < end) continue;
-        CHECK(test::pixels_of(whole.painter.paint(frame)) == whole.picture(i));
+        CHECK((test::pixels_of(whole.painter.paint(frame)) == whole.picture(i)));
         if (i == first)
-            CHECK(test::pixels_of(FramePainter(*part.panels).paint(frame)) == whole.picture(i));
+            CHECK((test::pixels_of(FramePainter(*part.panels).paint(frame)) == whole.picture(i)));
     }
 }
 
@@ -167,17 +167,34 @@ std::vector<std::string> all_kinds() {
     };
 }
 
+// As another process would have it.
+Recording written_and_read(Recording recording, const Scene& scene, const Particles& particles) {
+    Archive written;
+    recording.archive(written, scene.gas.box, particles, scene.run);
+    Archive read(written.finished(), "part");
+    Recording again;
+    again.archive(read, scene.gas.box, particles, scene.run);
+    read.expect_end();
+    return again;
+}
+
 // The second pass of a run that is too large for memory: parts of it in order, from one simulation.
 void check_parts_of_long_run(const Scene& scene) {
     WholeFilm whole(scene, 0);
     REQUIRE_FALSE(whole.film.run.is_kept());
     Recording::Player player(whole.film.run);
+    const test::SurveyedFilm& its = whole.film;
     std::optional<Recording::Player> other;
-    if (whole.film.start_beside) other.emplace(whole.film.beside);
+    if (its.start_beside) other.emplace(its.beside);
+    const auto beside_until = [&](std::size_t end) -> std::optional<Recording> {
+        if (!other) return std::nullopt;
+        return written_and_read(other->rest(end), *its.scene.film.beside->scene,
+                                its.start_beside->particles);
+    };
     for (std::size_t first = 0; first < whole.size(); ++first) {
         const std::size_t end = std::min(first + 2, whole.size());
-        Part part(whole, player.rest(end), other ? std::optional(other->rest(end)) : std::nullopt,
-                  first);
+        Part part(whole, written_and_read(player.rest(end), its.scene, its.particles),
+                  beside_until(end), first);
         CHECK_FALSE(part.run.is_kept());
         check_frames(whole, part, first, end);
         player.next();

@@ -80,10 +80,10 @@ TEST_CASE("every frame of a recording has the surfaces as they are then") {
     CHECK(last.at(4).motion->place == places.back());
 
     Archive written;
-    run.archive(written, {});
+    run.archive(written, scene.gas.box, start.particles(), scene.run);
     Archive read(written.finished(), "a run");
     Recording again;
-    again.archive(read, {});
+    again.archive(read, scene.gas.box, start.particles(), scene.run);
     const std::vector<SurfaceState> found = frame_of(again, 19);
     REQUIRE(found.size() == last.size());
     for (std::size_t k = 0; k < last.size(); ++k) CHECK(is_same(found[k], last[k]));

@@ -337,6 +337,57 @@ TEST_CASE("a checkpoint of so many disks that memory is slow is exact") {
     }
 }
 
+TEST_CASE("disks are put into another order when the original does it") {
+    const Case its{test::equal_disks(0.4, 4'900), {}};
+    Simulation original(its.gas, its.run);
+    for (double time = 1.0; time < 8.0; time += 1.0) {
+        CAPTURE(time);
+        original.advance_to(time);
+        Simulation copy = restored(original, its.run, written(original)), other = original;
+        copy.advance_to(time + 4.0);
+        other.advance_to(time + 4.0);
+        REQUIRE(written(copy) == written(other));
+    }
+}
+
+TEST_CASE("disks that lie on a floor are in a checkpoint") {
+    Case its;
+    its.gas.box.size = {10.0, 10.0};
+    its.gas.box.surfaces.gravity = {0.0, -1.0};
+    its.gas.species = {
+        {.name = "lying", .count = 2, .radius = 0.5, .position = Places{{{2.0, 0.5}, {6.0, 0.5}}}},
+        {.name = "falling",
+         .count = 1,
+         .radius = 0.5,
+         .velocity = Velocity{{{0.1, 0.0}}},
+         .position = Places{{{1.8, 5.0}}}}};
+    for (const double time : {0.0, 1.0, 3.5, 5.0}) {
+        CAPTURE(time);
+        require_exact_checkpoint(its, start_of(its), time);
+    }
+}
+
+TEST_CASE("disks that a demon lets through are in a checkpoint") {
+    Case its = a_gas(70);  // so dense that disks collide while they are in the line
+    its.gas.species[0].radius = 0.28;
+    its.gas.box.surfaces.partitions = {
+        {.name = "demon",
+         .at = 4.0,
+         .behaviour = Membrane{.upward = {.faster_than = 0.7}, .downward = {.faster_than = 1.2}}}};
+    for (double time = 0.05; time < 4.0; time += 0.05) {
+        CAPTURE(time);
+        require_exact_checkpoint(its, start_of(its), time);
+    }
+}
+
+TEST_CASE("a wall crushes the gas of a checkpoint when it crushes that of the original") {
+    Case its = a_gas(3);
+    its.gas.box.dimension = 1;
+    its.gas.box.surfaces.sides[0] = Driven{1.45};
+    const Found found = require_exact_checkpoint(its, start_of(its), 1.0);
+    CHECK(found.thrown == 1);
+}
+
 TEST_CASE("the events of a run that were replaced are in its checkpoint") {
     Case its = a_gas(20);
     Simulation original = start_of(its);

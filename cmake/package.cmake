@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 
-set(public_headers_of_util interrupt.h)
+set(public_headers_of_util archive.h diagnostics.h interrupt.h)
 set(public_headers_of_physics
     advance_result.h exact_positions.h gas.h particles.h placement/placement.h placement/problem.h reversal/precision.h run.h simulation.h surface.h
     surfaces/surface_problem.h theory/theory.h ways_back.h)

@@ -3,11 +3,14 @@
 #include <carom/physics/reversal/precision.h>
 #include <carom/physics/simulation.h>
 #include <carom/physics/theory/theory.h>
+#include <carom/util/archive.h>
+#include <carom/util/diagnostics.h>
 #include <carom/util/interrupt.h>
 
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string>
 
 namespace {
 
@@ -70,6 +73,23 @@ void advance_rightly() {
     check(return_distance(start, copy.exact_positions()).largest > 1.0, "the copy does not");
 }
 
+void write_and_read() {
+    carom::Simulation simulation(some_gas(), reversed(128));
+    simulation.advance_to(1.0);
+    carom::Archive archive;
+    simulation.archive(archive);
+    const std::string bytes = archive.finished();
+    carom::Archive checkpoint(bytes, "checkpoint");
+    carom::Simulation read(simulation.box(), simulation.particles(), reversed(128), checkpoint);
+    const auto far = return_distance(simulation.exact_positions(), read.exact_positions());
+    check(far.largest == 0.0, "a simulation is read back");
+    try {
+        carom::Archive half(bytes.substr(0, bytes.size() / 2), "checkpoint");
+        check(false, "half a checkpoint");
+    } catch (const carom::SystemError&) {
+    }
+}
+
 void find_bits() {
     int calls = 0;
     const int bits =
@@ -127,6 +147,7 @@ void advance_wrongly() {
 
 int main() {
     advance_rightly();
+    write_and_read();
     find_bits();
     construct_wrongly();
     advance_wrongly();

@@ -62,6 +62,10 @@ TEST_CASE("the manual's program builds from an installed core and is right") {
     Outcome outcome =
         run({"cmake", "--install", CAROM_BUILD_FOLDER, "--prefix", installed.string()});
     REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+    for (const std::string recipe : {"slurm-array.sh", "attempt.sh", "profiles/slurm/job-state.sh"})
+        CHECK((fs::status(installed / "share/carom/cluster" / recipe).permissions() &
+               fs::perms::owner_exec) != fs::perms::none);
+    CHECK(fs::exists(installed / "share/carom/cluster/Snakefile"));
     fs::create_directory(source);
     std::ofstream(source / "CMakeLists.txt")
         << cmake

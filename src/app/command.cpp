@@ -43,6 +43,16 @@ std::vector<Option> work_options(SceneOptions& options) {
             {"--timings", "print the time of each stage", &options.timings}};
 }
 
+std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
+    return {{"--chunk", "of a plan: the number of the chunk to make; default: all that are missing",
+             &chunk},
+            {"--force", "of a plan: make chunks again that are there already", &force},
+            {"--allow-mixed",
+             "of a plan: also with another build of carom or other libraries than the plan was "
+             "made with",
+             &allow_mixed}};
+}
+
 Option language_option(SceneOptions& options) {
     return shortcut(options, "--language", "film.language",
                     "language of carom's own words: en, de, fr or es");

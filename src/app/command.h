@@ -64,6 +64,9 @@ std::vector<Option> scene_options(SceneOptions& options);
 /// --threads and --timings.
 std::vector<Option> work_options(SceneOptions& options);
 
+/// --chunk, --force and --allow-mixed: what is done of a plan.
+std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed);
+
 /// --language.
 Option language_option(SceneOptions& options);
 

@@ -37,7 +37,7 @@ Json to_json(const PlannedChunk& chunk, PlanKind kind) {
               {"manifest", stem_of(chunk.number) + ".json"},
               {"seconds", chunk.seconds},
               {"memory_bytes", chunk.memory_bytes},
-              {"memory_bytes_a_thread", chunk.memory_bytes_a_thread}};
+              {"memory_bytes_per_thread", chunk.memory_bytes_per_thread}};
     if (!chunk.start.empty()) json["start"] = chunk.start;
     return json;
 }
@@ -49,7 +49,7 @@ PlannedChunk chunk_of(const Json& json, PlanKind kind) {
             .end = json.at("last_" + unit).get<std::int64_t>() + 1,
             .seconds = json.at("seconds"),
             .memory_bytes = json.at("memory_bytes"),
-            .memory_bytes_a_thread = json.at("memory_bytes_a_thread"),
+            .memory_bytes_per_thread = json.at("memory_bytes_per_thread"),
             .start = json.value("start", "")};
 }
 

@@ -19,12 +19,12 @@ namespace carom {
 
 /// A part of the work.
 struct PlannedChunk {
-    int number = 0;                          ///< from 1
-    std::int64_t first = 0, end = 0;         ///< of its frames or runs, counted from 0
-    double seconds = 0.0;                    ///< expected, on one core
-    std::int64_t memory_bytes = 0;           ///< expected at most, with one thread
-    std::int64_t memory_bytes_a_thread = 0;  ///< of each further thread
-    std::string start = {};                  ///< file that it begins from; empty: none
+    int number = 0;                            ///< from 1
+    std::int64_t first = 0, end = 0;           ///< of its frames or runs, counted from 0
+    double seconds = 0.0;                      ///< expected, on one core
+    std::int64_t memory_bytes = 0;             ///< expected at most, with one thread
+    std::int64_t memory_bytes_per_thread = 0;  ///< of each further thread
+    std::string start = {};                    ///< file that it begins from; empty: none
 
     std::int64_t count() const { return end - first; }
 };

@@ -7,7 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/chunks/plan_folder.h"
 #include "app/command.h"
+#include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
 #include "app/film/join.h"
 #include "app/film/letters.h"
@@ -33,6 +35,8 @@ struct RenderArguments : SceneOptions {
     FilmDestination destination;
     FilmOptions film;  ///< without the path
     bool join = false;
+    int chunk = 0;  // of a plan; 0: all that are missing
+    bool force = false, allow_mixed = false;
 };
 
 Quality quality_of(const std::string& name) {
@@ -226,7 +230,47 @@ void render_film(const RenderArguments& arguments, const std::string& name,
         say(warning(format_of_film(output), report) + warning_of_cut_words(report));
 }
 
+// What a plan has fixed already, or would be the same for all its chunks.
+void refuse_film_options(const RenderArguments& arguments) {
+    const bool changes = !arguments.destination.output.empty() ||
+                         !arguments.destination.format.empty() || arguments.film.from ||
+                         arguments.film.to || arguments.film.text || arguments.join ||
+                         !overrides_of(arguments).empty();
+    if (changes)
+        throw UsageError(
+            "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
+            "and -o and --words to carom join");
+}
+
+void render_chunks(const RenderArguments& arguments) {
+    refuse_film_options(arguments);
+    if (arguments.scenes.size() != 1)
+        throw UsageError("the chunks of one plan are rendered at a time; give one folder");
+    const PlanFolder folder(arguments.scenes.front());
+    folder.require(PlanKind::film, "render");
+    Progress progress(Progress::fitting_form(arguments.quiet), folder.path().filename().string());
+    const ChunkOptions options{threads_of(arguments), arguments.force, arguments.allow_mixed};
+    std::vector<int> numbers{arguments.chunk};
+    if (arguments.chunk == 0) {
+        numbers = arguments.force ? std::vector<int>{} : folder.missing();
+        if (arguments.force)
+            for (const PlannedChunk& chunk : folder.chunks()) numbers.push_back(chunk.number);
+    }
+    for (const int number : numbers) {
+        const PlannedChunk& chunk = folder.chunk(number);
+        const bool is_new = render_chunk(folder, chunk, options, progress);
+        if (!arguments.quiet)
+            fmt::print("{}: {}, {}\n", folder.output(chunk).string(),
+                       counted(chunk.count(), "frame"), is_new ? "done" : "was there already");
+    }
+}
+
 void render_scenes(RenderArguments& arguments) {
+    if (std::ranges::any_of(arguments.scenes, is_plan)) return render_chunks(arguments);
+    if (arguments.chunk > 0 || arguments.force || arguments.allow_mixed)
+        throw UsageError(
+            "--chunk, --force and --allow-mixed apply to the folder of a plan; make one with carom "
+            "plan SCENE -o PLAN/");
     refuse_second_standard_input(arguments.scenes);
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs = outputs_of(arguments);
@@ -268,34 +312,36 @@ void render_scenes(RenderArguments& arguments) {
 Command render_command() {
     const auto arguments = std::make_shared<RenderArguments>();
     RenderArguments& its = *arguments;
-    return {"render", "render the films of scenes",
-            joined<Option>(
-                {{{"scenes", "scene files; - for standard input", &its.scenes},
-                  {"-o,--output",
-                   "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
-                   "it, or a new folder with a slash for its frames as PNG (frames/); default: "
-                   "out/SCENE.mp4",
-                   &its.destination.output},
-                  {"--format", "mp4, webm, gif, or png for single frames", &its.destination.format,
-                   film_formats()},
-                  {"--from", "simulated time at which the film begins", &its.film.from},
-                  {"--to", "simulated time at which the film ends", &its.film.to},
-                  {"--words",
-                   "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
-                   &its.film.text},
-                  {"--join",
-                   "one film of all scenes, or of those of a figure set, each fading into the next",
-                   &its.join}},
-                 scene_options(its),
-                 picture_options(its),
-                 {shortcut(its, "--fps", "film.fps", "frames per second"),
-                  shortcut(its, "--seconds", "film.seconds", "length of the film"),
-                  {"--quality",
-                   "draft, standard or final",
-                   [&its](const std::string& name) { its.film.quality = quality_of(name); },
-                   {"draft", "standard", "final"}}},
-                 work_options(its)}),
-            [arguments] { render_scenes(*arguments); }};
+    return {
+        "render", "render the films of scenes",
+        joined<Option>(
+            {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
+              {"-o,--output",
+               "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
+               "it, or a new folder with a slash for its frames as PNG (frames/); default: "
+               "out/SCENE.mp4",
+               &its.destination.output},
+              {"--format", "mp4, webm, gif, or png for single frames", &its.destination.format,
+               film_formats()},
+              {"--from", "simulated time at which the film begins", &its.film.from},
+              {"--to", "simulated time at which the film ends", &its.film.to},
+              {"--words",
+               "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
+               &its.film.text},
+              {"--join",
+               "one film of all scenes, or of those of a figure set, each fading into the next",
+               &its.join}},
+             chunk_options(its.chunk, its.force, its.allow_mixed),
+             scene_options(its),
+             picture_options(its),
+             {shortcut(its, "--fps", "film.fps", "frames per second"),
+              shortcut(its, "--seconds", "film.seconds", "length of the film"),
+              {"--quality",
+               "draft, standard or final",
+               [&its](const std::string& name) { its.film.quality = quality_of(name); },
+               {"draft", "standard", "final"}}},
+             work_options(its)}),
+        [arguments] { render_scenes(*arguments); }};
 }
 
 }  // namespace carom

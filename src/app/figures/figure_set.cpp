@@ -299,7 +299,6 @@ class Maker {
     }
 
     static constexpr std::string_view film_ = "the film";  // no name of a figure
-    static constexpr double poster_at = 0.3;               // of the run
 
     const FigureSet& set_;
     const SetOptions& options_;

@@ -11,13 +11,10 @@
 #include "panels/precision.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
-#include "util/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
-
-constexpr std::int64_t most_plan_bytes = std::int64_t{4} << 30;
 
 // Of frames of the whole film, evenly spread.
 std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Progress& progress) {
@@ -101,14 +98,25 @@ Scene scene_of(const SceneRecord& record, const Archive& archive) {
     return scene;
 }
 
-// All but the scene, in writing and in reading.
-void archive_rest(Archive& archive, FilmPlan& plan) {
+// What is wanted of the film beside the scene; where it is written is asked again.
+void archive_options(Archive& archive, FilmOptions& options) {
+    std::string output = options.output.string();
+    archive(output, options.quality, options.from, options.to);
+    options.output = output;
+}
+
+void archive_shared(Archive& archive, FilmPlan& plan) {
     archive(plan.span, plan.segments, plan.particles, plan.start, plan.axes, plan.colors, plan.text,
             plan.passes);
-    plan.run.archive(archive, plan.scene.gas.box, plan.particles, plan.scene.run);
     if (!plan.scene.film.beside) return;
     if (archive.is_reading()) plan.beside.emplace();
     archive(plan.beside->start);
+}
+
+void archive_run(Archive& archive, FilmPlan& plan) {
+    archive(plan.progress);
+    plan.run.archive(archive, plan.scene.gas.box, plan.particles, plan.scene.run);
+    if (!plan.beside) return;
     const Scene& other = *plan.scene.film.beside->scene;
     plan.beside->run.archive(archive, other.gas.box, plan.beside->start.particles, other.run);
 }
@@ -130,6 +138,11 @@ std::unique_ptr<PanelSet> FilmPlan::panels() const {
     Archive archive(axes, "what the first pass has fixed");
     set->archive(archive);
     archive.expect_end();
+    if (!progress.empty()) {
+        Archive so_far(progress, "how far the panels are");
+        set->archive_progress(so_far);
+        so_far.expect_end();
+    }
     if (beside) set->play_beside(beside->run);
     return set;
 }
@@ -150,7 +163,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
 
     PanelSet panels(plan.scene, plan.particles, plan.start,
                     plan.beside ? &plan.beside->start : nullptr);
-    const std::size_t most_bytes = Recording::most_bytes / (other ? 2 : 1);
+    const std::size_t most_bytes = options.kept_bytes / (other ? 2 : 1);
     std::optional<FilmTextMaker> text;
     if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at);
     progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
@@ -184,23 +197,37 @@ std::vector<std::string> expected_passes(const Scene& scene, std::int64_t partic
     return passes_for(scene, kept, false, false);
 }
 
-void write_plan(FilmPlan& plan, const std::filesystem::path& path) {
+std::string shared_bytes(FilmPlan& plan, FilmOptions& options) {
     Archive archive;
     SceneRecord record = record_of(plan.scene);
     archive(record);
-    archive_rest(archive, plan);
-    write_file(path, archive.finished());
+    archive_options(archive, options);
+    archive_shared(archive, plan);
+    return archive.finished();
 }
 
-FilmPlan read_plan(const std::filesystem::path& path) {
-    Archive archive(read_file(path, most_plan_bytes), path.string());
+FilmPlan read_shared(std::string bytes, const std::string& name, FilmOptions& options) {
+    Archive archive(std::move(bytes), name);
     SceneRecord record;
     archive(record);
     FilmPlan plan;
     plan.scene = scene_of(record, archive);
-    archive_rest(archive, plan);
+    archive_options(archive, options);
+    archive_shared(archive, plan);
     archive.expect_end();
     return plan;
+}
+
+std::string run_bytes(FilmPlan& plan) {
+    Archive archive;
+    archive_run(archive, plan);
+    return archive.finished();
+}
+
+void read_run(FilmPlan& plan, std::string bytes, const std::string& name) {
+    Archive archive(std::move(bytes), name);
+    archive_run(archive, plan);
+    archive.expect_end();
 }
 
 }  // namespace carom

@@ -1,5 +1,5 @@
 // A film that is ready to be drawn: the settled first pass over its run, as a value. It can be
-// written, read back by another process, and drawn from there.
+// written, read back by another process, and drawn from there, whole or from any frame on.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +29,8 @@ struct FilmOptions {
     std::optional<double> joined_at = {};  ///< seconds of the film that it is a part of
     std::optional<double> from = {},
                           to = {};  ///< as frames_between() reads them; none: the whole film
+    std::size_t kept_bytes = Recording::most_bytes;  ///< up to which frames of the run are kept in
+                                                     ///< memory; beyond it is simulated again
 };
 
 /// The run that a film shows beside its own.
@@ -42,15 +44,22 @@ struct FilmPlan {
     FrameSpan span;  ///< that is drawn
     std::vector<int> segments;  ///< as segment_starts(), counted from span.first
     Particles particles;
-    Sample start;                       ///< at time 0
-    Recording run;                      ///< of the whole film
-    std::optional<RunBeside> beside;    ///< if there is one
-    std::string axes;                   ///< what the first pass has fixed of each panel
+    Sample start;                     ///< at time 0
+    Recording run;                    ///< of the whole film, or from some frame on
+    std::optional<RunBeside> beside;  ///< if there is one, its run from the same frame on
+    std::string progress;  ///< how far the panels are at the first frame of `run`; empty: at their
+                           ///< beginning
+    std::string axes;      ///< what the first pass has fixed of each panel
     std::vector<std::uint32_t> colors;  ///< 0xffRRGGBB, where the format has few
     FilmText text;                      ///< where it is wanted
     std::vector<std::string> passes;    ///< what the run was simulated for, each time that it was
 
     int frames() const { return span.frames(); }
+
+    /// How many frames of `run` there are up to the end of the span.
+    std::size_t frames_to_play() const {
+        return static_cast<std::size_t>(span.end - run.ticks().front().frame);
+    }
 
     /// The film's panels with their axes, ready for the second pass. Refers to the plan.
     std::unique_ptr<PanelSet> panels() const;
@@ -66,11 +75,19 @@ FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progr
 /// What a film will be simulated for, as far as is known before: of so many particles.
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
 
-/// Writes a plan, whole or not at all. Throws SystemError.
-void write_plan(FilmPlan& plan, const std::filesystem::path& path);
+/// What all parts of a film share, and what is wanted of it, as bytes: all but the frames of its
+/// runs.
+std::string shared_bytes(FilmPlan& plan, FilmOptions& options);
 
-/// Reads it back. Throws SystemError where the file is damaged, of another version of carom, or its
-/// template changed.
-FilmPlan read_plan(const std::filesystem::path& path);
+/// Reads them back, into `options` too; `name` stands for the bytes in messages. Throws SystemError
+/// where they are damaged, of another version of carom, or the scene's template has changed.
+FilmPlan read_shared(std::string bytes, const std::string& name, FilmOptions& options);
+
+/// The rest: the frames of its runs, and how far its panels are before them. Of a run that was not
+/// kept the exact state of its simulation.
+std::string run_bytes(FilmPlan& plan);
+
+/// Reads them back into the plan that they belong to. Throws SystemError where they are damaged.
+void read_run(FilmPlan& plan, std::string bytes, const std::string& name);
 
 }  // namespace carom

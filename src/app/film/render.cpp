@@ -53,7 +53,7 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
     progress.begin("rendering", static_cast<double>(plan.frames()));
     SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
     CollisionCounts collisions;
-    plan.run.play(static_cast<std::size_t>(plan.span.end),
+    plan.run.play(plan.frames_to_play(),
                   [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
                       collisions = advanced.counts;
                       FrameData frame = panels->frame_data(tick, sample, advanced);
@@ -105,27 +105,14 @@ RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& 
     return write_film(plan, options, *film_writer(plan, options), progress, {});
 }
 
-std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, FilmWriter& writer) {
-    const std::unique_ptr<PanelSet> panels = plan.panels();
-    FramePainter painter(*panels);
-    const int first = plan.segments.at(segment), end = plan.segments.at(segment + 1);
-    std::unique_ptr<FilmSegment> drawn = writer.segment(first);
-    plan.run.play(static_cast<std::size_t>(plan.span.first + end),
-                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                      const FrameData frame = panels->frame_data(tick, sample, advanced);
-                      if (tick.frame >= plan.span.first + first) drawn->add(painter.paint(frame));
-                  });
-    drawn->finish();
-    return drawn;
-}
-
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
     const auto end = static_cast<std::size_t>(frame_nearest_to(plan.run.ticks(), at)) + 1;
     const std::unique_ptr<PanelSet> panels = plan.panels();
     progress.begin("preparing the frame", static_cast<double>(end));
     FrameData frame;
+    std::size_t played = 0;
     plan.run.play(end, [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-        const bool is_last = tick.frame + 1 == static_cast<int>(end);
+        const bool is_last = ++played == end;
         frame = panels->frame_data(tick, sample, advanced, is_last);
         progress.advance();
     });

@@ -47,8 +47,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
 std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options,
                                         std::vector<FilmChapter> chapters = {});
 
-/// Draws the frames of one of `plan.segments` alone, for `writer`; join() adds it to the film.
-std::unique_ptr<FilmSegment> draw(const FilmPlan& plan, std::size_t segment, FilmWriter& writer);
+/// When in a run the picture is taken that stands for its film, as a share of the run.
+inline constexpr double poster_at = 0.3;
 
 /// Draws the frame nearest to the simulated time `at`, in a format of stills. Throws as render()
 /// does.

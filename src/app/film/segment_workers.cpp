@@ -21,7 +21,11 @@ std::size_t weight(const FrameData& data) { return data.bytes + frame_overhead_b
 
 SegmentWorkers::SegmentWorkers(const PanelSet& panels, std::vector<int> starts, int threads,
                                FilmWriter& writer, Progress& progress)
-    : panels_(panels), writer_(writer), progress_(progress), starts_(std::move(starts)) {
+    : panels_(panels),
+      writer_(writer),
+      progress_(progress),
+      starts_(std::move(starts)),
+      next_frame_(starts_.front()) {
     for (std::size_t i = 0; i + 1 < starts_.size(); ++i)
         segments_.push_back({starts_[i + 1] - starts_[i], {}});
     most_ahead_ = 2 * std::min(static_cast<std::size_t>(threads), segments_.size());

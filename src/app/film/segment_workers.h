@@ -63,7 +63,7 @@ class SegmentWorkers {
     std::size_t most_ahead_ = 0;    ///< segments taken before the one to be joined next is done
     std::size_t next_segment_ = 0;  ///< to be taken by a worker
     InOrder<std::unique_ptr<FilmSegment>> encoded_;  ///< joined to the film one after the other
-    int next_frame_ = 0;
+    int next_frame_;                                 ///< counted as the starts are
     std::size_t waiting_bytes_ = 0;
     bool stop_ = false;
     std::exception_ptr error_;

@@ -28,6 +28,7 @@ class GreyWriter : public FilmWriter {
             writer.greys.at(static_cast<std::size_t>(frame++)) =
                 static_cast<int>(canvas.pixels().data[0] & 0xFF);
         }
+        void archive(carom::Archive&) override {}
         void join() override {}
         GreyWriter& writer;
         int frame;

@@ -1,0 +1,63 @@
+// The file of a chunk: its encoded segments one after the other, each checked by itself, so that
+// neither writing nor joining holds more than one of them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "media/film_writer.h"
+#include "util/atomic_file.h"
+
+namespace carom {
+
+/// Which chunk a file is.
+struct ChunkIdentity {
+    std::string plan;  ///< as PlanFolder::fingerprint()
+    int number = 0;
+    int segments = 0;
+
+    friend bool operator==(const ChunkIdentity&, const ChunkIdentity&) = default;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(plan, number, segments);
+    }
+};
+
+/// Writes the segments of a chunk, which `encoder` makes, whole or not at all.
+class ChunkWriter : public FilmWriter {
+  public:
+    ChunkWriter(const std::filesystem::path& path, ChunkIdentity identity, FilmWriter& encoder);
+    std::unique_ptr<FilmSegment> segment(int first) override;
+    void commit() override;
+    std::int64_t bytes() const override { return bytes_; }
+
+  private:
+    class Segment;
+
+    AtomicFile file_;
+    FilmWriter& encoder_;
+    std::int64_t bytes_ = 0;
+};
+
+/// Reads them back in order. All throw SystemError where the file is damaged.
+class ChunkReader {
+  public:
+    /// Throws SystemError where it is another chunk.
+    ChunkReader(const std::filesystem::path& path, const ChunkIdentity& expected);
+
+    /// Reads the next segment into a new one.
+    void read(FilmSegment& segment);
+    void expect_end();
+
+  private:
+    std::string next();
+
+    std::filesystem::path path_;
+    std::ifstream file_;
+    std::uint64_t left_ = 0;  ///< bytes to be read
+};
+
+}  // namespace carom

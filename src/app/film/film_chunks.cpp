@@ -1,0 +1,333 @@
+#include "app/film/film_chunks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include "app/chunks/build_facts.h"
+#include "app/film/chunk_file.h"
+#include "app/scratch_folder.h"
+#include "app/stopwatch.h"
+#include "media/formats.h"
+#include "scene/time/timeline.h"
+#include "util/archive.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+#include "util/interrupt.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* plan_file = "film.plan";
+
+Json nullable(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+const char* name_of(Quality quality) {
+    if (quality == Quality::draft) return "draft";
+    return quality == Quality::standard ? "standard" : "final";
+}
+
+// All that a plan is made from.
+Json request_of(const Scene& scene, const FilmOptions& options, const FilmDivision& division) {
+    const OutputFormat& format = format_of_film(options.output);
+    Json request{{"scene",
+                  {{"path", scene.source.path},
+                   {"text", scene.source.text},
+                   {"overrides", scene.source.overrides},
+                   {"template", scene.source.template_text}}},
+                 {"format", format.name},
+                 {"quality", name_of(options.quality)},
+                 {"from", nullable(options.from)},
+                 {"to", nullable(options.to)},
+                 {"chunks", division.chunks ? Json(*division.chunks) : Json()},
+                 {"chunk_seconds", nullable(division.seconds)},
+                 {"build", to_json(film_facts(format))}};
+    if (scene.film.beside) request["scene"]["beside"] = scene.film.beside->scene->source.text;
+    return request;
+}
+
+// Seconds on one core that a frame takes: measured for the simulation, from the table of formats
+// for drawing and encoding.
+double seconds_of_frame(const FilmPlan& plan, const OutputFormat& format, double simulated) {
+    constexpr double pixels_measured = 1920.0 * 1080.0;
+    const PictureSize size = plan.scene.film.size;
+    const double drawn = format.film->core_seconds.at(static_cast<double>(plan.particles.count())) *
+                         size.width * size.height / pixels_measured;
+    return drawn + (plan.run.is_kept() ? 0.0 : simulated / std::max(1, plan.span.end));
+}
+
+// Upper estimates, measured with `/usr/bin/time -v` on films of 2 to 100,000 disks
+// (docs/scaling.md).
+struct Memory {
+    std::int64_t bytes, bytes_per_thread;
+};
+Memory memory_of_chunk(const FilmPlan& plan, std::size_t start_bytes) {
+    const PictureSize size = plan.scene.film.size;
+    const auto pixels = static_cast<double>(size.width) * size.height;
+    constexpr double of_program = 120e6, of_pixel = 130.0, of_particle = 1500.0;
+    const double per_thread = of_pixel * pixels;
+    const double all = of_program + 2.5 * static_cast<double>(start_bytes) + per_thread +
+                       of_particle * static_cast<double>(plan.particles.count());
+    return {static_cast<std::int64_t>(all), static_cast<std::int64_t>(per_thread)};
+}
+
+int chunks_wanted(const FilmDivision& division, int frames, double seconds_of_one) {
+    constexpr int usual = 4;
+    if (division.chunks) return *division.chunks;
+    if (!division.seconds) return usual;
+    return static_cast<int>(
+        std::clamp(std::ceil(frames * seconds_of_one / *division.seconds), 1.0, double(frames)));
+}
+
+// The part of a plan that a chunk draws, without its run.
+FilmPlan without_run(const FilmPlan& plan) {
+    FilmPlan part;
+    part.scene = plan.scene;
+    part.particles = plan.particles;
+    if (plan.beside) part.beside = RunBeside{plan.beside->start, {}};
+    return part;
+}
+
+std::string name_of_start(int chunk) { return fmt::format("starts/{:04}.start", chunk); }
+
+// The second pass over the run, without drawing: it writes what each chunk begins with.
+class StartWriter {
+  public:
+    StartWriter(FilmPlan& plan, PlanWriter& writer, Progress& progress)
+        : plan_(plan),
+          writer_(writer),
+          progress_(progress),
+          panels_(plan.panels()),
+          player_(plan.run) {}
+
+    /// Of the chunks in order; sets their file names and memory.
+    void write(std::vector<PlannedChunk>& chunks) {
+        progress_.begin("writing the starts of chunks", static_cast<double>(plan_.span.end));
+        for (PlannedChunk& chunk : chunks) {
+            play_to(static_cast<std::size_t>(chunk.first));
+            write_start(chunk);
+        }
+        progress_.finish();
+    }
+
+    std::vector<std::string> cut_words() const { return FramePainter(*panels_).cut_words(); }
+
+  private:
+    void play_to(std::size_t frame) {
+        while (player_.shown() < frame) {
+            player_.next();
+            panels_->frame_data(player_.tick(), player_.sample(), player_.advanced());
+            progress_.advance();
+        }
+    }
+
+    void write_start(PlannedChunk& chunk) {
+        const auto end = static_cast<std::size_t>(chunk.end);
+        FilmPlan part = without_run(plan_);
+        Archive progress;
+        panels_->archive_progress(progress);
+        part.progress = progress.finished();
+        part.run = player_.rest(end);
+        if (part.beside) part.beside->run = *panels_->rest_beside(end);
+        const std::string bytes = run_bytes(part);
+        chunk.start = name_of_start(chunk.number);
+        const Memory memory = memory_of_chunk(plan_, bytes.size());
+        chunk.memory_bytes = memory.bytes;
+        chunk.memory_bytes_per_thread = memory.bytes_per_thread;
+        writer_.write(chunk.start, bytes);
+    }
+
+    FilmPlan& plan_;
+    PlanWriter& writer_;
+    Progress& progress_;
+    std::unique_ptr<PanelSet> panels_;
+    Recording::Player player_;
+};
+
+std::vector<PlannedChunk> chunks_of(const FilmPlan& plan, int wanted, double seconds_of_one) {
+    const std::vector<std::size_t> starts = chunk_starts(plan.segments, wanted);
+    std::vector<PlannedChunk> chunks;
+    for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+        PlannedChunk chunk{.number = static_cast<int>(k) + 1,
+                           .first = plan.span.first + plan.segments[starts[k]],
+                           .end = plan.span.first + plan.segments[starts[k + 1]]};
+        chunk.seconds = static_cast<double>(chunk.count()) * seconds_of_one;
+        chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+Json facts_of(const FilmPlan& plan, const OutputFormat& format) {
+    const Film& film = plan.scene.film;
+    return {{"film",
+             {{"format", format.name},
+              {"frames", plan.frames()},
+              {"fps", film.fps},
+              {"size", {film.size.width, film.size.height}},
+              {"particles", plan.particles.count()}}}};
+}
+
+// The segments of a chunk, counted as the plan's.
+std::vector<int> segments_of(const FilmPlan& plan, const PlannedChunk& chunk) {
+    std::vector<int> segments;
+    for (const int start : plan.segments)
+        if (plan.span.first + start >= chunk.first && plan.span.first + start <= chunk.end)
+            segments.push_back(start);
+    return segments;
+}
+
+ChunkIdentity identity_of(const PlanFolder& folder, const FilmPlan& plan,
+                          const PlannedChunk& chunk) {
+    return {folder.fingerprint(), chunk.number,
+            static_cast<int>(segments_of(plan, chunk).size()) - 1};
+}
+
+FilmPlan read_plan(const PlanFolder& folder, FilmOptions& options) {
+    return read_shared(folder.read(plan_file), (folder.path() / plan_file).string(), options);
+}
+
+// As a plan of its own.
+FilmPlan plan_of_chunk(const PlanFolder& folder, const FilmPlan& whole, const PlannedChunk& chunk) {
+    FilmPlan plan = whole;
+    read_run(plan, folder.read(chunk.start), (folder.path() / chunk.start).string());
+    plan.segments = segments_of(whole, chunk);
+    plan.span = {static_cast<int>(chunk.first), static_cast<int>(chunk.end)};
+    return plan;
+}
+
+void join_chunks(const PlanFolder& folder, const FilmPlan& plan, FilmWriter& writer,
+                 Progress& progress) {
+    progress.begin("joining", static_cast<double>(plan.frames()));
+    for (const PlannedChunk& chunk : folder.chunks()) {
+        ChunkReader reader(folder.output(chunk), identity_of(folder, plan, chunk));
+        const std::vector<int> segments = segments_of(plan, chunk);
+        for (std::size_t k = 0; k + 1 < segments.size(); ++k) {
+            throw_if_interrupted();
+            const std::unique_ptr<FilmSegment> segment = writer.segment(segments[k]);
+            reader.read(*segment);
+            segment->join();
+            progress.advance(segments[k + 1] - segments[k]);
+        }
+        reader.expect_end();
+    }
+    progress.finish();
+}
+
+fs::path poster_path(const fs::path& film) {
+    const fs::path name = film.has_filename() ? film : film.parent_path();
+    return name.parent_path() / (name.stem().string() + ".poster.png");
+}
+
+void write_poster(const PlanFolder& folder, const FilmPlan& whole, const fs::path& path,
+                  Progress& progress) {
+    const double at = poster_at * whole.scene.run.until;
+    const int frame = std::clamp(frame_nearest_to(timeline(whole.scene), at), whole.span.first,
+                                 whole.span.end - 1);
+    for (const PlannedChunk& chunk : folder.chunks())
+        if (frame >= chunk.first && frame < chunk.end) {
+            const FilmPlan plan = plan_of_chunk(folder, whole, chunk);
+            Canvas poster = draw_still(plan, at, output_format("png"), progress);
+            write_file(path, poster.file());
+        }
+}
+
+}  // namespace
+
+std::vector<std::size_t> chunk_starts(const std::vector<int>& segments, int chunks) {
+    const std::size_t count = segments.size() - 1;
+    const std::size_t wanted = std::clamp<std::size_t>(static_cast<std::size_t>(chunks), 1, count);
+    std::vector<std::size_t> starts;
+    for (std::size_t k = 0; k <= wanted; ++k) starts.push_back(k * count / wanted);
+    return starts;
+}
+
+FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const FilmDivision& division,
+                         const fs::path& folder, bool force, Progress& progress) {
+    const Stopwatch watch;
+    const Json request = request_of(scene, asked, division);
+    FilmPlanReport report;
+    if (!force && is_planned(folder, request)) {
+        const PlanFolder planned(folder);
+        report.is_new = false;
+        report.chunks = static_cast<int>(planned.chunks().size());
+        report.frames = planned.contents().at("film").at("frames");
+        return report;
+    }
+    FilmOptions options = asked;
+    options.text = true;
+    FilmPlan plan = prepare(scene, options, progress);
+    const double simulated = watch.cpu();
+    const OutputFormat& format = format_of_film(options.output);
+    const double seconds = seconds_of_frame(plan, format, simulated);
+    std::vector<PlannedChunk> chunks =
+        chunks_of(plan, chunks_wanted(division, plan.frames(), seconds), seconds);
+    PlanWriter writer(folder);
+    StartWriter starts(plan, writer, progress);
+    starts.write(chunks);
+    writer.write(plan_file, shared_bytes(plan, options));
+    writer.commit({PlanKind::film, request, facts_of(plan, format)}, chunks);
+    report.chunks = static_cast<int>(chunks.size());
+    report.frames = plan.frames();
+    report.cut = starts.cut_words();
+    report.passes = plan.passes;
+    report.wall_seconds = watch.wall();
+    return report;
+}
+
+bool render_chunk(const PlanFolder& folder, const PlannedChunk& chunk, const ChunkOptions& options,
+                  Progress& progress) {
+    if (!options.force && folder.is_done(chunk)) return false;
+    const Stopwatch watch;
+    const Json build = to_json(film_facts(output_format(format_of_plan(folder))));
+    if (!options.allow_mixed) folder.require_same_build(build);
+    FilmOptions film;
+    const FilmPlan whole = read_plan(folder, film);
+    const FilmPlan plan = plan_of_chunk(folder, whole, chunk);
+    const ScratchFolder scratch;
+    film.output = scratch.path() / film.output;
+    const std::unique_ptr<FilmWriter> encoder = film_writer(whole, film);
+    if (!plan.colors.empty()) encoder->use_colors(plan.colors);
+    ChunkWriter writer(folder.output(chunk), identity_of(folder, whole, chunk), *encoder);
+    RenderReport report;
+    draw_frames(plan, options.threads, writer, progress, report);
+    throw_if_interrupted();
+    writer.commit();
+    folder.finish(chunk, build, watch.wall());
+    return true;
+}
+
+RenderReport join_film(const PlanFolder& folder, const JoinOptions& asked, Progress& progress) {
+    const Stopwatch watch;
+    folder.require_all_done(asked.allow_mixed);
+    FilmOptions options;
+    const FilmPlan plan = read_plan(folder, options);
+    options.output = asked.output;
+    RenderReport report;
+    report.path = asked.output;
+    const std::unique_ptr<FilmWriter> writer = film_writer(plan, options);
+    if (!plan.colors.empty()) writer->use_colors(plan.colors);
+    join_chunks(folder, plan, *writer, progress);
+    if (asked.poster) write_poster(folder, plan, poster_path(asked.output), progress);
+    writer->commit();
+    if (asked.text) write_text(plan.text, asked.output);
+    report.frames = plan.frames();
+    report.bytes = writer->bytes();
+    report.wall_seconds = watch.wall();
+    return report;
+}
+
+std::string format_of_plan(const PlanFolder& folder) {
+    return folder.contents().at("film").at("format");
+}
+
+std::string scene_of_plan(const PlanFolder& folder) {
+    return folder.request().at("scene").at("path");
+}
+
+}  // namespace carom

@@ -64,7 +64,7 @@ class AutocorrelationMeter : public LagMeter {
 
     void archive(Archive& archive) override {
         LagMeter::archive(archive);
-        archive(time_, loss_);
+        archive(loss_);
     }
 
   private:

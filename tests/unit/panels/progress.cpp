@@ -106,16 +106,17 @@ std::string film(const std::string& keys) {
 std::string plane(const std::string& keys, const std::string& events = "",
                   const std::string& more = "") {
     return "title: T\nbox: {size: [20, 15]}\n" + more +
-           "gas:\n  - {name: light, count: 24, radius: 0.4, temperature: 1}\n"
+           "gas:\n  - {name: light, count: 24, radius: 0.4, speed: 1}\n"
            "  - {name: heavy, count: 1, radius: 1, mass: 9, velocity: [0.9, 0.4], position: "
-           "[5, 6]}\nrun: {until: 6, equilibrate: 1, events: [" +
+           "[5, 6]}\nrun: {until: 6, events: [" +
            events + "]}\n" + film(keys);
 }
 
-std::string wire(const std::string& keys, const std::string& box = "{length: 12}") {
-    return "title: T\nbox: " + box +
-           "\ngas: [{name: a, count: 4, radius: 0.1, mass: 2, temperature: 1}, {name: b, count: 3, "
-           "radius: 0, temperature: 1}]\nrun: {until: 6, events: [{at: 1, mark: here}, {at: 3, "
+std::string wire(const std::string& keys, const std::string& box = "{length: 12}",
+                 const std::string& motion = "temperature: 1") {
+    return "title: T\nbox: " + box + "\ngas: [{name: a, count: 4, radius: 0.1, mass: 2, " + motion +
+           "}, {name: b, count: 3, radius: 0, speed: 1}]\nrun: {until: 6, events: [{at: 1, mark: "
+           "here}, {at: 3, "
            "reverse: velocities}]}\n" +
            film(keys);
 }
@@ -153,15 +154,17 @@ std::vector<std::string> all_kinds() {
               "free-path]"),
         plane("panels: [{kind: free-time, over: {window: 2}}, orientational-order, {kind: phase, "
               "of: [heavy]}, {kind: pair-correlation, over: {window: 1}}]"),
+        plane("panels: [{kind: mean-squared-displacement, origins: all}, {kind: free-path, of: "
+              "[light, heavy]}, {kind: pair-correlation, over: now}, {kind: profile, over: now}]"),
         plane("panels: [speed-histogram, temperature, {kind: profile, over: start}, free-path], "
               "beside: {own_label: A, label: B, set: "
-              "gas.0.temperature=4}",
+              "gas.0.speed=2}",
               "{at: 2, pause: 0.5}"),
         wire("panels: [collision-map, contact-time, "
              "single-collision, return-distance]"),
         wire("panels: [{kind: phase, of: [0, 1]}, return-distance], flashes: true, camera: [{at: "
              "1, follow: 1, width: 5}], field: {of: density, cells: 5, over: 1}",
-             "{length: 12, walls: periodic}"),
+             "{length: 12, walls: periodic}", "velocity: 9"),
         wire("panels: [piston, energy-account]", "{length: 12, walls: {right: {velocity: -0.2}}}"),
         piston("panels: [piston, piston-histogram, pressure-volume, energy-account]"),
     };

@@ -16,11 +16,23 @@ TrialCallback shown_trials(const Scene& scene, Progress& progress) {
     };
 }
 
-StartedScene start_scene(const Scene& asked, Progress& progress) {
-    if (!asked.run.bits) return start_scene(asked, shown_trials(asked, progress));
+TrialCallback shown_start(const Scene& asked, Progress& progress) {
+    if (!asked.run.bits) return shown_trials(asked, progress);
     const double all = asked.run.equilibrate;
     if (all > 0.0) progress.begin("equilibrating", all, "time units");
-    return start_scene(asked, [&](int, double time) { progress.reach(all + time); });
+    return [&progress, all](int, double time) { progress.reach(all + time); };
+}
+
+RunCallbacks shown_run(const Scene& asked, Progress& progress) {
+    return {.start = shown_start(asked, progress),
+            .started = [&progress, until = asked.run.until] {
+                progress.begin("simulating", until, "time units");
+            },
+            .reached = [&progress](double now) { progress.reach(now); }};
+}
+
+StartedScene start_scene(const Scene& asked, Progress& progress) {
+    return start_scene(asked, shown_start(asked, progress));
 }
 
 }  // namespace carom

@@ -1,13 +1,11 @@
 #include "figures/figure_run.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <thread>
 #include <utility>
 
 #include "panels/frame.h"
 #include "panels/shared_panel.h"
+#include "util/on_threads.h"
 
 namespace carom {
 namespace {
@@ -44,28 +42,6 @@ SharedPanel& shared(Panel& panel) { return dynamic_cast<SharedPanel&>(panel); }
 bool shows(const Figure& figure, double time) {
     const std::size_t next = figure.moments.size();
     return next < figure.spec->times.size() && figure.spec->times[next] == time;
-}
-
-// Calls `work` with 0 to count - 1, on `threads` threads at most. What the first of them throws, in
-// this order, is thrown.
-void on_threads(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::vector<std::exception_ptr> errors(count);
-    std::atomic<std::size_t> next = 0;
-    const auto help = [&] {
-        for (std::size_t i = next++; i < count; i = next++) try {
-                work(i);
-            } catch (...) {
-                errors[i] = std::current_exception();
-            }
-    };
-    {
-        std::vector<std::jthread> helpers;
-        const auto most = static_cast<std::size_t>(std::max(1, threads));
-        for (std::size_t i = 1; i < std::min(count, most); ++i) helpers.emplace_back(help);
-        help();
-    }
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/output.h"
-#include "app/report/run.h"
+#include "runs/run.h"
 #include "app/resources.h"
 #include "app/scratch_folder.h"
 #include "media/formats.h"

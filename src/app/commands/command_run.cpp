@@ -10,11 +10,12 @@
 
 #include "app/command.h"
 #include "app/output.h"
-#include "app/report/run.h"
+#include "runs/run.h"
 #include "app/report/run_facts.h"
 #include "app/report/samples_csv.h"
 #include "app/report/surfaces_csv.h"
 #include "app/resources.h"
+#include "app/simulate.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 
@@ -129,7 +130,8 @@ void run_scene(const RunArguments& arguments) {
         };
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     const RunReport report = reporting_incomplete(csv, [&] {
-        const RunReport whole = run_physics(scene, take, progress);
+        const RunReport whole = run_physics(scene, take, shown_run(scene, progress));
+        progress.finish();
         if (table) table->finish();
         return whole;
     });

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/stopwatch.h"
+#include "util/stopwatch.h"
 #include "draw/text.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"

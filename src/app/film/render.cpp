@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/stopwatch.h"
+#include "util/stopwatch.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/stopwatch.h"
+#include "util/stopwatch.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/report/run.h"
+#include "runs/run.h"
 #include "scene/scene.h"
 
 namespace carom {

@@ -9,10 +9,10 @@
 
 #include "app/film/film_text.h"
 #include "app/json.h"
-#include "app/report/run.h"
 #include "app/report/run_facts.h"
 #include "app/report/surfaces_csv.h"
 #include "panels/recording.h"
+#include "runs/run.h"
 #include "scene/describe.h"
 #include "scene/time/timeline.h"
 #include "support/process.h"
@@ -35,16 +35,11 @@ Scene drifting_piston() {
     return scene;
 }
 
-Progress& silent() {
-    static Progress progress(Progress::Form::silent, "");
-    return progress;
-}
-
 }  // namespace
 
 TEST_CASE("a run reports what its surfaces have done, and where the energy is") {
     const Scene scene = drifting_piston();
-    const RunReport report = run_physics(scene, {}, silent());
+    const RunReport report = run_physics(scene);
     const Json json = Json::parse(run_json(scene, report));
     const Json& surfaces = json.at("surfaces");
     REQUIRE(surfaces.size() == 6);
@@ -80,14 +75,14 @@ TEST_CASE("the pressure in a report counts from when the last partition has open
     scene.run.until = 40.0;
     // The disk of mass 1 meets the bottom and the top, 9 apart, with momentum 2 at 4.5, 13.5, ...
     scene.run.events = {{11.5, SetOpen{4, true}}};
-    const RunReport report = run_physics(scene, {}, silent());
+    const RunReport report = run_physics(scene);
     CHECK(report.summary.pressure_since == 12.0);
     // At 13.5, 22.5 and 31.5; both ends and both sides are 60 long.
     CHECK(*report.summary.wall_pressure == doctest::Approx(3 * 2.0 / (60.0 * 28.0)));
     CHECK(Json::parse(run_json(scene, report)).at("pressure").at("since") == 12.0);
     CHECK(run_table(scene, report).find("on the walls, from time 12 on") != std::string::npos);
     scene.run.events.clear();
-    CHECK_FALSE(run_physics(scene, {}, silent()).summary.wall_pressure);
+    CHECK_FALSE(run_physics(scene).summary.wall_pressure);
 }
 
 TEST_CASE("a gas that is crushed on the way is reported at the surface that does it") {
@@ -98,7 +93,7 @@ TEST_CASE("a gas that is crushed on the way is reported at the surface that does
         "film: {seconds: 4, fps: 10, size: [320, 180], panels: []}\n";
     const Scene scene = test::scene_from(text);
     try {
-        run_physics(scene, {}, silent());
+        run_physics(scene);
         FAIL("eight disks have no room between the plate and the wall");
     } catch (const SceneError& error) {
         REQUIRE(error.diagnostics().size() == 1);
@@ -113,7 +108,7 @@ TEST_CASE("a gas that is crushed on the way is reported at the surface that does
 TEST_CASE("a plain box has no surfaces in its report") {
     Scene scene = drifting_piston();
     scene.gas.box.surfaces = {};
-    const RunReport report = run_physics(scene, {}, silent());
+    const RunReport report = run_physics(scene);
     const Json json = Json::parse(run_json(scene, report));
     CHECK_FALSE(json.contains("surfaces"));
     CHECK_FALSE(json.at("energy").contains("account"));
@@ -130,8 +125,7 @@ TEST_CASE("the table of surfaces has a row for each surface and sample") {
         scene,
         [&](const Particles&, const Sample& sample, const std::vector<SurfaceState>& states) {
             table.add(sample.time, states);
-        },
-        silent());
+        });
     output.commit();
     const std::string text = test::contents(path);
     CHECK(text.starts_with(
@@ -153,8 +147,7 @@ TEST_CASE("a line has a left and a right end in reports, and no bottom and top")
         scene,
         [&](const Particles&, const Sample& sample, const std::vector<SurfaceState>& states) {
             table.add(sample.time, states);
-        },
-        silent());
+        });
     output.commit();
     const Json surfaces = Json::parse(run_json(scene, report)).at("surfaces");
     REQUIRE(surfaces.size() == 2);

@@ -26,8 +26,9 @@ const std::map<std::string, std::set<std::string>> allowed_modules{
     {"draw", {"util"}},
     {"panels", {"util", "physics", "stats", "scene", "draw"}},
     {"media", {"util", "draw"}},
-    {"figures", {"util", "physics", "stats", "scene", "draw", "panels"}},
-    {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media", "figures"}},
+    {"runs", {"util", "physics", "stats", "scene", "panels"}},
+    {"figures", {"util", "physics", "stats", "scene", "draw", "panels", "runs"}},
+    {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media", "runs", "figures"}},
 };
 
 // The parts of a module that has folders, from the bottom up: a part includes only itself and parts
@@ -58,7 +59,7 @@ const std::map<std::string, Parts> parts_of_module{
     {"app",
      {{"chunks", "film", "figures", "report", "commands", "app"},
       {"command.h", "json.h", "output.h", "progress.h", "resources.h", "scratch_folder.h",
-       "simulate.h", "stopwatch.h"}}},
+       "simulate.h"}}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
@@ -93,11 +94,12 @@ const std::vector<ThirdParty> third_party{
     {std::regex("lib(av|sw).*"),
      {"media/libav.h", "media/video_film.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
     {std::regex("CLI/.*"), {"app/commands/command_line.cpp"}},
-    {std::regex("nlohmann/.*"), {"app/json.h"}},
-    {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "figures/"}},
+    {std::regex("nlohmann/.*"), {"app/json.h", "runs/summary_json.cpp"}},
+    {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "runs/", "figures/"}},
     {std::regex("unsupported/Eigen/.*"), {"stats/goodness.cpp"}},
     {std::regex("fmt/.*"),
-     {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "figures/", "app/"}},
+     {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "runs/", "figures/",
+      "app/"}},
 };
 
 struct Include {

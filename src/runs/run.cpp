@@ -1,16 +1,15 @@
-#include "app/report/run.h"
+#include "runs/run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-#include "app/simulate.h"
-#include "app/stopwatch.h"
 #include "panels/precision.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/ways_back.h"
 #include "util/interrupt.h"
+#include "util/stopwatch.h"
 
 namespace carom {
 namespace {
@@ -125,17 +124,17 @@ double sample_time(const Run& run, std::int64_t index) {
 
 class Course {
   public:
-    Course(const StartedScene& started, const Stopwatch& watch, Progress& progress)
+    Course(const StartedScene& started, const Stopwatch& watch, const RunCallbacks& on_progress)
         : run_(started.scene.run),
           simulation_(started.simulation),
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(started.scene.gas.species.size()), sample_count(run_)),
           reversals_(run_, simulation_),
           surfaces_(simulation_.box()),
-          progress_(progress),
+          on_progress_(on_progress),
           watch_(watch) {
         seconds_.prepare = watch.wall();
-        progress_.begin("simulating", run_.until, "time units");
+        if (on_progress_.started) on_progress_.started();
     }
 
     RunReport run(const SampleTaker& take) {
@@ -144,7 +143,6 @@ class Course {
             go_on_to(sample_time(run_, index));
             see_sample(take);
         }
-        progress_.finish();
         seconds_.total = watch_.wall();
         RunReport report{simulation_.particles().count(),
                          simulation_.bits(),
@@ -175,15 +173,19 @@ class Course {
         seconds_.samples += watch.wall();
     }
 
+    void reach(double now) const {
+        if (on_progress_.reached) on_progress_.reached(now);
+    }
+
     // Stops at reversals and returns on the way.
     void go_on_to(double time) {
         while (now_ < time) {
             throw_if_interrupted();
             const Stopwatch watch;
             now_ = std::min(time, reversals_.next_time());
-            advanced_ = simulation_.advance_to(now_, [this](double now) { progress_.reach(now); });
+            advanced_ = simulation_.advance_to(now_, [this](double now) { reach(now); });
             seconds_.simulate += watch.wall();
-            progress_.reach(now_);
+            reach(now_);
             if (now_ == reversals_.next_time()) reversals_.look(advanced_);
         }
     }
@@ -194,7 +196,7 @@ class Course {
     RunStatistics statistics_;
     ReversalWatch reversals_;
     SurfaceWatch surfaces_;
-    Progress& progress_;
+    const RunCallbacks& on_progress_;
     const Stopwatch& watch_;
     AdvanceResult advanced_;
     double now_ = 0.0;
@@ -204,12 +206,13 @@ class Course {
 
 std::int64_t events_of(const CollisionCounts& counts) { return counts.particle + counts.wall; }
 
-RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress) {
+RunReport run_physics(const Scene& scene, const SampleTaker& take,
+                      const RunCallbacks& on_progress) {
     const Stopwatch watch;
-    const StartedScene started = start_scene(scene, progress);
+    const StartedScene started = start_scene(scene, on_progress.start);
     RunReport report;
     with_places_of_errors(started.scene,
-                          [&] { report = Course(started, watch, progress).run(take); });
+                          [&] { report = Course(started, watch, on_progress).run(take); });
     return report;
 }
 

@@ -1,4 +1,4 @@
-// The physics alone: from a scene to its samples and statistics, without a film.
+// The physics alone: from a scene to its samples and statistics, without a picture.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/progress.h"
 #include "physics/exact_positions.h"
+#include "physics/reversal/precision.h"
 #include "physics/simulation.h"
 #include "scene/scene.h"
 #include "stats/run_statistics.h"
@@ -62,8 +62,17 @@ std::int64_t events_of(const CollisionCounts& counts);
 using SampleTaker =
     std::function<void(const Particles&, const Sample&, const std::vector<SurfaceState>& surfaces)>;
 
+/// Called with the progress of a run; any may be empty.
+struct RunCallbacks {
+    TrialCallback start = {};             ///< of the trials of the precision and the equilibration
+    std::function<void()> started = {};   ///< at time 0
+    std::function<void(double)> reached = {};  ///< this simulated time, many times a second
+};
+
 /// Runs `scene` from time 0 to its end with a sample at every multiple of `run.sample_every` and at
-/// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` throws.
-RunReport run_physics(const Scene& scene, const SampleTaker& take, Progress& progress);
+/// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` and the
+/// callbacks throw. May be called from several threads.
+RunReport run_physics(const Scene& scene, const SampleTaker& take = {},
+                      const RunCallbacks& on_progress = {});
 
 }  // namespace carom

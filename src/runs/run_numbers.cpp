@@ -1,0 +1,214 @@
+#include "runs/run_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "physics/ways_back.h"
+
+namespace carom {
+namespace {
+
+using Row = std::pair<RunNumber, std::optional<double>>;
+using Rows = std::vector<Row>;
+
+// Of a scene, and of one of its runs; without one all values are missing. One list for both: names
+// and values cannot come apart.
+struct Source {
+    const Scene& scene;
+    const RunReport* report;
+
+    bool is_plane() const { return scene.gas.box.dimension == 2; }
+
+    template <class Value>
+    std::optional<double> of_report(const Value& value) const {
+        if (report == nullptr) return std::nullopt;
+        return value(*report);
+    }
+
+    template <class Value>
+    std::optional<double> of_summary(const Value& value) const {
+        return of_report([&](const RunReport& its) { return value(its.summary); });
+    }
+};
+
+// The mean over all particles of what is a mean of each species.
+std::optional<double> over_species(const RunSummary& summary,
+                                   std::optional<double> SpeciesMeans::*mean) {
+    double sum = 0.0, count = 0.0;
+    for (const SpeciesMeans& its : summary.species) {
+        if (its.count == 0) continue;
+        if (!(its.*mean)) return std::nullopt;
+        sum += static_cast<double>(its.count) * *(its.*mean);
+        count += static_cast<double>(its.count);
+    }
+    return sum / count;
+}
+
+// Of each particle, in a unit of time; each collision has two of them.
+double collision_rate(const Scene& scene, const RunReport& report) {
+    return 2.0 * static_cast<double>(report.collisions.particle) /
+           (static_cast<double>(report.particles) * scene.run.until);
+}
+
+// All paths together, over the collisions that they are parted by.
+std::optional<double> mean_free_path(const Scene& scene, const RunReport& report) {
+    const std::optional<double> speed = over_species(report.summary, &SpeciesMeans::speed);
+    if (!speed || report.collisions.particle == 0) return std::nullopt;
+    return *speed / collision_rate(scene, report);
+}
+
+void add_thermal(Rows& rows, const Source& from) {
+    const std::string pressure = from.is_plane() ? "energy/area" : "force";
+    rows.push_back({{"temperature", "energy"},
+                    from.of_summary([](const RunSummary& its) { return its.temperature; })});
+    rows.push_back({{"mean energy", "energy"}, from.of_summary([](const RunSummary& its) {
+                        return over_species(its, &SpeciesMeans::energy);
+                    })});
+    rows.push_back({{"mean speed", "length/time"}, from.of_summary([](const RunSummary& its) {
+                        return over_species(its, &SpeciesMeans::speed);
+                    })});
+    rows.push_back({{"wall pressure", pressure},
+                    from.of_summary([](const RunSummary& its) { return its.wall_pressure; })});
+    rows.push_back({{"virial pressure", pressure},
+                    from.of_summary([](const RunSummary& its) { return its.virial_pressure; })});
+}
+
+void add_collisions(Rows& rows, const Source& from) {
+    rows.push_back({{"particle collisions", ""}, from.of_report([](const RunReport& its) {
+                        return static_cast<double>(its.collisions.particle);
+                    })});
+    rows.push_back({{"wall collisions", ""}, from.of_report([](const RunReport& its) {
+                        return static_cast<double>(its.collisions.wall);
+                    })});
+    rows.push_back(
+        {{"collision rate", "1/time"},
+         from.of_report([&](const RunReport& its) { return collision_rate(from.scene, its); })});
+    rows.push_back(
+        {{"mean free path", "length"},
+         from.of_report([&](const RunReport& its) { return mean_free_path(from.scene, its); })});
+}
+
+void add_conserved(Rows& rows, const Source& from) {
+    rows.push_back({{"energy at the start", "energy"},
+                    from.of_summary([](const RunSummary& its) { return its.energy_initial; })});
+    rows.push_back({{"energy at the end", "energy"},
+                    from.of_summary([](const RunSummary& its) { return its.energy_final; })});
+    rows.push_back({{"largest energy error", ""}, from.of_summary([](const RunSummary& its) {
+                        return its.largest_energy_error;
+                    })});
+    rows.push_back({{"largest overlap", "contact distances"},
+                    from.of_summary([](const RunSummary& its) { return its.largest_overlap; })});
+}
+
+// Of several species each has a mean.
+void add_species(Rows& rows, const Source& from) {
+    const std::vector<Species>& all = from.scene.gas.species;
+    for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) {
+        rows.push_back(
+            {{"mean energy of " + all[k].name, "energy"},
+             from.of_summary([&](const RunSummary& its) { return its.species[k].energy; })});
+        rows.push_back(
+            {{"mean speed of " + all[k].name, "length/time"},
+             from.of_summary([&](const RunSummary& its) { return its.species[k].speed; })});
+    }
+}
+
+void add_surface(Rows& rows, const Source& from, const std::string& name) {
+    const auto of = [&](const auto& value) {
+        return from.of_report([&](const RunReport& report) -> std::optional<double> {
+            const auto its = std::ranges::find(report.surfaces, name, &SurfaceReport::name);
+            if (its == report.surfaces.end()) return std::nullopt;
+            return value(*its);
+        });
+    };
+    rows.push_back({{"hits on " + name, ""}, of([](const SurfaceReport& its) {
+                        return static_cast<double>(its.totals.hits);
+                    })});
+    const std::array axes{"x", "y"};
+    for (int axis = 0; axis < from.scene.gas.box.dimension; ++axis)
+        rows.push_back(
+            {{fmt::format("impulse on {} along {}", name, axes[static_cast<std::size_t>(axis)]),
+              "momentum"},
+             of([&](const SurfaceReport& its) { return its.totals.impulse[axis]; })});
+    rows.push_back({{"work of " + name, "energy"},
+                    of([](const SurfaceReport& its) { return its.totals.work; })});
+    rows.push_back({{"heat from " + name, "energy"},
+                    of([](const SurfaceReport& its) { return its.totals.heat; })});
+    rows.push_back(
+        {{"mean position of " + name, "length"},
+         of([](const SurfaceReport& its) {
+             return its.position ? std::optional(its.position->mean) : std::nullopt;
+         })});
+    rows.push_back(
+        {{"last position of " + name, "length"},
+         of([](const SurfaceReport& its) {
+             return its.position ? std::optional(its.position->last) : std::nullopt;
+         })});
+}
+
+// Walls that only reflect have the pressures above.
+bool has_surfaces(const Scene& scene) {
+    return !scene.gas.box.surfaces.are_plain() ||
+           std::ranges::any_of(scene.run.events, [](const RunEvent& event) {
+               return std::holds_alternative<ChangeSurface>(event.action) ||
+                      std::holds_alternative<MoveSurface>(event.action);
+           });
+}
+
+void add_surfaces(Rows& rows, const Source& from) {
+    const Box& box = from.scene.gas.box;
+    const std::vector<std::string> names = box.surfaces.names();
+    for (std::size_t k = 0; has_surfaces(from.scene) && k < names.size(); ++k)
+        if (box.has_surface(k)) add_surface(rows, from, names[k]);
+}
+
+void add_reversals(Rows& rows, const Source& from) {
+    const std::size_t count = ways_back(from.scene.run.events).size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::string which = count > 1 ? fmt::format(" of reversal {}", k + 1) : "";
+        const auto of = [&](double ReturnDistance::*member) {
+            return from.of_report([&](const RunReport& its) -> std::optional<double> {
+                const auto& distance = its.reversals[k].distance;
+                return distance ? std::optional((*distance).*member) : std::nullopt;
+            });
+        };
+        rows.push_back({{"return distance" + which, "length"}, of(&ReturnDistance::largest)});
+        rows.push_back({{"r.m.s. return distance" + which, "length"},
+                        of(&ReturnDistance::root_mean_square)});
+    }
+}
+
+Rows rows_of(const Source& from) {
+    Rows rows;
+    add_thermal(rows, from);
+    add_collisions(rows, from);
+    add_conserved(rows, from);
+    add_species(rows, from);
+    add_surfaces(rows, from);
+    add_reversals(rows, from);
+    return rows;
+}
+
+}  // namespace
+
+std::vector<RunNumber> numbers_of_runs(const Scene& scene) {
+    std::vector<RunNumber> numbers;
+    for (Row& row : rows_of({scene, nullptr})) numbers.push_back(std::move(row.first));
+    return numbers;
+}
+
+std::vector<double> values_of(const Scene& scene, const RunReport& report) {
+    std::vector<double> values;
+    for (const auto& [number, value] : rows_of({scene, &report}))
+        values.push_back(value && std::isfinite(*value) ? *value
+                                                        : std::numeric_limits<double>::quiet_NaN());
+    return values;
+}
+
+}  // namespace carom

@@ -35,6 +35,8 @@ inline constexpr Limit most_errors_shown{50, "errors shown in one run"};
 inline constexpr Limit largest_quantity{1e12, "of any length, mass, speed or time"};
 inline constexpr Limit smallest_quantity{1e-12, "of a length, mass or time that must be positive"};
 inline constexpr Limit most_seeds{64, "runs averaged in a figure"};
+inline constexpr Limit most_runs{1'000'000, "runs of a sweep"};
+inline constexpr Limit most_points{10'000, "points of a sweep"};
 inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exact in every reader"};
 inline constexpr Limit most_particles{2'000'000, "particles in all"};
 inline constexpr Limit most_returning{300'000, "particles whose return distance is measured"};

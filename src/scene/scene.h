@@ -11,6 +11,7 @@
 
 #include "physics/gas.h"
 #include "physics/run.h"
+#include "scene/sweep.h"
 #include "util/diagnostics.h"
 #include "util/language.h"
 
@@ -173,6 +174,19 @@ struct WatchStart {
 /// What an entropy is of.
 enum class EntropyOf { velocities, positions, both };
 
+struct Scene;
+
+/// What a figure shows of a sweep: a number of its runs against a key that is varied.
+struct SweepShown {
+    std::string number;  ///< of a run, by its name
+    std::string against;  ///< the key of one axis; each combination of the others is a line
+    Sweep sweep = {};                       ///< that the figure runs, unless `from`
+    std::optional<std::string> from = {};  ///< the folder, or the summary, of a joined sweep
+    std::vector<std::shared_ptr<const Scene>> points = {};  ///< the scene at each point
+    std::vector<std::shared_ptr<const Scene>> between = {};  ///< and at values between those of
+                                                             ///< `against`, for theory
+};
+
 /// A panel of a film with its options; those without a meaning for its kind are as here.
 struct PanelSpec {
     std::string kind;
@@ -187,6 +201,8 @@ struct PanelSpec {
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
     int seeds = 1;                  ///< of a figure: of how many it shows the mean
+    std::optional<std::string> seeds_from = {};  ///< of a figure: of the runs of a joined sweep
+    SweepShown sweep = {};                       ///< of a figure
     bool test = false;              ///< of a figure: whether the bars are tested against the theory
     std::optional<double> at = {};  ///< of a figure: the time that it shows; none in films
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
@@ -257,8 +273,6 @@ struct CameraMove {
     View view;
     double seconds = 1.5;  ///< of film, that it takes
 };
-
-struct Scene;
 
 /// One of the runs that a figure or a film shows side by side.
 struct ComparedRun {

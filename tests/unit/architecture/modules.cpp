@@ -50,7 +50,7 @@ const std::map<std::string, Parts> parts_of_module{
        "surface.h", "ways_back.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "lettering", "reading", "instruments", "feasibility", "scene"},
-      {"limits.h", "panel_kind.h", "scene.h", "words.h"}}},
+      {"limits.h", "panel_kind.h", "scene.h", "sweep.h", "words.h"}}},
     {"panels",
      {{"plot", "surfaces", "field", "gas", "line", "plots", "correlations", "instruments", "dials",
        "echo", "collision", "words", "panels"},

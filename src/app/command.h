@@ -104,6 +104,8 @@ Command render_command();
 Command still_command();
 Command figures_command();
 Command run_command();
+Command plan_command();
+Command join_command();
 Command check_command();
 Command new_command();
 Command schema_command();

@@ -24,11 +24,11 @@ TrialCallback shown_start(const Scene& asked, Progress& progress) {
 }
 
 RunCallbacks shown_run(const Scene& asked, Progress& progress) {
-    return {.start = shown_start(asked, progress),
-            .started = [&progress, until = asked.run.until] {
-                progress.begin("simulating", until, "time units");
-            },
-            .reached = [&progress](double now) { progress.reach(now); }};
+    return {
+        .start = shown_start(asked, progress),
+        .started = [&progress,
+                    until = asked.run.until] { progress.begin("simulating", until, "time units"); },
+        .reached = [&progress](double now) { progress.reach(now); }};
 }
 
 StartedScene start_scene(const Scene& asked, Progress& progress) {

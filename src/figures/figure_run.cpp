@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "figures/sweep_figure.h"
 #include "panels/frame.h"
 #include "panels/shared_panel.h"
+#include "panels/sweep/sweep_panel.h"
 #include "util/on_threads.h"
 
 namespace carom {
@@ -39,6 +41,14 @@ Scene alone(Scene scene, int later) {
 // Only such kinds are asked to show several runs.
 SharedPanel& shared(Panel& panel) { return dynamic_cast<SharedPanel&>(panel); }
 
+bool is_sweep(const FigureSpec& spec) { return spec.panel.kind == "sweep"; }
+
+// Of all runs of a figure that shows a sweep.
+double time_of_sweep(const FigureSpec& spec, const Run& run) {
+    if (!is_sweep(spec) || spec.panel.sweep.from) return 0.0;
+    return static_cast<double>(spec.panel.sweep.sweep.runs()) * run.until;
+}
+
 bool shows(const Figure& figure, double time) {
     const std::size_t next = figure.moments.size();
     return next < figure.spec->times.size() && figure.spec->times[next] == time;
@@ -52,7 +62,8 @@ class FigureRun::OneRun {
   public:
     OneRun(const Scene& scene, int later) : scene_(alone(scene, later)), ticks_(ticks_of(scene_)) {
         for (const FigureSpec& spec : scene_.figures)
-            if (spec.panel.seeds > later && spec.compare.empty()) figures.push_back({&spec});
+            if (spec.panel.seeds > later && spec.compare.empty() && !is_sweep(spec))
+                figures.push_back({&spec});
     }
     OneRun(const OneRun&) = delete;
     OneRun& operator=(const OneRun&) = delete;
@@ -150,12 +161,13 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
             its.push_back({runs_.back().get(), &runs_.back()->figures.front()});
         }
         const auto seeds_shown = static_cast<std::size_t>(spec.panel.seeds);
-        for (std::size_t k = 0; spec.compare.empty() && k < seeds_shown; ++k)
+        for (std::size_t k = 0; spec.compare.empty() && !is_sweep(spec) && k < seeds_shown; ++k)
             its.push_back({runs_[k].get(), runs_[k]->figure_of(spec.name)});
     }
 
     double time = 0.0;
     for (const auto& run : runs_) time += run->time_to_simulate();
+    for (const FigureSpec& spec : scene_.figures) time += time_of_sweep(spec, scene_.run);
     RunsCallbacks shown = on_progress;
     const bool shows_trials = runs_.size() == 1 && runs_.front()->tries_bits();
     if (!shows_trials) shown.trial = nullptr;
@@ -167,10 +179,14 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     if (on_progress.begin && shows_trials) on_progress.begin(time);
     const std::size_t most_bytes = Recording::most_bytes / runs_.size();
     each([&](OneRun& run) { run.survey(shown, most_bytes); });
-    for (std::size_t i = 0; i < parts.size(); ++i) fix_axes(scene_.figures[i], parts[i]);
-    each([&](OneRun& run) { run.look(shown); });
     for (std::size_t i = 0; i < parts.size(); ++i)
-        figures_.push_back(joined_figure(scene_.figures[i], parts[i]));
+        if (!parts[i].empty()) fix_axes(scene_.figures[i], parts[i]);
+    each([&](OneRun& run) { run.look(shown); });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const FigureSpec& spec = scene_.figures[i];
+        figures_.push_back(is_sweep(spec) ? sweep_figure(spec, threads, shown)
+                                          : joined_figure(spec, parts[i]));
+    }
 }
 
 FigureRun::~FigureRun() = default;
@@ -190,6 +206,16 @@ void FigureRun::fix_axes(const FigureSpec& spec, const Parts& parts) {
     std::vector<std::string> names;
     for (const ComparedRun& run : spec.compare) names.push_back(run.label);
     shared(first).fix_axes_of_runs(others, names);
+}
+
+// Of runs that no other figure shows.
+Figure FigureRun::sweep_figure(const FigureSpec& spec, int threads,
+                               const RunsCallbacks& on_progress) {
+    const auto panel = std::make_shared<SweepPanel>(
+        PanelContext{scene_, particles(), 1, no_equilibrium_, false}, spec.panel);
+    panel->show(swept_numbers(scene_, spec, threads, [&] { on_progress.go_on(scene_.run.until); }));
+    sweeps_.push_back(panel);
+    return {&spec, panel.get(), {{scene_.run.until, {}, panel->state()}}};
 }
 
 // The first run's figure, which shows all of them.

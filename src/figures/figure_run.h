@@ -1,7 +1,8 @@
 // The figures of a scene before they are drawn: their panels with axes that hold for the whole run,
 // as in a film, and what they show at their times. All figures of a scene share one run of the
 // physics; those that show means of several seeds share one for each of these; one that compares
-// runs has its own. A run that is too large for memory is simulated twice.
+// runs has its own, and so has one that shows a sweep. A run that is too large for memory is
+// simulated twice.
 #pragma once
 
 #include <functional>
@@ -75,10 +76,13 @@ class FigureRun {
     using Parts = std::vector<Part>;
     static void fix_axes(const FigureSpec& spec, const Parts& parts);
     static Figure joined_figure(const FigureSpec& spec, const Parts& parts);
+    Figure sweep_figure(const FigureSpec& spec, int threads, const RunsCallbacks& on_progress);
 
     Scene scene_;
     std::vector<std::unique_ptr<OneRun>>
         runs_;  ///< of the scene's own seed, of those after it, and those that figures compare
+    std::optional<EquilibriumGas> no_equilibrium_;
+    std::vector<std::shared_ptr<Panel>> sweeps_;  ///< of figures that show a sweep
     std::vector<Figure> figures_;
 };
 

@@ -123,6 +123,7 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
     const std::string account = figure.panel->account(*figure.moments.back().state);
     const std::string count = particles_counted(language, particles, scene.gas.box.dimension);
     const std::string title = sentence(scene.title);
+    if (figure.spec->panel.kind == "sweep") return title + " " + account;
     if (figure.spec->panel.seeds > 1) {
         const std::string caption =
             say(language,
@@ -147,6 +148,7 @@ std::string account_of(const Figure& figure) {
 std::string made_alt(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
     const std::string account = account_of(figure);
+    if (figure.spec->panel.kind == "sweep") return account;
     const std::string kind = kind_words(scene, *figure.spec);
     if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
     const std::string what = kind_and_time(scene, *figure.spec);

@@ -9,6 +9,7 @@
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
+#include "panels/sweep/sweep_keys.h"
 #include "physics/theory/error_growth.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/reading/overlay_reading.h"
@@ -393,6 +394,13 @@ std::vector<PanelKind> all_kinds() {
          .keys = words_key(),
          .rule = check_words,
          .has_plot = false},
+        {.name = "sweep",
+         .words = Phrase{"sweep"},
+         .make = make_sweep,
+         .abilities = {theory, means},
+         .keys = sweep_keys(),
+         .rule = check_sweep_figure,
+         .in_films_instead = "a sweep is of many runs; it is a kind of figure"},
         {.name = "gas",
          .words = Phrase{"gas"},
          .make = make_gas,

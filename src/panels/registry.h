@@ -43,6 +43,6 @@ PanelMaker make_speed_histogram, make_energy_histogram, make_velocity_histogram,
     make_orientational_order, make_profile, make_positions, make_monitors, make_single_collision,
     make_contact_time, make_collision_map, make_text, make_sides, make_piston,
     make_piston_histogram, make_pressure_volume, make_energy_account, make_pressure_gauge,
-    make_thermometer, make_stopwatch, make_counter, make_flux;
+    make_thermometer, make_stopwatch, make_counter, make_flux, make_sweep;
 
 }  // namespace carom

@@ -64,8 +64,8 @@ using SampleTaker =
 
 /// Called with the progress of a run; any may be empty.
 struct RunCallbacks {
-    TrialCallback start = {};             ///< of the trials of the precision and the equilibration
-    std::function<void()> started = {};   ///< at time 0
+    TrialCallback start = {};            ///< of the trials of the precision and the equilibration
+    std::function<void()> started = {};  ///< at time 0
     std::function<void(double)> reached = {};  ///< this simulated time, many times a second
 };
 

@@ -86,12 +86,12 @@ void add_collisions(Rows& rows, const Source& from) {
     rows.push_back({{"wall collisions", ""}, from.of_report([](const RunReport& its) {
                         return static_cast<double>(its.collisions.wall);
                     })});
-    rows.push_back(
-        {{"collision rate", "1/time"},
-         from.of_report([&](const RunReport& its) { return collision_rate(from.scene, its); })});
-    rows.push_back(
-        {{"mean free path", "length"},
-         from.of_report([&](const RunReport& its) { return mean_free_path(from.scene, its); })});
+    rows.push_back({{"collision rate", "1/time"}, from.of_report([&](const RunReport& its) {
+                        return collision_rate(from.scene, its);
+                    })});
+    rows.push_back({{"mean free path", "length"}, from.of_report([&](const RunReport& its) {
+                        return mean_free_path(from.scene, its);
+                    })});
 }
 
 void add_conserved(Rows& rows, const Source& from) {
@@ -140,16 +140,12 @@ void add_surface(Rows& rows, const Source& from, const std::string& name) {
                     of([](const SurfaceReport& its) { return its.totals.work; })});
     rows.push_back({{"heat from " + name, "energy"},
                     of([](const SurfaceReport& its) { return its.totals.heat; })});
-    rows.push_back(
-        {{"mean position of " + name, "length"},
-         of([](const SurfaceReport& its) {
-             return its.position ? std::optional(its.position->mean) : std::nullopt;
-         })});
-    rows.push_back(
-        {{"last position of " + name, "length"},
-         of([](const SurfaceReport& its) {
-             return its.position ? std::optional(its.position->last) : std::nullopt;
-         })});
+    rows.push_back({{"mean position of " + name, "length"}, of([](const SurfaceReport& its) {
+                        return its.position ? std::optional(its.position->mean) : std::nullopt;
+                    })});
+    rows.push_back({{"last position of " + name, "length"}, of([](const SurfaceReport& its) {
+                        return its.position ? std::optional(its.position->last) : std::nullopt;
+                    })});
 }
 
 // Walls that only reflect have the pressures above.
@@ -179,8 +175,8 @@ void add_reversals(Rows& rows, const Source& from) {
             });
         };
         rows.push_back({{"return distance" + which, "length"}, of(&ReturnDistance::largest)});
-        rows.push_back({{"r.m.s. return distance" + which, "length"},
-                        of(&ReturnDistance::root_mean_square)});
+        rows.push_back(
+            {{"r.m.s. return distance" + which, "length"}, of(&ReturnDistance::root_mean_square)});
     }
 }
 

@@ -16,6 +16,8 @@
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"
 #include "scene/reading/template.h"
+#include "scene/run_fingerprint.h"
+#include "scene/sweep_figures.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
 #include "scene/yaml/file_text.h"
@@ -370,11 +372,13 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     read_template(tree, path, resources, sources, errors);
     Scene scene = read_scene(tree, resources, wanted, errors);
     const Source* used = tree.template_file.source;
-    scene.source = {source.name, source.text, used != nullptr ? used->text : "", overrides};
+    scene.source = {source.name, source.text, used != nullptr ? used->text : "", overrides,
+                    run_fingerprint(tree.root)};
     if (!part.is_whole()) return scene;
     load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
         return load(source, path, resources, others, wanted, {.figure = name});
     });
+    load_sweep_figures(scene, resources);
     load_beside(scene, tree.root, overrides,
                 [&](const std::string& name, const Part& other, const Overrides& changes) {
                     if (name.empty()) return load(source, path, resources, changes, wanted, other);
@@ -406,6 +410,11 @@ Scene load_run(const fs::path& path, const SceneResources& resources, const Over
 Scene load_scene(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                  Wanted wanted) {
     return load_file(path, resources, overrides, wanted, {});
+}
+
+Scene load_run_text(const std::string& text, const std::string& name,
+                    const SceneResources& resources, const Overrides& overrides) {
+    return load({name, text}, name, resources, overrides, Wanted::physics, {.figure = ""});
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name,

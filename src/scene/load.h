@@ -38,7 +38,11 @@ Scene load_scene(const std::filesystem::path& path, const SceneResources& resour
 Scene load_run(const std::filesystem::path& path, const SceneResources& resources,
                const Overrides& overrides);
 
-/// The same from text; `name` stands in for the path in messages.
+/// load_run() from text for its physics alone; its template is looked for beside the path `name`.
+Scene load_run_text(const std::string& text, const std::string& name,
+                    const SceneResources& resources, const Overrides& overrides);
+
+/// load_scene() from text; `name` stands in for the path in messages.
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const SceneResources& resources, const Overrides& overrides = {},
                       Wanted wanted = Wanted::film);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -178,13 +179,13 @@ struct Scene;
 
 /// What a figure shows of a sweep: a number of its runs against a key that is varied.
 struct SweepShown {
-    std::string number;  ///< of a run, by its name
+    std::string number;   ///< of a run, by its name
     std::string against;  ///< the key of one axis; each combination of the others is a line
-    Sweep sweep = {};                       ///< that the figure runs, unless `from`
+    std::string across;   ///< the words of the axis across; empty: made from the key
+    Sweep sweep = {};     ///< that the figure runs, unless `from`
     std::optional<std::string> from = {};  ///< the folder, or the summary, of a joined sweep
-    std::vector<std::shared_ptr<const Scene>> points = {};  ///< the scene at each point
-    std::vector<std::shared_ptr<const Scene>> between = {};  ///< and at values between those of
-                                                             ///< `against`, for theory
+    std::function<std::shared_ptr<const Scene>(const std::vector<std::string>& changes)>
+        scene_with = {};  ///< loads the scene's run with changes, KEY.PATH=VALUE; throws SceneError
 };
 
 /// A panel of a film with its options; those without a meaning for its kind are as here.
@@ -200,7 +201,7 @@ struct PanelSpec {
     bool fit = false;
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
-    int seeds = 1;                  ///< of a figure: of how many it shows the mean
+    int seeds = 1;                               ///< of a figure: of how many it shows the mean
     std::optional<std::string> seeds_from = {};  ///< of a figure: of the runs of a joined sweep
     SweepShown sweep = {};                       ///< of a figure
     bool test = false;              ///< of a figure: whether the bars are tested against the theory
@@ -337,6 +338,7 @@ struct SceneSource {
     std::string text;                    ///< the whole file, as read
     std::string template_text;           ///< of its film, as read
     std::vector<std::string> overrides;  ///< what the command line laid over it, as KEY.PATH=VALUE
+    std::string physics = {};            ///< run_fingerprint() of it, with these
 };
 
 struct Scene {

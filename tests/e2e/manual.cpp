@@ -50,7 +50,7 @@ std::vector<fs::path> documents() {
 TEST_CASE("the manual knows every option of every command, and no other") {
     std::set<std::string> known;
     for (const std::string command :
-         {"render", "still", "figures", "run", "check", "new", "schema"}) {
+         {"render", "still", "figures", "run", "plan", "join", "check", "new", "schema"}) {
         const Outcome help = run({program, command, "--help"});
         REQUIRE(help.exit_code == 0);
         for (const std::string& flag : flags_in(help.out)) known.insert(flag);

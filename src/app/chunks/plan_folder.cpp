@@ -67,7 +67,7 @@ bool is_of_plan(const fs::path& path) {
         return std::ranges::find(endings, extension) != endings.end();
     };
     return name == "plan.json" || name == "film.plan" || name == "sweep.plan" || name == "starts" ||
-           name == "chunks" || name.starts_with(".") ||
+           name == "chunks" || name == "summary.json" || name.starts_with(".") ||
            (path.parent_path().filename() == "starts" && is_one_of({".start"})) ||
            (path.parent_path().filename() == "chunks" && is_one_of({".chunk", ".runs", ".json"}));
 }
@@ -101,7 +101,8 @@ std::string shortened(std::vector<std::string> numbers) {
 PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
     refuse_other_files(folder_);
     std::error_code error;
-    for (const char* name : {"plan.json", "film.plan", "sweep.plan", "starts", "chunks"}) {
+    for (const char* name :
+         {"plan.json", "film.plan", "sweep.plan", "summary.json", "starts", "chunks"}) {
         fs::remove_all(folder_ / name, error);
         if (error)
             throw_system_error(

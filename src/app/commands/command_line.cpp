@@ -110,8 +110,9 @@ int parse_and_run(int argc, const char* const* argv) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
-    for (const auto command : {render_command, still_command, figures_command, run_command,
-                               check_command, new_command, schema_command})
+    for (const auto command :
+         {render_command, still_command, figures_command, run_command, plan_command, join_command,
+          check_command, new_command, schema_command})
         add_command(app, command());
     refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);

@@ -8,14 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "app/chunks/build_facts.h"
 #include "app/command.h"
 #include "app/output.h"
-#include "runs/run.h"
 #include "app/report/run_facts.h"
 #include "app/report/samples_csv.h"
 #include "app/report/surfaces_csv.h"
 #include "app/resources.h"
 #include "app/simulate.h"
+#include "app/sweep/sweep_plan.h"
+#include "runs/run.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 
@@ -27,6 +29,8 @@ namespace fs = std::filesystem;
 struct RunArguments : SceneOptions {
     std::string scene;
     std::string json, csv, surfaces;  // paths, or - for standard output; empty: none
+    int chunk = 0;                    // of a sweep; 0: all that are missing
+    bool force = false, allow_mixed = false;
 
     // By their options.
     std::array<std::pair<const char*, std::string>, 3> outputs() const {
@@ -108,6 +112,44 @@ auto reporting_incomplete(const std::optional<Output>& stream, const Work& work)
     }
 }
 
+// What says what a run is and where its results go; a plan has them.
+void refuse_options_of_scene(const RunArguments& arguments) {
+    for (const auto& [flag, path] : arguments.outputs())
+        if (!path.empty())
+            throw UsageError(fmt::format(
+                "{} is for one scene; carom join {} --csv has a row for each run of a sweep", flag,
+                arguments.scene));
+    if (!overrides_of(arguments).empty())
+        throw UsageError(
+            fmt::format("{} is planned: give --seed and --set to carom plan", arguments.scene));
+}
+
+// Those that are done already are left as they are.
+void run_sweep(const RunArguments& arguments) {
+    refuse_options_of_scene(arguments);
+    const PlanFolder plan(arguments.scene);
+    const PlannedSweep sweep(plan, "run");
+    if (!arguments.allow_mixed) plan.require_same_build(to_json(physics_facts()));
+    std::vector<PlannedChunk> chunks = plan.chunks();
+    if (arguments.chunk > 0) chunks = {plan.chunk(arguments.chunk)};
+    for (const PlannedChunk& chunk : chunks) {
+        if (!arguments.force && plan.is_done(chunk)) continue;
+        Progress progress(Progress::fitting_form(arguments.quiet),
+                          fs::absolute(plan.path() / "").parent_path().filename().string());
+        sweep.run_chunk(chunk, threads_of(arguments), progress);
+    }
+}
+
+void refuse_options_of_sweep(const RunArguments& arguments) {
+    for (const auto& [flag, is_given] : {std::pair{"--chunk", arguments.chunk > 0},
+                                         {"--force", arguments.force},
+                                         {"--allow-mixed", arguments.allow_mixed}})
+        if (is_given)
+            throw UsageError(fmt::format(
+                "{} is for the folder of a sweep, which carom plan makes; {} holds none", flag,
+                arguments.scene));
+}
+
 // The outputs before the work: it may not be allowed to write them.
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
@@ -150,7 +192,7 @@ Command run_command() {
     return {
         "run", "simulate without drawing: statistics and samples",
         joined<Option>(
-            {{{"scene", "a scene file; - for standard input", &its.scene},
+            {{{"scene", "a scene file, - for standard input; or the folder of a sweep", &its.scene},
               {"--json", "the statistics as JSON; - for standard output", &its.json},
               {"--csv", "all samples, a row for each particle; - for standard output", &its.csv},
               {"--surfaces",
@@ -158,9 +200,14 @@ Command run_command() {
                "- "
                "for standard output",
                &its.surfaces}},
+             chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
              work_options(its)}),
-        [arguments] { run_scene(*arguments); }};
+        [arguments] {
+            if (is_plan(arguments->scene)) return run_sweep(*arguments);
+            refuse_options_of_sweep(*arguments);
+            run_scene(*arguments);
+        }};
 }
 
 }  // namespace carom

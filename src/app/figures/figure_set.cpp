@@ -12,6 +12,7 @@
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "figures/sweep_figure.h"
 #include "media/formats.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
@@ -49,9 +50,11 @@ std::string inputs_of(const Scene& scene, std::string_view what) {
 // A figure that compares runs is made from all their scenes, too.
 std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
     std::string all = inputs_of(scene, figure.name);
-    if (figure.compare.empty()) return all;
+    if (figure.compare.empty() && !figure.panel.sweep.from) return all;
     for (const ComparedRun& run : figure.compare)
         all += all_of({run.label, inputs_of(*run.scene, figure.name)});
+    if (figure.panel.sweep.from)
+        all += fingerprint_of_file(path_of_joined(scene, figure)).value_or("");
     return fingerprint(all);
 }
 

@@ -11,13 +11,13 @@
 #include "app/chunks/build_facts.h"
 #include "app/film/chunk_file.h"
 #include "app/scratch_folder.h"
-#include "app/stopwatch.h"
 #include "media/formats.h"
 #include "scene/time/timeline.h"
 #include "util/archive.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/stopwatch.h"
 
 namespace carom {
 namespace {

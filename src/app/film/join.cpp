@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "util/stopwatch.h"
 #include "draw/text.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
+#include "util/stopwatch.h"
 #include "util/text.h"
 
 namespace carom {

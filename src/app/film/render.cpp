@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "util/stopwatch.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
+#include "util/stopwatch.h"
 
 namespace carom {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "util/stopwatch.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/stopwatch.h"
 
 namespace carom {
 namespace {

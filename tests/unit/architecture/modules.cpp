@@ -53,11 +53,11 @@ const std::map<std::string, Parts> parts_of_module{
       {"limits.h", "panel_kind.h", "scene.h", "sweep.h", "words.h"}}},
     {"panels",
      {{"plot", "surfaces", "field", "gas", "line", "plots", "correlations", "instruments", "dials",
-       "echo", "collision", "words", "panels"},
+       "sweep", "echo", "collision", "words", "panels"},
       {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "shared_panel.h",
        "table.h"}}},
     {"app",
-     {{"chunks", "film", "figures", "report", "commands", "app"},
+     {{"chunks", "sweep", "film", "figures", "report", "commands", "app"},
       {"command.h", "json.h", "output.h", "progress.h", "resources.h", "scratch_folder.h",
        "simulate.h"}}},
 };

@@ -1,0 +1,99 @@
+// carom join: puts together what the chunks of a plan have made.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/chunks/plan_folder.h"
+#include "app/command.h"
+#include "app/output.h"
+#include "app/sweep/sweep_plan.h"
+#include "util/atomic_file.h"
+#include "util/csv.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+struct JoinArguments {
+    std::string plan;
+    std::string output;
+    std::string csv;
+    bool allow_mixed = false;
+    bool quiet = false;
+};
+
+// A row for each run.
+class RunsCsv {
+  public:
+    RunsCsv(const PlanFolder& plan, const Sweep& sweep, Output& output)
+        : sweep_(sweep), output_(output) {
+        std::string header = "run,seed";
+        for (const SweepAxis& axis : sweep.axes) header += "," + csv_field(axis.key);
+        for (const Json& number : plan.contents().at("sweep").at("numbers"))
+            header += "," + csv_field(number.at("name"));
+        output_.write(header + "\n");
+    }
+
+    void add(std::int64_t run, const std::vector<double>& values) {
+        std::string row = fmt::format("{},{}", run, sweep_.seed_of(run));
+        for (const std::string& value : sweep_.values_at(sweep_.point_of(run)))
+            row += "," + csv_field(value);
+        for (const double value : values) row += "," + (std::isnan(value) ? "" : csv_number(value));
+        output_.write(row + "\n");
+    }
+
+  private:
+    const Sweep& sweep_;
+    Output& output_;
+};
+
+void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
+    const PlannedSweep sweep(plan, "join");
+    std::optional<Output> json, csv;
+    std::optional<RunsCsv> table;
+    if (!arguments.output.empty()) json.emplace(arguments.output);
+    if (!arguments.csv.empty()) table.emplace(plan, sweep.sweep(), csv.emplace(arguments.csv));
+    const std::string text = text_of(sweep.summary(
+        [&](std::int64_t run, const std::vector<double>& values) {
+            if (table) table->add(run, values);
+        },
+        arguments.allow_mixed));
+    write_file(summary_in(plan.path()), text);
+    if (json) json->write(text);
+    if (csv) csv->commit();
+    if (json) json->commit();
+    if (arguments.quiet || Output::is_standard_output(arguments.output) ||
+        Output::is_standard_output(arguments.csv))
+        return;
+    for (const std::string& path :
+         {summary_in(plan.path()).string(), arguments.output, arguments.csv})
+        if (!path.empty()) Output("-").write(path + "\n");
+}
+
+void join(const JoinArguments& arguments) {
+    const PlanFolder plan(arguments.plan);
+    join_sweep(arguments, plan);
+}
+
+}  // namespace
+
+Command join_command() {
+    const auto arguments = std::make_shared<JoinArguments>();
+    JoinArguments& its = *arguments;
+    return {
+        "join",
+        "put together what the chunks of a plan have made",
+        {{"plan", "the folder of a plan, all chunks of which are done", &its.plan},
+         {"-o,--output", "of a sweep: the summary as JSON; - for standard output", &its.output},
+         {"--csv", "of a sweep: a row for each run; - for standard output", &its.csv},
+         {"--allow-mixed", "take chunks that other builds of carom have made", &its.allow_mixed},
+         {"--quiet", "print no report", &its.quiet}},
+        [arguments] { join(*arguments); }};
+}
+
+}  // namespace carom

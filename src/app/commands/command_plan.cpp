@@ -1,0 +1,131 @@
+// carom plan: divides work into chunks that other processes do, and says which are left.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/chunks/plan_folder.h"
+#include "app/command.h"
+#include "app/output.h"
+#include "app/sweep/sweep_plan.h"
+#include "util/diagnostics.h"
+#include "util/joined.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PlanArguments : SceneOptions {
+    std::string scene;
+    std::string output;
+    bool list = false, missing = false, force = false;
+    int chunks = 0;  // 0: not given
+    std::string seeds;
+    std::vector<std::string> vary;
+
+    bool is_of_sweep() const { return !seeds.empty() || !vary.empty(); }
+};
+
+fs::path folder_of_plan(const PlanArguments& arguments) {
+    if (!arguments.output.empty()) return arguments.output;
+    return fs::path("out") / (scene_stem(arguments.scene) + ".plan");
+}
+
+// The numbers of chunks, one a line.
+void list_chunks(const PlanArguments& arguments) {
+    if (arguments.list && arguments.missing)
+        throw UsageError("--list and --missing exclude each other");
+    const PlanFolder plan(arguments.scene);
+    std::string text;
+    if (arguments.missing)
+        for (const int number : plan.missing()) text += fmt::format("{}\n", number);
+    else
+        for (const PlannedChunk& chunk : plan.chunks()) text += fmt::format("{}\n", chunk.number);
+    Output("-").write(text);
+}
+
+// `option` gives what `read` makes of a text.
+template <class Read>
+auto value_of_option(const char* option, const std::string& text, const Read& read) {
+    try {
+        return read(text);
+    } catch (const SweepError& error) {
+        throw UsageError(fmt::format("{} {}: {}{}", option, text, error.what(),
+                                     error.hint().empty() ? "" : "; " + error.hint()));
+    }
+}
+
+Sweep sweep_of(const PlanArguments& arguments) {
+    Sweep sweep;
+    if (!arguments.seeds.empty())
+        sweep.seeds = value_of_option("--seeds", arguments.seeds, seed_range);
+    for (const std::string& text : arguments.vary)
+        sweep.axes.push_back(value_of_option("--vary", text, sweep_axis));
+    const std::string all = arguments.vary.empty() ? arguments.seeds : arguments.vary.back();
+    return value_of_option(arguments.vary.empty() ? "--seeds" : "--vary", all,
+                           [&](const std::string&) {
+                               check_sweep(sweep);
+                               return sweep;
+                           });
+}
+
+std::string words_of_plan(const PlanFolder& plan, bool is_new) {
+    double seconds = 0.0;
+    for (const PlannedChunk& chunk : plan.chunks()) seconds += chunk.seconds;
+    const auto chunks = static_cast<long long>(plan.chunks().size());
+    const std::string folder = plan.path().string();
+    const std::string work = fmt::format("{}: {}, about {} on one core", folder,
+                                         counted(chunks, "chunk"), clock_text(seconds));
+    if (is_new) return work + "\n";
+    const auto missing = static_cast<long long>(plan.missing().size());
+    return fmt::format("{}; planned before, {} of them to do (--force plans anew)\n", work,
+                       missing);
+}
+
+void plan_seeds(const PlanArguments& arguments) {
+    SweepRequest request{.scene = arguments.scene,
+                         .overrides = overrides_of(arguments),
+                         .sweep = sweep_of(arguments)};
+    if (arguments.chunks > 0) request.chunks = arguments.chunks;
+    const fs::path folder = folder_of_plan(arguments);
+    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
+    const bool is_new = plan_sweep(request, folder, arguments.force, progress);
+    if (!arguments.quiet) Output("-").write(words_of_plan(PlanFolder(folder), is_new));
+}
+
+void plan(const PlanArguments& arguments) {
+    if (is_plan(arguments.scene)) return list_chunks(arguments);
+    if (arguments.list || arguments.missing)
+        throw UsageError(fmt::format("{} holds no plan (plan.json)", arguments.scene));
+    if (!arguments.is_of_sweep())
+        throw UsageError(
+            "say what the runs differ in: --seeds 1:100, or --vary "
+            "gas.0.radius=0.1:0.4:7, or both");
+    plan_seeds(arguments);
+}
+
+}  // namespace
+
+Command plan_command() {
+    const auto arguments = std::make_shared<PlanArguments>();
+    PlanArguments& its = *arguments;
+    return {
+        "plan", "divide work into chunks for several processes",
+        joined<Option>(
+            {{{"scene", "a scene file, - for standard input; or the folder of a plan", &its.scene},
+              {"-o,--output", "the folder of the plan", &its.output},
+              {"--seeds", "a run with each of these seeds: FIRST:LAST, or N for 1:N", &its.seeds},
+              {"--vary", "runs with several values of a key: KEY=FIRST:LAST:N or KEY=V,V,...",
+               &its.vary},
+              {"--chunks", "the number of chunks", &its.chunks},
+              {"--list", "print the numbers of the chunks of a plan", &its.list},
+              {"--missing", "print the numbers of the chunks that are still to do", &its.missing},
+              {"--force", "plan anew, and remove the chunks that are there", &its.force}},
+             scene_options(its)}),
+        [arguments] { plan(*arguments); }};
+}
+
+}  // namespace carom

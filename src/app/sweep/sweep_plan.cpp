@@ -1,0 +1,224 @@
+#include "app/sweep/sweep_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/chunks/build_facts.h"
+#include "app/resources.h"
+#include "app/sweep/sweep_scenes.h"
+#include "runs/run_numbers.h"
+#include "util/archive.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+#include "util/fingerprint.h"
+#include "util/interrupt.h"
+#include "util/stopwatch.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_chunk_bytes = std::int64_t{4} << 30;
+
+Json axes_to_json(const Sweep& sweep) {
+    Json axes = Json::array();
+    for (const SweepAxis& axis : sweep.axes)
+        axes.push_back(Json{{"key", axis.key}, {"values", axis.values}});
+    return axes;
+}
+
+Sweep sweep_from(const Json& json) {
+    Sweep sweep;
+    sweep.seeds = {json.at("seeds").at(0), json.at("seeds").at(1)};
+    for (const Json& axis : json.at("axes"))
+        sweep.axes.push_back({axis.at("key"), axis.at("values")});
+    return sweep;
+}
+
+// With the scene as it is without the values of a point.
+Json request_to_json(const SweepRequest& request, const Scene& scene) {
+    const std::string path =
+        request.scene == standard_input ? scene.source.path : fs::absolute(request.scene).string();
+    return {{"scene", scene.source.path},
+            {"path", path},
+            {"text", scene.source.text},
+            {"template", fingerprint(scene.source.template_text)},
+            {"title", scene.title},
+            {"physics", scene.source.physics},
+            {"overrides", request.overrides},
+            {"seeds", {request.sweep.seeds.first, request.sweep.seeds.last}},
+            {"axes", axes_to_json(request.sweep)},
+            {"chunks", request.chunks ? Json(*request.chunks) : Json()},
+            {"build", to_json(physics_facts())}};
+}
+
+SweptScene swept_scene(const Json& request) {
+    return {request.at("text"), request.at("path"), request.at("overrides")};
+}
+
+// All points, so that a mistake at one is found before the first run. Which numbers a run has must
+// not depend on the point.
+std::vector<RunNumber> checked_points(const SweptScene& swept, const Sweep& sweep,
+                                      Progress& progress) {
+    progress.begin("checking", static_cast<double>(sweep.points()), "points");
+    std::vector<RunNumber> numbers;
+    for (std::int64_t point = 0; point < sweep.points(); ++point) {
+        throw_if_interrupted();
+        std::vector<RunNumber> its = numbers_of_runs(*scene_at_point(swept, sweep, point));
+        if (point == 0)
+            numbers = std::move(its);
+        else if (its != numbers)
+            throw UsageError(fmt::format(
+                "--vary: with {} a run has other numbers than with {}; dimension, species, walls, "
+                "partitions and reversals have to be the same at all points",
+                fmt::join(sweep.changes_at(point), ", "), fmt::join(sweep.changes_at(0), ", ")));
+        progress.advance();
+    }
+    return numbers;
+}
+
+// Neither so short that processes only start, nor so many that folders fill.
+int usual_chunks(const Sweep& sweep, const RunCost& cost) {
+    constexpr double least_seconds = 4.0, usual = 64.0;
+    const auto runs = static_cast<double>(sweep.runs());
+    const double by_time = std::floor(runs * cost.seconds / least_seconds);
+    return static_cast<int>(std::clamp(by_time, 1.0, std::min(runs, usual)));
+}
+
+std::vector<PlannedChunk> chunks_of(const Sweep& sweep, int count, const RunCost& cost,
+                                    std::size_t numbers) {
+    std::vector<PlannedChunk> chunks;
+    for (int k = 0; k < count; ++k) {
+        PlannedChunk chunk{.number = k + 1,
+                           .first = sweep.runs() * k / count,
+                           .end = sweep.runs() * (k + 1) / count};
+        const auto rows = static_cast<std::int64_t>(numbers * sizeof(double)) * chunk.count();
+        chunk.seconds = cost.seconds * static_cast<double>(chunk.count());
+        chunk.memory_bytes = cost.memory_bytes + 2 * rows;
+        chunk.memory_bytes_per_thread = cost.memory_bytes_per_thread;
+        chunks.push_back(std::move(chunk));
+    }
+    return chunks;
+}
+
+Json facts_of(const Sweep& sweep, const std::vector<RunNumber>& numbers) {
+    Json names = Json::array();
+    for (const RunNumber& number : numbers)
+        names.push_back(Json{{"name", number.name}, {"unit", number.unit}});
+    return {{"sweep",
+             {{"runs", sweep.runs()},
+              {"points", sweep.points()},
+              {"seeds", sweep.seeds.count()},
+              {"numbers", std::move(names)}}}};
+}
+
+}  // namespace
+
+bool plan_sweep(const SweepRequest& request, const fs::path& folder, bool again,
+                Progress& progress) {
+    const Scene scene =
+        load_scene(request.scene, scene_resources(), request.overrides, Wanted::physics);
+    const Json its = request_to_json(request, scene);
+    if (!again && is_planned(folder, its)) return false;
+    const SweptScene swept = swept_scene(its);
+    const Sweep& sweep = request.sweep;
+    const std::vector<RunNumber> numbers = checked_points(swept, sweep, progress);
+    if (request.chunks && *request.chunks > sweep.runs())
+        throw UsageError(fmt::format("--chunks {}: the sweep has {}", *request.chunks,
+                                     counted(sweep.runs(), "run")));
+    const RunCost cost = cost_of_runs(swept, sweep, progress);
+    const int count = request.chunks.value_or(usual_chunks(sweep, cost));
+    PlanWriter writer(folder);
+    writer.commit({PlanKind::sweep, its, facts_of(sweep, numbers)},
+                  chunks_of(sweep, count, cost, numbers.size()));
+    progress.finish();
+    return true;
+}
+
+PlannedSweep::PlannedSweep(const PlanFolder& folder, const std::string& command) : folder_(folder) {
+    folder.require(PlanKind::sweep, command);
+    sweep_ = sweep_from(folder.request());
+}
+
+std::shared_ptr<const Scene> PlannedSweep::scene_at(std::int64_t point) const {
+    const Json& request = folder_.request();
+    auto scene = scene_at_point(swept_scene(request), sweep_, point);
+    if (fingerprint(scene->source.template_text) != request.at("template"))
+        throw SystemError(
+            fmt::format("{}: the template of {} was changed after it was planned; "
+                        "plan again",
+                        folder_.path().string(), scene->source.path));
+    return scene;
+}
+
+void PlannedSweep::run_chunk(const PlannedChunk& chunk, int threads, Progress& progress) const {
+    const Stopwatch watch;
+    progress.begin(fmt::format("chunk {} of {}", chunk.number, folder_.chunks().size()),
+                   static_cast<double>(chunk.count()), "runs");
+    RunRows rows = run_part(
+        sweep_, chunk.first, chunk.end, threads,
+        [&](std::int64_t point) { return scene_at(point); }, [&] { progress.advance(); });
+    std::string plan = folder_.fingerprint();
+    std::int64_t first = chunk.first;
+    Archive archive;
+    archive(plan, first, rows);
+    write_file(folder_.output(chunk), archive.finished());
+    folder_.finish(chunk, to_json(physics_facts()), watch.wall());
+    progress.finish();
+}
+
+RunRows PlannedSweep::rows_of(const PlannedChunk& chunk) const {
+    const fs::path file = folder_.output(chunk);
+    Archive archive(read_file(file, most_chunk_bytes), file.string());
+    std::string plan;
+    std::int64_t first = 0;
+    RunRows rows;
+    archive(plan, first);
+    if (plan != folder_.fingerprint()) archive.refuse("it is a chunk of another plan");
+    archive(rows);
+    archive.expect_end();
+    const std::size_t numbers = folder_.contents().at("sweep").at("numbers").size();
+    const auto is_short = [&](const std::vector<double>& row) { return row.size() != numbers; };
+    if (first != chunk.first || std::ssize(rows) != chunk.count() ||
+        std::ranges::any_of(rows, is_short))
+        archive.refuse("it holds other runs than the plan says");
+    return rows;
+}
+
+SweepSummary PlannedSweep::summary(const RunTaker& take, bool allow_mixed) const {
+    folder_.require_all_done(allow_mixed);
+    const Json& request = folder_.request();
+    SweepSummary summary{.carom = request.at("build").at("carom"),
+                         .scene = request.at("scene"),
+                         .title = request.at("title"),
+                         .overrides = request.at("overrides"),
+                         .physics = request.at("physics"),
+                         .sweep = sweep_};
+    for (const auto& [name, value] : request.at("build").items())
+        if (name != "carom") summary.build.emplace_back(name, value.get<std::string>());
+    for (const Json& number : folder_.contents().at("sweep").at("numbers"))
+        summary.numbers.push_back({number.at("name"), number.at("unit")});
+    RunRows point;  // of its runs so far
+    for (const PlannedChunk& chunk : folder_.chunks()) {
+        throw_if_interrupted();
+        std::int64_t run = chunk.first;
+        for (std::vector<double>& row : rows_of(chunk)) {
+            if (take) take(run, row);
+            point.push_back(std::move(row));
+            if (std::ssize(point) == sweep_.seeds.count())
+                summary.points.push_back(
+                    {std::ssize(point), statistics_of(std::exchange(point, {}))});
+            ++run;
+        }
+    }
+    return summary;
+}
+
+fs::path summary_in(const fs::path& folder) { return folder / "summary.json"; }
+
+}  // namespace carom

@@ -1,0 +1,276 @@
+#include "figures/sweep_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "figures/sweep_theory.h"
+#include "panels/sweep/sweep_keys.h"
+#include "runs/sweep_summary.h"
+#include "scene/limits.h"
+#include "scene/yaml/node.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int steps_between = 8;  // of a curve, from one value to the next
+
+std::optional<double> number_from(const std::string& text) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+// "gas.0.temperature.exact" as "temperature", with the name of one of several species.
+std::string words_of_key(const std::string& key, const Gas& gas) {
+    std::string path = key;
+    for (const char* form : {".exact", ".each"})
+        if (path.ends_with(form)) path.resize(path.size() - std::string_view(form).size());
+    std::string words = path.substr(path.rfind('.') + 1);
+    std::ranges::replace(words, '_', ' ');
+    if (words == "count") words = "particles";
+    for (std::size_t k = 0; k < gas.species.size(); ++k)
+        if (gas.species.size() > 1 && path.starts_with(fmt::format("gas.{}.", k)))
+            words += " of " + gas.species[k].name;
+    return words;
+}
+
+SweepSummary read_joined(const Scene& scene, const FigureSpec& spec) {
+    constexpr std::int64_t most_bytes = 256 << 20;
+    const fs::path path = path_of_joined(scene, spec);
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+        refuse(spec.panel.place, fmt::format("{} is not there", path.string()),
+               "make it: carom plan SCENE --vary ... -o SWEEP, carom run SWEEP, carom join SWEEP");
+    SweepSummary summary;
+    try {
+        summary = sweep_summary(read_file(path, most_bytes), path.string());
+    } catch (const SystemError& refused) {
+        refuse(spec.panel.place, refused.what(), "join the sweep again");
+    }
+    if (summary.physics != scene.source.physics)
+        refuse(spec.panel.place,
+               fmt::format("{} is the summary of another scene ({}), or of this one with other "
+                           "values",
+                           path.string(), summary.scene),
+               "plan the sweep again with this scene");
+    return summary;
+}
+
+SweepSummary run_here(const FigureSpec& spec, int threads, const std::function<void()>& on_run) {
+    const SweepShown& shown = spec.panel.sweep;
+    const auto scene_at = [&](std::int64_t point) {
+        return shown.scene_with(shown.sweep.changes_at(point));
+    };
+    SweepSummary summary{.sweep = shown.sweep, .numbers = numbers_of_runs(*scene_at(0))};
+    const RunRows rows = run_part(shown.sweep, 0, shown.sweep.runs(), threads, scene_at, on_run);
+    const std::int64_t seeds = shown.sweep.seeds.count();
+    for (std::int64_t point = 0; point < shown.sweep.points(); ++point) {
+        const auto first = rows.begin() + point * seeds;
+        summary.points.push_back({seeds, statistics_of(RunRows(first, first + seeds))});
+    }
+    return summary;
+}
+
+/// A figure of a sweep that is there.
+class SweptFigure {
+  public:
+    SweptFigure(const Scene& scene, const FigureSpec& spec, SweepSummary summary)
+        : scene_(scene),
+          spec_(spec),
+          shown_(spec.panel.sweep),
+          summary_(std::move(summary)),
+          across_(axis_across()),
+          number_(find_number()) {}
+
+    SweptNumbers numbers() {
+        const RunNumber& number = summary_.numbers[number_];
+        SweptNumbers numbers{.number = number.name, .unit = number.unit, .across = words_across()};
+        for (const auto& [name, points] : points_of_lines())
+            numbers.lines.push_back(line(name, points));
+        if (numbers.lines.size() > most_compared.count())
+            refuse(spec_.panel.place,
+                   fmt::format("the figure would have {} lines", numbers.lines.size()),
+                   fmt::format("the limit is {} combinations of the keys that are not across",
+                               number_text(most_compared.value)));
+        if (numbers.lines.size() > 1)
+            for (SweptLine& line : numbers.lines) line.ideal = {};
+        return numbers;
+    }
+
+  private:
+    using Changes = std::vector<std::string>;
+
+    bool is_of_gas() const {
+        return shown_.against == across_packing || shown_.against == across_density;
+    }
+
+    // The first that has several values, unless it is said.
+    std::size_t axis_across() const {
+        const std::vector<SweepAxis>& axes = summary_.sweep.axes;
+        for (std::size_t k = 0; k < axes.size(); ++k)
+            if (shown_.against.empty() || is_of_gas() ? axes[k].values.size() > 1
+                                                      : axes[k].key == shown_.against)
+                return k;
+        refuse(spec_.panel.place,
+               shown_.against.empty() || is_of_gas()
+                   ? "the sweep varies nothing"
+                   : fmt::format("the sweep does not vary `{}`", shown_.against),
+               "a figure of kind `sweep` needs a key with several values");
+    }
+
+    std::size_t find_number() const {
+        std::vector<std::string> names;
+        for (const RunNumber& number : summary_.numbers) names.push_back(number.name);
+        const auto found = std::ranges::find(names, shown_.number);
+        if (found == names.end())
+            refuse(spec_.panel.place,
+                   fmt::format("a run of this scene has no number {}", in_quotes(shown_.number)),
+                   spelling_hint(shown_.number, names,
+                                 fmt::format("it has {}", listed(names, "and", "`"))));
+        return static_cast<std::size_t>(found - names.begin());
+    }
+
+    std::string words_across() const {
+        if (!shown_.across.empty()) return shown_.across;
+        if (shown_.against == across_packing) return "packing fraction";
+        if (shown_.against == across_density) return "density";
+        return words_of_key(summary_.sweep.axes[across_].key, scene_.gas);
+    }
+
+    // By the values of the other keys, those of one value left out, in the order of the points.
+    std::vector<std::pair<std::string, std::vector<std::int64_t>>> points_of_lines() const {
+        std::vector<std::pair<std::string, std::vector<std::int64_t>>> lines;
+        for (std::int64_t point = 0; point < summary_.sweep.points(); ++point) {
+            std::string name;
+            const Changes values = summary_.sweep.values_at(point);
+            for (std::size_t k = 0; k < values.size(); ++k)
+                if (k != across_ && summary_.sweep.axes[k].values.size() > 1)
+                    name += fmt::format("{}{} {}", name.empty() ? "" : ", ",
+                                        words_of_key(summary_.sweep.axes[k].key, scene_.gas),
+                                        values[k]);
+            const auto found = std::ranges::find(
+                lines, name, [](const auto& one) -> const auto& { return one.first; });
+            if (found == lines.end())
+                lines.push_back({name, {point}});
+            else
+                found->second.push_back(point);
+        }
+        return lines;
+    }
+
+    double key_at(std::int64_t point) const {
+        const std::string value = summary_.sweep.values_at(point)[across_];
+        const auto number = number_from(value);
+        if (!number)
+            refuse(spec_.panel.place,
+                   fmt::format("{} is no number: it has no place on an axis", in_quotes(value)),
+                   "vary a key that is a number, or say another one in `across`");
+        return *number;
+    }
+
+    // Where a scene with this value of the key is across.
+    std::optional<double> place_of(const Scene& scene, double key) const {
+        if (shown_.against == across_packing) return packing_of(scene);
+        if (shown_.against == across_density) return density_of(scene);
+        return key;
+    }
+
+    SweptLine line(const std::string& name, std::vector<std::int64_t> points) const {
+        std::ranges::sort(points, {}, [&](std::int64_t point) { return key_at(point); });
+        SweptLine line{.name = name};
+        for (const std::int64_t point : points) {
+            const NumberStatistics& its =
+                summary_.points[static_cast<std::size_t>(point)].numbers[number_];
+            if (its.count == 0) continue;
+            const double key = key_at(point);
+            const auto scene =
+                is_of_gas() ? shown_.scene_with(summary_.sweep.changes_at(point)) : nullptr;
+            line.x.push_back(is_of_gas() ? place_of(*scene, key).value_or(key) : key);
+            line.mean.push_back(its.mean);
+            line.error.push_back(its.error);
+            line.runs.push_back(its.count);
+        }
+        if (spec_.panel.theory) add_theory(line, points);
+        return line;
+    }
+
+    // Between values that are all whole it is those that are whole.
+    std::vector<double> keys_between(const std::vector<std::int64_t>& points) const {
+        std::vector<double> keys;
+        for (const std::int64_t point : points) keys.push_back(key_at(point));
+        const bool are_whole = std::ranges::all_of(
+            keys, [](double key) { return key == std::floor(key) && std::abs(key) < 1e15; });
+        std::vector<double> all;
+        for (std::size_t k = 0; k + 1 < keys.size(); ++k)
+            for (int i = 0; i < steps_between; ++i) {
+                const double key = keys[k] + (keys[k + 1] - keys[k]) * i / steps_between;
+                all.push_back(are_whole ? std::round(key) : key);
+            }
+        all.push_back(keys.back());
+        const auto [first, last] = std::ranges::unique(all);
+        all.erase(first, last);
+        return all;
+    }
+
+    void add_theory(SweptLine& line, const std::vector<std::int64_t>& points) const {
+        Changes changes = summary_.sweep.changes_at(points.front());
+        for (const double key : keys_between(points)) {
+            changes[across_] = fmt::format("{}={:.15g}", summary_.sweep.axes[across_].key, key);
+            std::shared_ptr<const Scene> scene;
+            try {
+                scene = shown_.scene_with(changes);
+            } catch (const SceneError&) {
+                continue;  // a curve has a gap where there is no such gas
+            }
+            const SeedRange& seeds = summary_.sweep.seeds;
+            const auto x = place_of(*scene, key);
+            if (!x) continue;
+            if (const auto y = theory_of_number(shown_.number, *scene, seeds)) {
+                line.theory.name = name_of_theory(shown_.number, *scene);
+                line.theory.x.push_back(*x);
+                line.theory.y.push_back(*y);
+            }
+            if (const auto y = ideal_gas_of_number(shown_.number, *scene, seeds)) {
+                line.ideal.name = "an ideal gas";
+                line.ideal.x.push_back(*x);
+                line.ideal.y.push_back(*y);
+            }
+        }
+    }
+
+    const Scene& scene_;
+    const FigureSpec& spec_;
+    const SweepShown& shown_;
+    SweepSummary summary_;
+    std::size_t across_, number_;
+};
+
+}  // namespace
+
+fs::path path_of_joined(const Scene& scene, const FigureSpec& spec) {
+    fs::path path = *spec.panel.sweep.from;
+    if (path.is_relative()) path = fs::path(scene.source.path).parent_path() / path;
+    std::error_code error;
+    return fs::is_directory(path, error) ? path / "summary.json" : path;
+}
+
+SweptNumbers swept_numbers(const Scene& scene, const FigureSpec& spec, int threads,
+                           const std::function<void()>& on_run) {
+    SweepSummary summary =
+        spec.panel.sweep.from ? read_joined(scene, spec) : run_here(spec, threads, on_run);
+    return SweptFigure(scene, spec, std::move(summary)).numbers();
+}
+
+}  // namespace carom

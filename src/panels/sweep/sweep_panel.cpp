@@ -1,0 +1,175 @@
+#include "panels/sweep/sweep_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "draw/axis.h"
+#include "panels/registry.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+using plot::Role;
+
+// Of an axis: from 0 unless the values fill but a small part of it.
+std::pair<double, double> range_of(double least, double most) {
+    constexpr double small = 0.3;
+    const double width = most - least, reach = std::max(std::abs(least), std::abs(most));
+    if (!(width > small * reach)) {
+        const double room = width > 0.0 ? 0.15 * width : 0.1 * (reach > 0.0 ? reach : 1.0);
+        return {least - room, most + room};
+    }
+    return {least < 0.0 ? -round_up_for_axis(-1.05 * least) : 0.0,
+            most > 0.0 ? round_up_for_axis(1.05 * most) : 0.0};
+}
+
+struct Extent {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity();
+    void take(double value) {
+        if (!std::isfinite(value)) return;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    plot::Axis axis() const {
+        if (!(least <= most)) return {};
+        const auto [low, high] = range_of(least, most);
+        return {.low = low, .high = high};
+    }
+};
+
+}  // namespace
+
+Role SweepPanel::role_of(std::size_t line, std::size_t lines) const {
+    if (lines == 1) return {.of = Role::Of::accent};
+    return {.of = Role::Of::run, .index = line};
+}
+
+void SweepPanel::set_axes(const SweptNumbers& numbers) {
+    Extent across, up;
+    for (const SweptLine& line : numbers.lines) {
+        for (std::size_t i = 0; i < line.x.size(); ++i) {
+            const double error = std::isfinite(line.error[i]) ? line.error[i] : 0.0;
+            across.take(line.x[i]);
+            up.take(line.mean[i] - error);
+            up.take(line.mean[i] + error);
+        }
+        for (const double value : line.theory.y) up.take(value);
+    }
+    plot_.x = across.axis();
+    plot_.x.title = escape_markup(numbers.across);
+    plot_.y = up.axis();
+    if (title_) plot_.y.title = say(language_, Phrase{numbers.number});
+}
+
+void SweepPanel::set_words(const SweptNumbers& numbers) {
+    const std::string what = say(language_, Phrase{numbers.number});
+    plot_.titles = {escape_markup(capitalised(title_.value_or(what)))};
+    std::int64_t least = std::numeric_limits<std::int64_t>::max(), most = 0;
+    for (const SweptLine& line : numbers.lines)
+        for (const std::int64_t runs : line.runs) {
+            least = std::min(least, runs);
+            most = std::max(most, runs);
+        }
+    const std::string runs =
+        least == most ? fmt::format("{}", most) : say(language_, "{} to {}", least, most);
+    plot_.account = say(language_,
+                        "{} against {}: means of {} independent runs each; bars are one standard "
+                        "error.",
+                        capitalised(what), numbers.across, runs);
+    const SweptLine& first = numbers.lines.front();
+    if (!first.theory.y.empty())
+        plot_.account +=
+            " " + say(language_, "Dashed: {}.", say(language_, Phrase{first.theory.name}));
+    if (!first.ideal.y.empty())
+        plot_.account +=
+            " " + say(language_, "Dotted: {}.", say(language_, Phrase{first.ideal.name}));
+}
+
+void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
+                           const std::string& line) {
+    if (curve.y.empty()) return;
+    plot::Line drawn;
+    drawn.part = curve.name;
+    drawn.of = line;
+    drawn.depth = 2;
+    drawn.still = true;
+    drawn.x = plot::column(plot_.columns[0], curve.x);
+    drawn.y = plot::column(plot_.columns[1], curve.y);
+    drawn.stroke = stroke;
+    drawn.beyond = plot::Beyond::cut;
+    plot_.layers.emplace_back(std::move(drawn));
+}
+
+void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t lines) {
+    plot::Stroke stroke{.role = lines == 1 ? Role{.of = Role::Of::ink} : role_of(k, lines),
+                        .width = 0.1,
+                        .dashes = {0.6, 0.4},
+                        .shade = plot::Shade::legible};
+    add_curve(line.theory, stroke, line.name);
+    stroke.dashes = {0.15, 0.35};
+    add_curve(line.ideal, stroke, line.name);
+}
+
+// A bar of an error is a piece of one line, from its lower end to its upper.
+void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
+    const SweptLine& line = numbers.lines[k];
+    const std::size_t lines = numbers.lines.size();
+    plot::Line bars;
+    std::vector<double> x, y, counts;
+    std::vector<int> piece;
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+        counts.push_back(static_cast<double>(line.runs[i]));
+        if (!std::isfinite(line.error[i]) || !std::isfinite(line.mean[i])) continue;
+        for (const double end : {line.mean[i] - line.error[i], line.mean[i] + line.error[i]}) {
+            x.push_back(line.x[i]);
+            y.push_back(end);
+            piece.push_back(static_cast<int>(i));
+        }
+    }
+    bars.still = true;
+    bars.depth = 1;
+    bars.x = plot::column(plot_.columns[0], std::move(x));
+    bars.y = plot::column(plot_.columns[1], std::move(y));
+    bars.piece = std::make_shared<const std::vector<int>>(std::move(piece));
+    bars.is_thinned = false;
+    bars.stroke = {.role = role_of(k, lines), .width = 0.14, .shade = plot::Shade::legible};
+    plot_.layers.emplace_back(std::move(bars));
+    plot::Points points;
+    points.part = "mean";
+    points.of = line.name;
+    points.still = true;
+    points.x = plot::column(plot_.columns[0], line.x);
+    points.y = plot::column(plot_.columns[1], line.mean);
+    points.more = {plot::column(plot_.columns[2], line.error),
+                   plot::column(plot_.columns[3], std::move(counts))};
+    points.mark = {.role = role_of(k, lines), .radius = 0.32};
+    plot_.layers.emplace_back(std::move(points));
+}
+
+void SweepPanel::show(const SweptNumbers& numbers) {
+    plot_ = {.language = language_};
+    const std::string up = column_name(numbers.number, numbers.unit);
+    plot_.columns = {numbers.across, up, "standard error of " + up, "runs"};
+    set_axes(numbers);
+    set_words(numbers);
+    if (numbers.lines.size() > 1) {
+        std::vector<std::string> names;
+        for (const SweptLine& line : numbers.lines) names.push_back(line.name);
+        plot::name_runs(plot_, std::move(names));
+    }
+    for (std::size_t k = 0; k < numbers.lines.size(); ++k) {
+        add_curves(numbers.lines[k], k, numbers.lines.size());
+        add_line(numbers, k);
+    }
+}
+
+std::unique_ptr<Panel> make_sweep(const PanelContext& context, const PanelSpec& spec) {
+    return std::make_unique<SweepPanel>(context, spec);
+}
+
+}  // namespace carom

@@ -1,0 +1,62 @@
+// A number of many runs against what is varied: the mean at each value with its standard error, and
+// what theory says. Runs nothing; whoever has the runs' numbers gives them to it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "panels/plot/plot_panel.h"
+
+namespace carom {
+
+/// What is known without runs.
+struct SweptCurve {
+    std::string name = {};  ///< where it is from: "hard disks by Kolafa and Rottner"
+    std::vector<double> x = {}, y = {};
+};
+
+/// The points of one line.
+struct SweptLine {
+    std::string name = {};  ///< empty: the only one
+    std::vector<double> x = {}, mean = {}, error = {};
+    std::vector<std::int64_t> runs = {};  ///< of each point, those that have the number
+    SweptCurve theory = {};               ///< without values where none is known
+    SweptCurve ideal = {};                ///< of an ideal gas
+};
+
+/// What a panel of a sweep shows.
+struct SweptNumbers {
+    std::string number, unit;  ///< what is up
+    std::string across;        ///< the words of the axis across
+    std::vector<SweptLine> lines = {};
+};
+
+class SweepPanel : public PlotPanel {
+  public:
+    SweepPanel(const PanelContext& context, const PanelSpec& spec)
+        : language_(context.language()), title_(spec.title) {}
+
+    /// What it shows from now on; before, nothing.
+    void show(const SweptNumbers& numbers);
+
+    void archive(Archive&) override {}
+    std::shared_ptr<const PanelState> state(const FrameInput&) override { return state(); }
+    std::shared_ptr<const PanelState> state() const { return std::make_shared<PanelState>(); }
+    void archive_progress(Archive&) override {}
+    plot::Plot plot(const PanelState*) const override { return plot_; }
+
+  private:
+    void add_line(const SweptNumbers& numbers, std::size_t k);
+    void add_curve(const SweptCurve& curve, const plot::Stroke& stroke, const std::string& line);
+    void add_curves(const SweptLine& line, std::size_t k, std::size_t lines);
+    void set_axes(const SweptNumbers& numbers);
+    void set_words(const SweptNumbers& numbers);
+    plot::Role role_of(std::size_t line, std::size_t lines) const;
+
+    Language language_;
+    std::optional<std::string> title_;
+    plot::Plot plot_;
+};
+
+}  // namespace carom

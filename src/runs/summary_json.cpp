@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "runs/sweep_summary.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "carom-sweep-summary";
+constexpr int format_version = 1;
+constexpr const char* quantiles_in_words =
+    "by linear interpolation between order statistics: of n sorted values x[0] to x[n-1] the value "
+    "at the place p (n - 1)";
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+double number_of(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::string name_of_share(double share) { return fmt::format("{}", share); }
+
+// 0.15 is a number for readers; what is none stays text.
+Json value_of(const std::string& text) {
+    constexpr bool may_throw = false;
+    const Json json = Json::parse(text, nullptr, may_throw);
+    return json.is_number() ? json : Json(text);
+}
+
+Json to_json(const NumberStatistics& its) {
+    Json quantiles = Json::object();
+    for (std::size_t k = 0; k < quantile_shares.size(); ++k)
+        quantiles[name_of_share(quantile_shares[k])] = number_or_null(its.quantiles[k]);
+    return {{"n", its.count},
+            {"mean", number_or_null(its.mean)},
+            {"standard_error", number_or_null(its.error)},
+            {"standard_deviation", number_or_null(its.deviation)},
+            {"min", number_or_null(its.least)},
+            {"max", number_or_null(its.most)},
+            {"quantiles", std::move(quantiles)}};
+}
+
+NumberStatistics statistics_from(const Json& json) {
+    NumberStatistics its{.count = json.at("n"),
+                         .mean = number_of(json.at("mean")),
+                         .error = number_of(json.at("standard_error")),
+                         .deviation = number_of(json.at("standard_deviation")),
+                         .least = number_of(json.at("min")),
+                         .most = number_of(json.at("max"))};
+    for (std::size_t k = 0; k < quantile_shares.size(); ++k)
+        its.quantiles[k] = number_of(json.at("quantiles").at(name_of_share(quantile_shares[k])));
+    return its;
+}
+
+Json point_to_json(const SweepSummary& summary, std::size_t point) {
+    const PointSummary& its = summary.points[point];
+    const std::vector<std::string> values =
+        summary.sweep.values_at(static_cast<std::int64_t>(point));
+    Json at = Json::object(), numbers = Json::object();
+    for (std::size_t k = 0; k < values.size(); ++k)
+        at[summary.sweep.axes[k].key] = value_of(values[k]);
+    for (std::size_t k = 0; k < its.numbers.size(); ++k)
+        numbers[summary.numbers[k].name] = to_json(its.numbers[k]);
+    return {{"values", std::move(at)}, {"runs", its.runs}, {"numbers", std::move(numbers)}};
+}
+
+Json to_json(const SweepSummary& summary) {
+    Json build = Json::object(), axes = Json::array(), numbers = Json::array(),
+         points = Json::array();
+    for (const auto& [name, value] : summary.build) build[name] = value;
+    for (const SweepAxis& axis : summary.sweep.axes)
+        axes.push_back(Json{{"key", axis.key}, {"values", axis.values}});
+    for (const RunNumber& number : summary.numbers)
+        numbers.push_back(Json{{"name", number.name}, {"unit", number.unit}});
+    for (std::size_t k = 0; k < summary.points.size(); ++k)
+        points.push_back(point_to_json(summary, k));
+    const SeedRange& seeds = summary.sweep.seeds;
+    return {{"format", format_name},
+            {"format_version", format_version},
+            {"carom", summary.carom},
+            {"build", std::move(build)},
+            {"scene", summary.scene},
+            {"title", summary.title},
+            {"overrides", summary.overrides},
+            {"physics", summary.physics},
+            {"seeds", {{"first", seeds.first}, {"last", seeds.last}}},
+            {"axes", std::move(axes)},
+            {"runs", summary.sweep.runs()},
+            {"units",
+             "reduced units: a length, a mass and a time of the scene, Boltzmann's "
+             "constant is 1"},
+            {"quantiles", quantiles_in_words},
+            {"numbers", std::move(numbers)},
+            {"points", std::move(points)}};
+}
+
+PointSummary point_from(const Json& json, const std::vector<RunNumber>& numbers) {
+    PointSummary point{.runs = json.at("runs")};
+    for (const RunNumber& number : numbers)
+        point.numbers.push_back(statistics_from(json.at("numbers").at(number.name)));
+    return point;
+}
+
+SweepSummary summary_from(const Json& json) {
+    SweepSummary summary{.carom = json.at("carom"),
+                         .scene = json.at("scene"),
+                         .title = json.at("title"),
+                         .overrides = json.at("overrides"),
+                         .physics = json.at("physics")};
+    for (const auto& [name, value] : json.at("build").items())
+        summary.build.emplace_back(name, value.get<std::string>());
+    summary.sweep.seeds = {json.at("seeds").at("first"), json.at("seeds").at("last")};
+    for (const Json& axis : json.at("axes"))
+        summary.sweep.axes.push_back({axis.at("key"), axis.at("values")});
+    for (const Json& number : json.at("numbers"))
+        summary.numbers.push_back({number.at("name"), number.at("unit")});
+    for (const Json& point : json.at("points"))
+        summary.points.push_back(point_from(point, summary.numbers));
+    return summary;
+}
+
+}  // namespace
+
+std::string text_of(const SweepSummary& summary) {
+    constexpr bool ascii_only = false;
+    return to_json(summary).dump(1, ' ', ascii_only, Json::error_handler_t::replace) + "\n";
+}
+
+SweepSummary sweep_summary(std::string_view text, const std::string& name) {
+    constexpr bool may_throw = false;
+    const Json json = Json::parse(text, nullptr, may_throw);
+    const auto refuse = [&](const std::string& cause) {
+        throw SystemError(fmt::format("cannot read {}: {}", name, cause));
+    };
+    if (!json.is_object() || json.value("format", Json()) != format_name)
+        refuse("this is not the summary of a sweep (carom join SWEEP -o summary.json writes one)");
+    if (json.value("format_version", Json()) != format_version)
+        refuse(fmt::format("its format is not version {}", format_version));
+    try {
+        SweepSummary summary = summary_from(json);
+        if (std::ssize(summary.points) != summary.sweep.points()) refuse("points are missing");
+        return summary;
+    } catch (const Json::exception& error) {
+        refuse(fmt::format("it was changed after it was written ({})", error.what()));
+        throw;
+    }
+}
+
+}  // namespace carom

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,8 +10,8 @@
 #include "app/command.h"
 #include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
+#include "app/film/film_request.h"
 #include "app/film/join.h"
-#include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/output.h"
 #include "app/resources.h"
@@ -39,11 +38,6 @@ struct RenderArguments : SceneOptions {
     bool force = false, allow_mixed = false;
 };
 
-Quality quality_of(const std::string& name) {
-    if (name == "draft") return Quality::draft;
-    return name == "final" ? Quality::final_ : Quality::standard;
-}
-
 std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
     std::vector<fs::path> outputs;
     if (arguments.join) return {film_path(arguments.destination, arguments.scenes.front())};
@@ -56,37 +50,6 @@ std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
         outputs.push_back(path);
     }
     return outputs;
-}
-
-void refuse_span(const FilmOptions& film, const Scene& scene) {
-    for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}})
-        if (time && !(*time >= 0.0 && *time <= scene.run.until))
-            throw UsageError(
-                fmt::format("{} {}: the scene runs from 0 to {}", flag, *time, scene.run.until));
-    const double from = film.from.value_or(0.0), to = film.to.value_or(scene.run.until);
-    if (!(from < to))
-        throw UsageError(
-            fmt::format("--from {} --to {}: expected an end after the start", from, to));
-}
-
-std::string upper_case(std::string text) {
-    for (char& letter : text)
-        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-    return text;
-}
-
-void refuse_format(const OutputFormat& format, const Scene& scene) {
-    if (scene.film.transparent && !format.no_transparency.empty())
-        throw UsageError(
-            fmt::format("the ground is none, but {}; write a .webm or a folder of frames (--format "
-                        "webm or png)",
-                        format.no_transparency));
-    const int most = format.most_frames_per_second;
-    if (most > 0 && scene.film.fps > most)
-        throw UsageError(
-            fmt::format("a {} cannot show {} frames a second, {} are the most; give --fps {} or "
-                        "fewer, or write a .webm or .mp4",
-                        upper_case(format.name), scene.film.fps, most, most));
 }
 
 std::string timings(const RenderReport& report) {
@@ -289,9 +252,7 @@ void render_scenes(RenderArguments& arguments) {
     const std::vector<Scene> scenes = load_all(arguments, listed_scenes);
     if (arguments.join) refuse_join(arguments, scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        require_letters(scenes[i]);
-        refuse_span(arguments.film, scenes[i]);
-        refuse_format(format_of_film(outputs[arguments.join ? 0 : i]), scenes[i]);
+        refuse_unfit(scenes[i], arguments.film, format_of_film(outputs[arguments.join ? 0 : i]));
     }
     if (arguments.join)
         return render_film(arguments, arguments.scenes.front(), scenes, outputs.front(), title);
@@ -323,8 +284,6 @@ Command render_command() {
                &its.destination.output},
               {"--format", "mp4, webm, gif, or png for single frames", &its.destination.format,
                film_formats()},
-              {"--from", "simulated time at which the film begins", &its.film.from},
-              {"--to", "simulated time at which the film ends", &its.film.to},
               {"--words",
                "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
                &its.film.text},
@@ -334,12 +293,7 @@ Command render_command() {
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
              picture_options(its),
-             {shortcut(its, "--fps", "film.fps", "frames per second"),
-              shortcut(its, "--seconds", "film.seconds", "length of the film"),
-              {"--quality",
-               "draft, standard or final",
-               [&its](const std::string& name) { its.film.quality = quality_of(name); },
-               {"draft", "standard", "final"}}},
+             film_options(its, its.film),
              work_options(its)}),
         [arguments] { render_scenes(*arguments); }};
 }

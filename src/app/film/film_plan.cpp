@@ -113,12 +113,19 @@ void archive_shared(Archive& archive, FilmPlan& plan) {
     archive(plan.beside->start);
 }
 
+// As a simulation of the gas has it: heat baths draw velocities by the seed of the gas.
+Box box_of(const Gas& gas) {
+    Box box = gas.box;
+    box.surfaces.seed = gas.seed;
+    return box;
+}
+
 void archive_run(Archive& archive, FilmPlan& plan) {
     archive(plan.progress);
-    plan.run.archive(archive, plan.scene.gas.box, plan.particles, plan.scene.run);
+    plan.run.archive(archive, box_of(plan.scene.gas), plan.particles, plan.scene.run);
     if (!plan.beside) return;
     const Scene& other = *plan.scene.film.beside->scene;
-    plan.beside->run.archive(archive, other.gas.box, plan.beside->start.particles, other.run);
+    plan.beside->run.archive(archive, box_of(other.gas), plan.beside->start.particles, other.run);
 }
 
 // Its panels are surveyed as it is recorded.

@@ -52,6 +52,16 @@ Scene wire() {
         "{kind: single-collision}]}\n");
 }
 
+// A bath and a piston, whose state and random numbers a run depends on.
+Scene bath() {
+    return test::scene_from(
+        "title: T\nseed: 7\nbox: {size: [20, 15], walls: {left: {temperature: 2}, right: {mass: "
+        "20, "
+        "force: -2}}}\ngas: [{count: 30, radius: 0.4, speed: 1}]\nrun: {until: 6}\n"
+        "film: {" +
+        std::string(small) + "panels: [temperature, {kind: energy-account}]}\n");
+}
+
 // Two runs side by side, of which the second keeps nothing of the first's precision.
 Scene two_runs() {
     return test::scene_from(
@@ -124,7 +134,7 @@ TEST_CASE("a film that is made in chunks is the film of one process, byte for by
 TEST_CASE("so is one whose run is not kept: its chunks begin with states of the simulation") {
     const TemporaryFolder folder;
     int number = 0;
-    for (const Scene& scene : {plane(), wire(), two_runs()}) {
+    for (const Scene& scene : {plane(), wire(), bath(), two_runs()}) {
         CAPTURE(number);
         const FilmOptions direct{.output = folder.path() / fmt::format("direct{}.mp4", number),
                                  .quality = Quality::draft};

@@ -1,0 +1,24 @@
+// What the command line asks of a film, and what it cannot ask.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+#include "app/film/film_plan.h"
+#include "media/formats.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// --from, --to, --fps, --seconds and --quality.
+std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);
+
+/// Throws UsageError where the film of a scene cannot be as it is asked for, SystemError where this
+/// machine lacks letters that it needs.
+void refuse_unfit(const Scene& scene, const FilmOptions& film, const OutputFormat& format);
+
+/// The name of a format as it is written.
+std::string upper_case(std::string text);
+
+}  // namespace carom

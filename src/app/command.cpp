@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <system_error>
-#include <thread>
 
+#include "app/granted_cores.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -82,7 +82,7 @@ Overrides overrides_of(const SceneOptions& options) {
 
 int threads_of(const SceneOptions& options) {
     if (options.threads > 0) return options.threads;
-    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return granted_cores();
 }
 
 std::string scene_stem(const std::string& scene) {

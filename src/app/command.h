@@ -76,7 +76,7 @@ std::vector<Option> picture_options(SceneOptions& options);
 /// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.
 Overrides overrides_of(const SceneOptions& options);
 
-/// The number of threads to use, at least 1.
+/// The number of threads to use, at least 1: as many as are granted (granted_cores.h) unless told.
 int threads_of(const SceneOptions& options);
 
 /// Where the output of `scene` goes: out/SCENE with the first of the extensions, or as `output`

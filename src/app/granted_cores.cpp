@@ -43,7 +43,8 @@ std::optional<double> quota_in(const fs::path& folder) {
     std::istringstream words(first_line(folder / "cpu.max"));
     std::string quota, period;
     if (words >> quota >> period) return cores_of(quota, period);
-    return cores_of(first_line(folder / "cpu.cfs_quota_us"), first_line(folder / "cpu.cfs_period_us"));
+    return cores_of(first_line(folder / "cpu.cfs_quota_us"),
+                    first_line(folder / "cpu.cfs_period_us"));
 }
 
 // Where the control groups of a version are, and the group of this process: a line of

@@ -52,8 +52,9 @@ class TemporaryFolder {
         return names;
     }
 
-    /// A file in the folder, and its path.
+    /// A file in the folder, whose own folder is made if it is missing, and its path.
     std::filesystem::path write(const std::string& name, const std::string& text) const {
+        std::filesystem::create_directories((path_ / name).parent_path());
         std::ofstream(path_ / name, std::ios::binary) << text;
         return path_ / name;
     }

@@ -9,6 +9,7 @@
 
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
+#include "app/commands/film_plans.h"
 #include "app/output.h"
 #include "app/sweep/sweep_plan.h"
 #include "util/atomic_file.h"
@@ -25,6 +26,7 @@ struct JoinArguments {
     std::string csv;
     bool allow_mixed = false;
     bool quiet = false;
+    bool text = false, poster = false;  // of a film
 };
 
 // A row for each run.
@@ -77,7 +79,14 @@ void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
 
 void join(const JoinArguments& arguments) {
     const PlanFolder plan(arguments.plan);
-    join_sweep(arguments, plan);
+    const bool is_film = plan.kind() == PlanKind::film;
+    if (is_film && !arguments.csv.empty())
+        throw UsageError("--csv applies to the plan of a sweep; leave it out");
+    if (!is_film && (arguments.text || arguments.poster))
+        throw UsageError("--words and --poster apply to the plan of a film; leave them out");
+    if (!is_film) return join_sweep(arguments, plan);
+    join_film(plan, {arguments.output, arguments.text, arguments.poster, arguments.allow_mixed,
+                     arguments.quiet});
 }
 
 }  // namespace
@@ -89,7 +98,15 @@ Command join_command() {
         "join",
         "put together what the chunks of a plan have made",
         {{"plan", "the folder of a plan, all chunks of which are done", &its.plan},
-         {"-o,--output", "of a sweep: the summary as JSON; - for standard output", &its.output},
+         {"-o,--output",
+          "the film (default: out/SCENE.mp4), or the summary of a sweep as JSON, - for standard "
+          "output",
+          &its.output},
+         {"--words",
+          "of a film: also write captions, chapters and descriptions (.vtt) and a transcript "
+          "(.txt)",
+          &its.text},
+         {"--poster", "of a film: also write a picture of it (.poster.png)", &its.poster},
          {"--csv", "of a sweep: a row for each run; - for standard output", &its.csv},
          {"--allow-mixed", "take chunks that other builds of carom have made", &its.allow_mixed},
          {"--quiet", "print no report", &its.quiet}},

@@ -7,6 +7,7 @@
 
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
+#include "app/commands/film_plans.h"
 #include "app/output.h"
 #include "app/sweep/sweep_plan.h"
 #include "util/diagnostics.h"
@@ -19,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlanArguments : SceneOptions {
-    std::string scene;
+    std::vector<std::string> scenes;
     std::string output;
-    bool list = false, missing = false, force = false;
-    int chunks = 0;  // 0: not given
+    bool list = false, missing = false;
+    FilmPlanArguments film;  // and what sweeps have in common with films
     std::string seeds;
     std::vector<std::string> vary;
 
@@ -31,14 +32,14 @@ struct PlanArguments : SceneOptions {
 
 fs::path folder_of_plan(const PlanArguments& arguments) {
     if (!arguments.output.empty()) return arguments.output;
-    return fs::path("out") / (scene_stem(arguments.scene) + ".plan");
+    return fs::path("out") / (scene_stem(arguments.scenes.front()) + ".plan");
 }
 
 // The numbers of chunks, one a line.
 void list_chunks(const PlanArguments& arguments) {
     if (arguments.list && arguments.missing)
         throw UsageError("--list and --missing exclude each other");
-    const PlanFolder plan(arguments.scene);
+    const PlanFolder plan(arguments.scenes.front());
     std::string text;
     if (arguments.missing)
         for (const int number : plan.missing()) text += fmt::format("{}\n", number);
@@ -85,25 +86,36 @@ std::string words_of_plan(const PlanFolder& plan, bool is_new) {
                        missing);
 }
 
+void refuse_film_options(const PlanArguments& arguments) {
+    if (arguments.scenes.size() > 1)
+        throw UsageError("a sweep is of one scene; plan those of several one by one");
+    const FilmOptions& film = arguments.film.film;
+    if (arguments.film.chunk_seconds || !arguments.film.format.empty() || film.from || film.to ||
+        film.quality != FilmOptions{}.quality)
+        throw UsageError(
+            "--chunk-seconds, --format, --from, --to and --quality apply to films, and --seeds and "
+            "--vary to runs; leave out one or the other");
+}
+
 void plan_seeds(const PlanArguments& arguments) {
-    SweepRequest request{.scene = arguments.scene,
+    refuse_film_options(arguments);
+    SweepRequest request{.scene = arguments.scenes.front(),
                          .overrides = overrides_of(arguments),
                          .sweep = sweep_of(arguments)};
-    if (arguments.chunks > 0) request.chunks = arguments.chunks;
+    if (arguments.film.chunks > 0) request.chunks = arguments.film.chunks;
     const fs::path folder = folder_of_plan(arguments);
-    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
-    const bool is_new = plan_sweep(request, folder, arguments.force, progress);
+    Progress progress(Progress::fitting_form(arguments.quiet),
+                      scene_stem(arguments.scenes.front()));
+    const bool is_new = plan_sweep(request, folder, arguments.film.force, progress);
     if (!arguments.quiet) Output("-").write(words_of_plan(PlanFolder(folder), is_new));
 }
 
 void plan(const PlanArguments& arguments) {
-    if (is_plan(arguments.scene)) return list_chunks(arguments);
+    if (is_plan(arguments.scenes.front())) return list_chunks(arguments);
     if (arguments.list || arguments.missing)
-        throw UsageError(fmt::format("{} holds no plan (plan.json)", arguments.scene));
+        throw UsageError(fmt::format("{} holds no plan (plan.json)", arguments.scenes.front()));
     if (!arguments.is_of_sweep())
-        throw UsageError(
-            "say what the runs differ in: --seeds 1:100, or --vary "
-            "gas.0.radius=0.1:0.4:7, or both");
+        return plan_films(arguments.scenes, arguments.output, arguments.film, arguments);
     plan_seeds(arguments);
 }
 
@@ -115,15 +127,19 @@ Command plan_command() {
     return {
         "plan", "divide work into chunks for several processes",
         joined<Option>(
-            {{{"scene", "a scene file, - for standard input; or the folder of a plan", &its.scene},
-              {"-o,--output", "the folder of the plan", &its.output},
+            {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
+              {"-o,--output",
+               "the folder of the plan, for several scenes with a subfolder for each; default: "
+               "out/SCENE.plan",
+               &its.output},
               {"--seeds", "a run with each of these seeds: FIRST:LAST, or N for 1:N", &its.seeds},
               {"--vary", "runs with several values of a key: KEY=FIRST:LAST:N or KEY=V,V,...",
                &its.vary},
-              {"--chunks", "the number of chunks", &its.chunks},
+              {"--chunks", "the number of chunks of each plan", &its.film.chunks},
               {"--list", "print the numbers of the chunks of a plan", &its.list},
               {"--missing", "print the numbers of the chunks that are still to do", &its.missing},
-              {"--force", "plan anew, and remove the chunks that are there", &its.force}},
+              {"--force", "plan anew, and remove the chunks that are there", &its.film.force}},
+             film_plan_options(its, its.film),
              scene_options(its)}),
         [arguments] { plan(*arguments); }};
 }

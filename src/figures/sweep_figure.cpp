@@ -144,8 +144,9 @@ class SweptFigure {
 
     std::string words_across() const {
         if (!shown_.across.empty()) return shown_.across;
-        if (shown_.against == across_packing) return "packing fraction";
-        if (shown_.against == across_density) return "density";
+        const Language language = scene_.film.language;
+        if (shown_.against == across_packing) return say(language, "packing fraction");
+        if (shown_.against == across_density) return say(language, "density");
         return words_of_key(summary_.sweep.axes[across_].key, scene_.gas);
     }
 
@@ -238,12 +239,12 @@ class SweptFigure {
             const auto x = place_of(*scene, key);
             if (!x) continue;
             if (const auto y = theory_of_number(shown_.number, *scene, seeds)) {
-                line.theory.name = name_of_theory(shown_.number, *scene);
+                line.theory.name = name_of_theory(shown_.number, *scene).english;
                 line.theory.x.push_back(*x);
                 line.theory.y.push_back(*y);
             }
             if (const auto y = ideal_gas_of_number(shown_.number, *scene, seeds)) {
-                line.ideal.name = "an ideal gas";
+                line.ideal.name = name_of_ideal_gas().english;
                 line.ideal.x.push_back(*x);
                 line.ideal.y.push_back(*y);
             }

@@ -109,14 +109,16 @@ std::optional<double> ideal_gas_of_number(const std::string& number, const Scene
     });
 }
 
-std::string name_of_theory(const std::string& number, const Scene& scene) {
+Phrase name_of_theory(const std::string& number, const Scene& scene) {
+    const bool is_line = scene.gas.box.dimension == 1;
     if (is_pressure(number))
-        return scene.gas.box.dimension == 1 ? "hard rods, exactly (Tonks)"
-                                            : "hard disks by Kolafa and Rottner";
+        return is_line ? Phrase{"hard rods (Tonks)"} : Phrase{"hard disks (Kolafa and Rottner)"};
     if (number == "collision rate" || number == "mean free path")
-        return scene.gas.box.dimension == 1 ? "kinetic theory" : "kinetic theory by Enskog";
-    return "equilibrium";
+        return is_line ? Phrase{"kinetic theory"} : Phrase{"kinetic theory (Enskog)"};
+    return Phrase{"equilibrium"};
 }
+
+Phrase name_of_ideal_gas() { return Phrase{"ideal gas"}; }
 
 std::optional<double> packing_of(const Scene& scene) {
     const auto drawn = try_draw_gas(scene.gas);

@@ -6,6 +6,7 @@
 
 #include "scene/scene.h"
 #include "scene/sweep.h"
+#include "util/language.h"
 
 namespace carom {
 
@@ -20,8 +21,9 @@ std::optional<double> theory_of_number(const std::string& number, const Scene& s
 std::optional<double> ideal_gas_of_number(const std::string& number, const Scene& scene,
                                           const SeedRange& seeds);
 
-/// Where the curve of a number is from, in words: "the equation of state of Kolafa and Rottner".
-std::string name_of_theory(const std::string& number, const Scene& scene);
+/// Where the curve of a number is from, in words.
+Phrase name_of_theory(const std::string& number, const Scene& scene);
+Phrase name_of_ideal_gas();
 
 /// The part of the box that particles cover, or their number in a unit of area or length; nothing
 /// for a gas that cannot be drawn.

@@ -80,6 +80,15 @@ std::vector<std::string> values_of(const Spacing& spacing, const std::string& te
     return values;
 }
 
+// FIRST:LAST without a number of values, or with one that is none.
+void refuse_colons(const std::string& values, const std::string& axis) {
+    const std::vector<std::string> parts = parts_of(values, ':');
+    if (parts.size() > 1 && number_from<double>(trimmed(parts[0])) &&
+        number_from<double>(trimmed(parts[1])))
+        throw SweepError(fmt::format("{}: expected FIRST:LAST:N, found {}", axis, values),
+                         "for instance 0.1:0.4:7, which are 7 values");
+}
+
 std::vector<std::string> listed_values(const std::string& text, const std::string& axis) {
     std::vector<std::string> values;
     for (const std::string& part : parts_of(text, ',')) {
@@ -142,6 +151,7 @@ SweepAxis sweep_axis(const std::string& text) {
             "for instance gas.0.radius=0.1:0.4:7");
     const std::string values = text.substr(sign + 1);
     const auto spacing = spacing_from(values);
+    if (!spacing) refuse_colons(values, text);
     SweepAxis axis{trimmed(text.substr(0, sign)),
                    spacing ? values_of(*spacing, text) : listed_values(values, text)};
     refuse_equal_values(axis);

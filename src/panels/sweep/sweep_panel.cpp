@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,17 +16,33 @@ namespace {
 
 using plot::Role;
 
-// Of an axis: from 0 unless the values fill but a small part of it.
+// Of an axis: from 0 unless the values fill but a small part of it; a little beyond them.
 std::pair<double, double> range_of(double least, double most) {
-    constexpr double small = 0.3;
+    constexpr double small = 0.3, beyond = 0.06;
     const double width = most - least, reach = std::max(std::abs(least), std::abs(most));
     if (!(width > small * reach)) {
         const double room = width > 0.0 ? 0.15 * width : 0.1 * (reach > 0.0 ? reach : 1.0);
         return {least - room, most + room};
     }
-    return {least < 0.0 ? -round_up_for_axis(-1.05 * least) : 0.0,
-            most > 0.0 ? round_up_for_axis(1.05 * most) : 0.0};
+    const double low = std::min(least, 0.0), high = std::max(most, 0.0);
+    const double room = beyond * (high - low);
+    return {low < 0.0 ? low - room : 0.0, high > 0.0 ? high + room : 0.0};
 }
+
+// Names of numbers that have words in all languages; the others are shown in English.
+constexpr std::array translated{Phrase{"wall pressure"}, Phrase{"virial pressure"},
+                                Phrase{"collision rate"}, Phrase{"mean free path"}};
+
+std::string words_of_number(Language language, const std::string& name) {
+    const auto found = std::ranges::find(translated, name, &Phrase::english);
+    return say(language, found == translated.end() ? Phrase{name} : *found);
+}
+
+plot::Stroke stroke_of(const Role& role, std::vector<double> dashes) {
+    return {.role = role, .width = 0.1, .dashes = std::move(dashes), .shade = plot::Shade::legible};
+}
+
+const std::vector<double> dashes_of_theory{0.6, 0.4}, dashes_of_ideal{0.15, 0.35};
 
 struct Extent {
     double least = std::numeric_limits<double>::infinity();
@@ -63,11 +80,11 @@ void SweepPanel::set_axes(const SweptNumbers& numbers) {
     plot_.x = across.axis();
     plot_.x.title = escape_markup(numbers.across);
     plot_.y = up.axis();
-    if (title_) plot_.y.title = say(language_, Phrase{numbers.number});
+    if (title_) plot_.y.title = words_of_number(language_, numbers.number);
 }
 
 void SweepPanel::set_words(const SweptNumbers& numbers) {
-    const std::string what = say(language_, Phrase{numbers.number});
+    const std::string what = words_of_number(language_, numbers.number);
     plot_.titles = {escape_markup(capitalised(title_.value_or(what)))};
     std::int64_t least = std::numeric_limits<std::int64_t>::max(), most = 0;
     for (const SweptLine& line : numbers.lines)
@@ -78,16 +95,21 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
     const std::string runs =
         least == most ? fmt::format("{}", most) : say(language_, "{} to {}", least, most);
     plot_.account = say(language_,
-                        "{} against {}: means of {} independent runs each; bars are one standard "
-                        "error.",
+                        "{} against {}: means of {} independent runs each; bars, where they are "
+                        "longer than the points, are one standard error.",
                         capitalised(what), numbers.across, runs);
     const SweptLine& first = numbers.lines.front();
-    if (!first.theory.y.empty())
-        plot_.account +=
-            " " + say(language_, "Dashed: {}.", say(language_, Phrase{first.theory.name}));
-    if (!first.ideal.y.empty())
-        plot_.account +=
-            " " + say(language_, "Dotted: {}.", say(language_, Phrase{first.ideal.name}));
+    plot::Note key{.wraps = true};
+    const Role ink{.of = Role::Of::ink};
+    for (const auto& [curve, dashes] :
+         {std::pair{&first.theory, dashes_of_theory}, std::pair{&first.ideal, dashes_of_ideal}}) {
+        if (curve->y.empty()) continue;
+        const std::string name = say(language_, Phrase{curve->name});
+        key.entries.push_back({.sample = stroke_of(ink, dashes), .words = {escape_markup(name)}});
+        plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
+                                                           : say(language_, "Dotted: {}.", name));
+    }
+    if (!key.entries.empty()) plot_.notes.push_back(std::move(key));
 }
 
 void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
@@ -106,13 +128,9 @@ void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
 }
 
 void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t lines) {
-    plot::Stroke stroke{.role = lines == 1 ? Role{.of = Role::Of::ink} : role_of(k, lines),
-                        .width = 0.1,
-                        .dashes = {0.6, 0.4},
-                        .shade = plot::Shade::legible};
-    add_curve(line.theory, stroke, line.name);
-    stroke.dashes = {0.15, 0.35};
-    add_curve(line.ideal, stroke, line.name);
+    const Role role = lines == 1 ? Role{.of = Role::Of::ink} : role_of(k, lines);
+    add_curve(line.theory, stroke_of(role, dashes_of_theory), line.name);
+    add_curve(line.ideal, stroke_of(role, dashes_of_ideal), line.name);
 }
 
 // A bar of an error is a piece of one line, from its lower end to its upper.
@@ -147,7 +165,7 @@ void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
     points.y = plot::column(plot_.columns[1], line.mean);
     points.more = {plot::column(plot_.columns[2], line.error),
                    plot::column(plot_.columns[3], std::move(counts))};
-    points.mark = {.role = role_of(k, lines), .radius = 0.32};
+    points.mark = {.role = role_of(k, lines), .radius = 0.26};
     plot_.layers.emplace_back(std::move(points));
 }
 

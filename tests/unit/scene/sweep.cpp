@@ -50,8 +50,9 @@ TEST_CASE("values of an axis are equally spaced with both ends, in as few digits
     CHECK(sweep_axis("box.size=[32, 48],[64, 48]").values == Values{"[32, 48]", "[64, 48]"});
     CHECK(sweep_axis("gas.0.name='a, b',c").values == Values{"'a, b'", "c"});
     CHECK(sweep_axis("run.events=[]").values == Values{"[]"});
-    for (const char* wrong : {"a", "=1", "a=", "a=1,,2", "a=1:2:1", "a=1:2:0", "a=1:2:-3",
-                              "a=1:2:99999999", "a=1,1", "a=2:2:3"}) {
+    for (const char* wrong :
+         {"a", "=1", "a=", "a=1,,2", "a=1:2:1", "a=1:2:0", "a=1:2:-3", "a=1:2:99999999", "a=1,1",
+          "a=2:2:3", "a=0.1:0.2", "a=1:2:x", "a=1:2:3:4"}) {
         CAPTURE(wrong);
         CHECK_FALSE(refusal([&] { sweep_axis(wrong); }).empty());
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "runs/sweep_summary.h"
 #include "util/diagnostics.h"
@@ -118,6 +119,7 @@ SweepSummary summary_from(const Json& json) {
     summary.sweep.seeds = {json.at("seeds").at("first"), json.at("seeds").at("last")};
     for (const Json& axis : json.at("axes"))
         summary.sweep.axes.push_back({axis.at("key"), axis.at("values")});
+    check_sweep(summary.sweep);
     for (const Json& number : json.at("numbers"))
         summary.numbers.push_back({number.at("name"), number.at("unit")});
     for (const Json& point : json.at("points"))
@@ -148,8 +150,10 @@ SweepSummary sweep_summary(std::string_view text, const std::string& name) {
         return summary;
     } catch (const Json::exception& error) {
         refuse(fmt::format("it was changed after it was written ({})", error.what()));
-        throw;
+    } catch (const SweepError& error) {
+        refuse(fmt::format("it was changed after it was written ({})", error.what()));
     }
+    throw std::logic_error("a summary is read or refused");
 }
 
 }  // namespace carom

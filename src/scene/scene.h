@@ -201,9 +201,8 @@ struct PanelSpec {
     bool fit = false;
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
-    int seeds = 1;                               ///< of a figure: of how many it shows the mean
-    std::optional<std::string> seeds_from = {};  ///< of a figure: of the runs of a joined sweep
-    SweepShown sweep = {};                       ///< of a figure
+    int seeds = 1;                  ///< of a figure: of how many it shows the mean
+    SweepShown sweep = {};          ///< of a figure
     bool test = false;              ///< of a figure: whether the bars are tested against the theory
     std::optional<double> at = {};  ///< of a figure: the time that it shows; none in films
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present

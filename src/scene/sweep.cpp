@@ -159,6 +159,7 @@ SweepAxis sweep_axis(const std::string& text) {
 }
 
 void check_sweep(const Sweep& sweep) {
+    if (sweep.seeds.first > sweep.seeds.last) throw SweepError("the last seed is before the first");
     std::set<std::string> keys;
     for (const SweepAxis& axis : sweep.axes) {
         if (axis.key == "seed")

@@ -293,7 +293,8 @@ TEST_CASE("what is wrong with a sweep is said before the first run") {
     CHECK(its.folder.names() == std::vector<std::string>{"gas.yaml"});
     its.plan("--chunks 2");
     for (const char* wrong : {"run S --chunk 3", "run S --json a.json", "run S --seed 4",
-                              "run S --set run.until=3", "render S", "plan S --list --missing"}) {
+                              "run S --set run.until=3", "render S", "plan S --list --missing",
+                              "join S -o - --csv -", "join S -o a --csv a", "join S --words"}) {
         CAPTURE(wrong);
         CHECK(its.carom(wrong).exit_code == 2);
     }

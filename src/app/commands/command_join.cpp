@@ -54,7 +54,17 @@ class RunsCsv {
     Output& output_;
 };
 
+void refuse_same_outputs(const JoinArguments& arguments) {
+    const std::string &json = arguments.output, &csv = arguments.csv;
+    if (json.empty() || csv.empty()) return;
+    if (json == csv || is_same_file(json, csv) ||
+        (Output::is_standard_output(json) && Output::is_standard_output(csv)))
+        throw UsageError(fmt::format("-o and --csv would both be written to {}",
+                                     Output::is_standard_output(csv) ? "standard output" : csv));
+}
+
 void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
+    refuse_same_outputs(arguments);
     const PlannedSweep sweep(plan, "join");
     std::optional<Output> json, csv;
     std::optional<RunsCsv> table;

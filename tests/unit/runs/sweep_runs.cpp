@@ -160,4 +160,13 @@ TEST_CASE("a summary is read back as it was written") {
     other = text;
     other.replace(other.find("\"standard_error\""), 16, "\"standard_errors\"");
     CHECK(refusal(other).find("changed") != std::string::npos);
+    other = text;
+    other.replace(other.find("\"first\": 3"), 10, "\"first\": 9");
+    CHECK(refusal(other).find("changed") != std::string::npos);
+    other = text;
+    other.replace(other.find("\"first\": 3"), 10, "\"first\": 4");
+    CHECK(refusal(other).empty());
+    other = text;
+    other.replace(other.find("\"0.4\""), 5, "\"0.4\", \"0.5\"");
+    CHECK(refusal(other).find("points are missing") != std::string::npos);
 }

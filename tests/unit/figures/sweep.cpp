@@ -1,0 +1,177 @@
+// Figures that show a sweep: what they run is what carom run does, what they read is what they
+// would have run, and their curves are those of theory.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
+#include "figures/sweep_figure.h"
+#include "runs/sweep_summary.h"
+#include "support/figure_run.h"
+#include "support/files.h"
+#include "support/scene_text.h"
+#include "util/diagnostics.h"
+
+using namespace carom;
+using test::run_of;
+
+namespace {
+
+const std::string physics =
+    "box: {size: [30, 20]}\ngas: [{name: a, count: 40, radius: 0.3, temperature: {exact: 1}}]\n"
+    "run: {until: 20}\n";
+
+Scene scene_of(const std::string& figure, const std::string& gas = physics,
+               const Overrides& overrides = {}) {
+    return test::scene_from(
+        "title: A gas\nseed: 5\n" + gas + "figures: [{name: f, kind: sweep, " + figure + "}]\n",
+        overrides);
+}
+
+SweptNumbers numbers_of(const Scene& scene, int threads = 1) {
+    return swept_numbers(scene, scene.figures.front(), threads, {});
+}
+
+std::string refusal(const Scene& scene) {
+    try {
+        run_of(scene);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// The summary that carom join would write of the sweep of this figure.
+void write_summary(const Scene& scene, const test::TemporaryFolder& folder) {
+    const SweepShown& shown = scene.figures.front().panel.sweep;
+    SweepSummary summary{.carom = "0", .physics = scene.source.physics, .sweep = shown.sweep};
+    const auto scene_at = [&](std::int64_t point) {
+        return shown.scene_with(shown.sweep.changes_at(point));
+    };
+    summary.numbers = numbers_of_runs(*scene_at(0));
+    for (std::int64_t point = 0; point < shown.sweep.points(); ++point) {
+        const std::int64_t seeds = shown.sweep.seeds.count();
+        summary.points.push_back(
+            {seeds, statistics_of(
+                        run_part(shown.sweep, point * seeds, (point + 1) * seeds, 1, scene_at))});
+    }
+    folder.write("summary.json", text_of(summary));
+}
+
+}  // namespace
+
+TEST_CASE("a figure shows the means of runs with the scene's seeds, and their standard errors") {
+    const Scene scene =
+        scene_of("number: virial pressure, vary: \"gas.0.radius=0.2:0.4:3\", seeds: 3");
+    const SweptNumbers swept = numbers_of(scene, 2);
+    CHECK(swept.across == "radius");
+    REQUIRE(swept.lines.size() == 1);
+    const SweptLine& line = swept.lines.front();
+    CHECK(line.x == std::vector<double>{0.2, 0.3, 0.4});
+    for (std::size_t k = 0; k < 3; ++k) {
+        double sum = 0.0, squares = 0.0;
+        for (const char* seed : {"5", "6", "7"}) {
+            const Scene one = scene_of(
+                "number: temperature, vary: \"run.until=20\"", physics,
+                {"gas.0.radius=" + std::to_string(line.x[k]), std::string("seed=") + seed});
+            const double pressure = run_physics(one).summary.virial_pressure.value();
+            sum += pressure;
+            squares += pressure * pressure;
+        }
+        CHECK(line.mean[k] == doctest::Approx(sum / 3.0).epsilon(1e-12));
+        CHECK(line.error[k] ==
+              doctest::Approx(std::sqrt((squares - sum * sum / 3.0) / 6.0)).epsilon(1e-6));
+        CHECK(line.runs[k] == 3);
+    }
+    const SweptNumbers alone = numbers_of(scene, 1);
+    CHECK(alone.lines.front().mean == line.mean);
+}
+
+TEST_CASE("a figure of a joined sweep is that of its own runs, pixel for pixel") {
+    const test::TemporaryFolder folder;
+    const std::string keys = "number: wall pressure, ";
+    const Scene own = scene_of(keys + "vary: \"gas.0.radius=0.2:0.4:3\", seeds: 2");
+    write_summary(own, folder);
+    const Scene joined = scene_of(keys + "joined: " + folder.path().string());
+    const FigureRun one = run_of(own), other = run_of(joined);
+    const Canvas a = draw_figure(one, one.figures().front(), {}, {});
+    const Canvas b = draw_figure(other, other.figures().front(), {}, {});
+    CHECK(csv(table_of(one.figures().front())) == csv(table_of(other.figures().front())));
+    REQUIRE(a.size().width == b.size().width);
+    const PixelView p = a.pixels(), q = b.pixels();
+    for (int y = 0; y < p.height; ++y)
+        REQUIRE(std::equal(p.data + y * p.stride, p.data + y * p.stride + p.width,
+                           q.data + y * q.stride));
+    CHECK(words_of(one, one.figures().front()).caption ==
+          words_of(other, other.figures().front()).caption);
+
+    // Of another gas, though with the same keys.
+    const Scene refused =
+        scene_of(keys + "joined: " + folder.path().string(), physics, {"gas.0.count=41"});
+    CHECK(refusal(refused).find("of another scene") != std::string::npos);
+    CHECK(refusal(scene_of(keys + "joined: nowhere")).find("nowhere is not there") !=
+          std::string::npos);
+    folder.write("summary.json", "{}");
+    CHECK(refusal(joined).find("not the summary of a sweep") != std::string::npos);
+}
+
+TEST_CASE("the curve of a pressure begins as that of an ideal gas and rises as hard disks do") {
+    const SweptNumbers swept = numbers_of(
+        scene_of("number: virial pressure, vary: \"gas.0.radius=0.01:0.5:2\", across: packing"));
+    const SweptLine& line = swept.lines.front();
+    const double ideal = 40.0 / (30.0 * 20.0);
+    for (const double y : line.ideal.y) CHECK(y == doctest::Approx(ideal).epsilon(1e-9));
+    CHECK(line.theory.y.front() == doctest::Approx(ideal).epsilon(0.002));
+    CHECK(line.x.back() == doctest::Approx(40.0 * std::numbers::pi * 0.25 / 600.0));
+    // The second virial coefficient of disks in a box that centres reach within a radius.
+    const double eta = line.theory.x[1];
+    CHECK(line.theory.y[1] > ideal * (1.0 + 2.0 * eta));
+    CHECK(line.theory.y[1] < ideal * (1.0 + 4.0 * eta + 10.0 * eta * eta + 0.02));
+    CHECK(numbers_of(scene_of("number: virial pressure, vary: \"gas.0.radius=0.1:0.5:2\", theory: "
+                              "false"))
+              .lines.front()
+              .theory.y.empty());
+    const std::string heated = physics.substr(0, physics.size() - 2) +
+                               ", events: [{at: 10, heat: {to: {temperature: 2}}}]}\n";
+    CHECK(numbers_of(scene_of("number: virial pressure, vary: \"gas.0.radius=0.1:0.5:2\"", heated))
+              .lines.front()
+              .theory.y.empty());
+}
+
+TEST_CASE("the pressure of rods is Tonks' at every value") {
+    const std::string rods =
+        "box: {length: 50}\ngas: [{name: a, count: 10, radius: 0.5, temperature: {exact: 2}}]\n"
+        "run: {until: 5}\n";
+    const SweptLine line =
+        numbers_of(scene_of("number: virial pressure, vary: \"gas.0.radius=0.25:1.5:2\"", rods))
+            .lines.front();
+    REQUIRE(line.theory.x.size() == 9);
+    for (std::size_t k = 0; k < line.theory.x.size(); ++k)
+        CHECK(line.theory.y[k] ==
+              doctest::Approx(10.0 * 2.0 / (50.0 - 20.0 * line.theory.x[k])).epsilon(1e-9));
+}
+
+TEST_CASE("keys that are not across make lines with names") {
+    const SweptNumbers swept =
+        numbers_of(scene_of("number: mean energy, vary: [\"gas.0.temperature.exact=1,2\", "
+                            "\"gas.0.count=20:30:3\"], across: gas.0.count, set: run.until=2"));
+    CHECK(swept.across == "particles");
+    REQUIRE(swept.lines.size() == 2);
+    CHECK(swept.lines[0].name == "temperature 1");
+    CHECK(swept.lines[1].name == "temperature 2");
+    CHECK(swept.lines[1].x == std::vector<double>{20.0, 25.0, 30.0});
+    for (const double mean : swept.lines[1].mean) CHECK(mean == doctest::Approx(2.0));
+    for (const double y : swept.lines[1].theory.y) CHECK(y == doctest::Approx(2.0));
+    for (const double x : swept.lines[1].theory.x) CHECK(x == std::round(x));
+}
+
+TEST_CASE("a number that runs do not have is refused with the nearest one") {
+    const std::string message =
+        refusal(scene_of("number: virial presure, vary: \"gas.0.radius=0.2,0.3\""));
+    CHECK(message.find("no number `virial presure`") != std::string::npos);
+    CHECK(message.find("did you mean `virial pressure`?") != std::string::npos);
+    CHECK(refusal(scene_of("number: temperature, vary: \"gas.0.name=a,b\"")).find("no number") !=
+          std::string::npos);
+}

@@ -56,6 +56,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"events_in_two_frames", several_places},
     {"events_too_dense", several_places},
     {"figure_compare_run", several_places},  // `set` of a run against the scene
+    {"figure_sweep_point", several_places},  // values of `vary` against the scene
     {"figure_test_over", several_places},
     {"film_camera_ring", several_places},  // what is followed against the box
     {"film_field", several_places},        // a name against the gas

@@ -55,11 +55,11 @@ class StillFilm {
         const auto writer = film_writer(path, settings(), frames);
         Progress silent(Progress::Form::silent, "");
         SegmentWorkers workers(panels_, segment_starts(frames, segment), threads, *writer, silent);
-        for (int i = 0; i < frames; ++i)
-            workers.frame(panels_.frame_data(tick_, simulation_.sample(), advanced_));
+        for (int i = 0; i < frames; ++i) workers.frame(frame());
         workers.finish();
     }
 
+    FrameData frame() { return panels_.frame_data(tick_, simulation_.sample(), advanced_); }
     const PanelSet& panels() const { return panels_; }
 
   private:
@@ -102,12 +102,13 @@ TEST_CASE("an interruption stops workers that have all their frames") {
 TEST_CASE("a worker's error reaches the caller") {
     const TemporaryFolder folder;
     const Scene scene = small_scene(5, 2.0);
-    const StillFilm film(scene);
+    StillFilm film(scene);
     VideoSettings wrong = film.settings();  // another size than the frames have
     wrong.width = wrong.height = 0;
     const auto writer = film_writer(folder.path() / "film.mp4", wrong, 1);
     Progress silent(Progress::Form::silent, "");
     SegmentWorkers workers(film.panels(), {0, 1}, 1, *writer, silent);
+    workers.frame(film.frame());  // an encoder begins with its first frame
     CHECK_THROWS_AS(workers.finish(), std::exception);
 }
 

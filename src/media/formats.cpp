@@ -11,18 +11,18 @@ namespace {
 
 // MP4's costs are those in docs/encoding.md ("Wall time": 900 frames in 6.86 and 9.04 s on two
 // cores, 7.9 and 15.2 MB), the others by their ratio to it ("Rough costs" there). They hold to a
-// third up to 20,000 disks.
-constexpr double frames_measured = 900.0;
+// third up to 20,000 disks. The memory is that of the slowest quality (docs/scaling.md).
+constexpr double frames_measured = 900.0, pixels_measured = 1920.0 * 1080.0;
 constexpr PowerLaw mp4_seconds{2 * 6.86 / frames_measured, 2 * 9.04 / frames_measured};
 
 constexpr FormatCost mp4_cost{
-    mp4_seconds, {7.9e6 / frames_measured, 15.2e6 / frames_measured}, 0.5};
+    mp4_seconds, {7.9e6 / frames_measured, 15.2e6 / frames_measured}, 0.5, 48};
 constexpr FormatCost webm_cost{
-    {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000}, {10.0e3, 21.0e3}, 0.5};
+    {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000}, {10.0e3, 21.0e3}, 0.5, 100};
 constexpr FormatCost gif_cost{
-    {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, {27.3e3, 52.7e3}, 0.7, 0.7};
+    {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, {27.3e3, 52.7e3}, 0.7, 30, 0.7};
 constexpr FormatCost png_cost{
-    {5.1 * mp4_seconds.at_200, 6.2 * mp4_seconds.at_1000}, {269e3, 401e3}, 0.8};
+    {5.1 * mp4_seconds.at_200, 6.2 * mp4_seconds.at_1000}, {269e3, 401e3}, 0.8, 48};
 
 template <class Use>
 std::vector<std::string> names(Use use) {
@@ -38,6 +38,18 @@ double PowerLaw::at(double disks) const {
     constexpr double few = 20.0;  // type and histograms are there with any number
     const double power = std::log(at_1000 / at_200) / std::log(5.0);
     return at_200 * std::pow(std::max(few, disks) / 200.0, power);
+}
+
+double FormatCost::frame_seconds(double disks, double pixels) const {
+    return core_seconds.at(disks) * pixels / pixels_measured;
+}
+
+double FormatCost::frame_bytes(double disks, double pixels) const {
+    return bytes.at(disks) * std::pow(pixels / pixels_measured, power_of_pixels);
+}
+
+double FormatCost::seconds_before(double pixels) const {
+    return beforehand * pixels / pixels_measured;
 }
 
 const std::vector<OutputFormat>& output_formats() {

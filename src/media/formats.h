@@ -21,7 +21,14 @@ struct PowerLaw {
 struct FormatCost {
     PowerLaw core_seconds, bytes;  ///< of a frame
     double power_of_pixels;        ///< by which the bytes of a frame grow: outlines, not areas
-    double beforehand = 0.0;       ///< seconds on one core, whatever the length
+    double memory_per_pixel;       ///< bytes of a thread that draws and encodes, at most
+    double beforehand = 0.0;       ///< seconds on one core at 1080p, whatever the length
+
+    /// Of a frame with so many disks and pixels, on one core.
+    double frame_seconds(double disks, double pixels) const;
+    double frame_bytes(double disks, double pixels) const;
+    /// On one core, whatever the length.
+    double seconds_before(double pixels) const;
 };
 
 struct OutputFormat {

@@ -40,7 +40,8 @@ Json request_of(const Scene& scene, const FilmOptions& options, const FilmDivisi
                   {{"path", scene.source.path},
                    {"text", scene.source.text},
                    {"overrides", scene.source.overrides},
-                   {"template", scene.source.template_text}}},
+                   {"template", scene.source.template_text},
+                   {"files", scene.source.files}}},
                  {"format", format.name},
                  {"quality", name_of(options.quality)},
                  {"from", nullable(options.from)},
@@ -48,32 +49,36 @@ Json request_of(const Scene& scene, const FilmOptions& options, const FilmDivisi
                  {"chunks", division.chunks ? Json(*division.chunks) : Json()},
                  {"chunk_seconds", nullable(division.seconds)},
                  {"build", to_json(film_facts(format))}};
-    if (scene.film.beside) request["scene"]["beside"] = scene.film.beside->scene->source.text;
     return request;
 }
 
-// Seconds on one core that a frame takes: measured for the simulation, from the table of formats
-// for drawing and encoding.
-double seconds_of_frame(const FilmPlan& plan, const OutputFormat& format, double simulated) {
-    constexpr double pixels_measured = 1920.0 * 1080.0;
-    const PictureSize size = plan.scene.film.size;
-    const double drawn = format.film->core_seconds.at(static_cast<double>(plan.particles.count())) *
-                         size.width * size.height / pixels_measured;
-    return drawn + (plan.run.is_kept() ? 0.0 : simulated / std::max(1, plan.span.end));
+double pixels_of(const FilmPlan& plan) {
+    return static_cast<double>(plan.scene.film.size.width) * plan.scene.film.size.height;
 }
 
-// Upper estimates, measured with `/usr/bin/time -v` on films of 2 to 100,000 disks
-// (docs/scaling.md).
+double disks_of(const FilmPlan& plan) { return static_cast<double>(plan.particles.count()); }
+
+// Seconds on one core that a frame takes: measured for the simulation, from the table of formats
+// for drawing and encoding.
+double seconds_of_frame(const FilmPlan& plan, const FormatCost& cost, double simulated) {
+    return cost.frame_seconds(disks_of(plan), pixels_of(plan)) +
+           (plan.run.is_kept() ? 0.0 : simulated / std::max(1, plan.span.end));
+}
+
 struct Memory {
     std::int64_t bytes, bytes_per_thread;
 };
-Memory memory_of_chunk(const FilmPlan& plan, std::size_t start_bytes) {
-    const PictureSize size = plan.scene.film.size;
-    const auto pixels = static_cast<double>(size.width) * size.height;
-    constexpr double of_program = 120e6, of_pixel = 130.0, of_particle = 1500.0;
-    const double per_thread = of_pixel * pixels;
-    const double all = of_program + 2.5 * static_cast<double>(start_bytes) + per_thread +
-                       of_particle * static_cast<double>(plan.particles.count());
+
+// Upper estimates from measured peaks (docs/scaling.md). What is encoded stays in memory until the
+// chunk is written.
+Memory memory_of_chunk(const FilmPlan& plan, const PlannedChunk& chunk, const FormatCost& cost,
+                       std::size_t start_bytes) {
+    constexpr double of_program = 80e6, of_particle = 1500.0, of_start = 2.5;
+    const double pixels = pixels_of(plan), disks = disks_of(plan);
+    const double per_thread = cost.memory_per_pixel * pixels;
+    const double encoded = cost.frame_bytes(disks, pixels) * static_cast<double>(chunk.count());
+    const double all = of_program + of_start * static_cast<double>(start_bytes) + 2.0 * encoded +
+                       per_thread + of_particle * disks;
     return {static_cast<std::int64_t>(all), static_cast<std::int64_t>(per_thread)};
 }
 
@@ -99,8 +104,9 @@ std::string name_of_start(int chunk) { return fmt::format("starts/{:04}.start", 
 // The second pass over the run, without drawing: it writes what each chunk begins with.
 class StartWriter {
   public:
-    StartWriter(FilmPlan& plan, PlanWriter& writer, Progress& progress)
+    StartWriter(FilmPlan& plan, const FormatCost& cost, PlanWriter& writer, Progress& progress)
         : plan_(plan),
+          cost_(cost),
           writer_(writer),
           progress_(progress),
           panels_(plan.panels()),
@@ -137,13 +143,14 @@ class StartWriter {
         if (part.beside) part.beside->run = *panels_->rest_beside(end);
         const std::string bytes = run_bytes(part);
         chunk.start = name_of_start(chunk.number);
-        const Memory memory = memory_of_chunk(plan_, bytes.size());
+        const Memory memory = memory_of_chunk(plan_, chunk, cost_, bytes.size());
         chunk.memory_bytes = memory.bytes;
         chunk.memory_bytes_per_thread = memory.bytes_per_thread;
         writer_.write(chunk.start, bytes);
     }
 
     FilmPlan& plan_;
+    const FormatCost& cost_;
     PlanWriter& writer_;
     Progress& progress_;
     std::unique_ptr<PanelSet> panels_;
@@ -264,11 +271,11 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     FilmPlan plan = prepare(scene, options, progress);
     const double simulated = watch.cpu();
     const OutputFormat& format = format_of_film(options.output);
-    const double seconds = seconds_of_frame(plan, format, simulated);
+    const double seconds = seconds_of_frame(plan, *format.film, simulated);
     std::vector<PlannedChunk> chunks =
         chunks_of(plan, chunks_wanted(division, plan.frames(), seconds), seconds);
     PlanWriter writer(folder);
-    StartWriter starts(plan, writer, progress);
+    StartWriter starts(plan, *format.film, writer, progress);
     starts.write(chunks);
     writer.write(plan_file, shared_bytes(plan, options));
     writer.commit({PlanKind::film, request, facts_of(plan, format)}, chunks);

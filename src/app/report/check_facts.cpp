@@ -132,14 +132,13 @@ constexpr double events_per_second = 1e6;
 
 FilmCost cost_of(const OutputFormat& output, const Film& film, double particles, double events,
                  int cores) {
-    constexpr double pixels_measured = 1920.0 * 1080.0;
     const FormatCost& format = *output.film;
-    const double pixels = static_cast<double>(film.size.width) * film.size.height / pixels_measured;
+    const double pixels = static_cast<double>(film.size.width) * film.size.height;
     const double frames = frame_count(film);
     return {output.name,
-            events / events_per_second + format.beforehand * pixels +
-                frames * pixels * format.core_seconds.at(particles) / cores,
-            frames * std::pow(pixels, format.power_of_pixels) * format.bytes.at(particles)};
+            events / events_per_second + format.seconds_before(pixels) +
+                frames * format.frame_seconds(particles, pixels) / cores,
+            frames * format.frame_bytes(particles, pixels)};
 }
 
 std::string cost_words(const std::vector<FilmCost>& costs, int cores) {

@@ -86,14 +86,33 @@ std::optional<Node> template_asked(const Tree& tree) {
     return usual;
 }
 
+// Those beside the scene that `resources` has come first, wherever the scene is now.
+std::optional<TemplateFile> template_file(const Node& asked, const fs::path& scene,
+                                          const SceneResources& resources, Errors& errors) {
+    for (const fs::path& path :
+         {fs::path(asked.text), scene.parent_path() / (asked.text + ".yaml")})
+        if (resources.files.contains(path.string()))
+            return TemplateFile{path.stem().string(), path};
+    return find_template(asked, scene, resources.templates, errors);
+}
+
+std::optional<Node> read_file(const fs::path& path, const SceneResources& resources, Source& source,
+                              Errors& errors) {
+    const auto found = resources.files.find(path.string());
+    if (found == resources.files.end()) return read_yaml_file(path, source, errors);
+    source.name = path.string();
+    source.text = found->second;
+    return read_yaml(source, errors);
+}
+
 void read_template(Tree& tree, const fs::path& scene, const SceneResources& resources,
                    Sources& sources, Errors& errors) {
     const auto asked = template_asked(tree);
     if (!asked) return;
-    const auto file = find_template(*asked, scene, resources.templates, errors);
+    const auto file = template_file(*asked, scene, resources, errors);
     if (!file) return;
     Source& source = sources.emplace_back(Source{.origin = Origin::template_file});
-    auto root = read_yaml_file(file->path, source, errors);
+    auto root = read_file(file->path, resources, source, errors);
     if (!root) return;
     tree.template_file = std::move(*root);
     tree.template_name = file->name;
@@ -307,6 +326,18 @@ void take_shared(Scene& other, const Film& film) {
     other.captions.clear();
 }
 
+// All that a scene was made of, but for what carom brings along.
+SceneSource source_of(const Tree& tree, const Source& source, const SceneResources& resources,
+                      const Overrides& overrides) {
+    SceneSource all{source.name, source.text, "", overrides, run_fingerprint(tree.root)};
+    const Source* used = tree.template_file.source;
+    if (used == nullptr) return all;
+    all.template_text = used->text;
+    if (fs::path(used->name).parent_path() != resources.templates / "films")
+        all.files[used->name] = used->text;
+    return all;
+}
+
 // Loads the run beside the film's, as `reload` makes it of a part and overrides; the film's times,
 // words and callouts are those of the scene itself.
 template <typename Reload>
@@ -334,6 +365,8 @@ void load_beside(Scene& scene, const Node& root, const Overrides& overrides, con
         error.hint = problem->hint;
         throw SceneError({std::move(error)});
     }
+    if (file != nullptr) scene.source.files[other->source.path] = other->source.text;
+    scene.source.files.insert(other->source.files.begin(), other->source.files.end());
     take_shared(*other, scene.film);
     beside.scene = std::make_shared<Scene>(std::move(*other));
 }
@@ -371,9 +404,7 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
                     : Node{.kind = Node::Kind::mapping, .source = &source};
     read_template(tree, path, resources, sources, errors);
     Scene scene = read_scene(tree, resources, wanted, errors);
-    const Source* used = tree.template_file.source;
-    scene.source = {source.name, source.text, used != nullptr ? used->text : "", overrides,
-                    run_fingerprint(tree.root)};
+    scene.source = source_of(tree, source, resources, overrides);
     if (!part.is_whole()) return scene;
     load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
         return load(source, path, resources, others, wanted, {.figure = name});
@@ -383,7 +414,8 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
                 [&](const std::string& name, const Part& other, const Overrides& changes) {
                     if (name.empty()) return load(source, path, resources, changes, wanted, other);
                     const fs::path its = path.parent_path() / name;
-                    require_in_folder(its, *find(*find(tree.film, "beside"), "scene"));
+                    if (!resources.files.contains(its.string()))
+                        require_in_folder(its, *find(*find(tree.film, "beside"), "scene"));
                     return load_file(its, resources, changes, wanted, other);
                 });
     return scene;
@@ -391,6 +423,8 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
 
 Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                 Wanted wanted, const Part& part) {
+    if (const auto found = resources.files.find(path.string()); found != resources.files.end())
+        return load({path.string(), found->second}, path, resources, overrides, wanted, part);
     const bool streamed = path == standard_input;
     const fs::path name = streamed ? "<stdin>" : path;
     Source source{.name = name.empty() ? "\"\"" : name.string()};

@@ -24,6 +24,7 @@ enum class Wanted { film, physics };
 struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
     PanelKinds panels;                ///< all kinds of panel (panels/registry.h)
+    FileTexts files = {};             ///< read in place of what these paths lead to
 };
 
 /// The path that stands for standard input.

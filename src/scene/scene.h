@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -332,12 +333,16 @@ struct Film {
 };
 
 /// Where a scene came from.
+/// Texts of files by their paths.
+using FileTexts = std::map<std::string, std::string>;
+
 struct SceneSource {
     std::string path;                    ///< as the user gave it
     std::string text;                    ///< the whole file, as read
     std::string template_text;           ///< of its film, as read
     std::vector<std::string> overrides;  ///< what the command line laid over it, as KEY.PATH=VALUE
     std::string physics = {};            ///< run_fingerprint() of it, with these
+    FileTexts files = {};  ///< what it names beside itself, as read: templates, scenes
 };
 
 struct Scene {

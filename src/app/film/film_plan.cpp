@@ -59,19 +59,17 @@ struct SceneRecord {
     std::string program = CAROM_VERSION;
     SceneSource source;
     std::optional<int> bits;
-    std::string text_beside = {};  // of the run beside it
-    std::optional<int> bits_beside = {};
+    std::optional<int> bits_beside = {};  // of the run beside it
 
     void archive(Archive& archive) {
-        archive(program, source.path, source.text, source.template_text, source.overrides, bits,
-                text_beside, bits_beside);
+        archive(program, source.path, source.text, source.template_text, source.overrides,
+                source.files, bits, bits_beside);
     }
 };
 
 SceneRecord record_of(const Scene& scene) {
     SceneRecord record{.source = scene.source, .bits = scene.run.bits};
     if (!scene.film.beside) return record;
-    record.text_beside = scene.film.beside->scene->source.text;
     record.bits_beside = scene.film.beside->scene->run.bits;
     return record;
 }
@@ -83,15 +81,15 @@ void set_scene_beside(Scene& scene, Scene other) {
 Scene scene_of(const SceneRecord& record, const Archive& archive) {
     if (record.program != CAROM_VERSION)
         archive.refuse("it was written by carom " + record.program);
-    Scene scene = load_scene_text(record.source.text, record.source.path, scene_resources(),
-                                  record.source.overrides);
+    SceneResources resources = scene_resources();
+    resources.files = record.source.files;
+    Scene scene =
+        load_scene_text(record.source.text, record.source.path, resources, record.source.overrides);
     if (scene.source.template_text != record.source.template_text)
         archive.refuse("the template of its film has changed");
     scene.run.bits = record.bits;
     if (scene.film.beside) {
         Scene other = *scene.film.beside->scene;
-        if (other.source.text != record.text_beside)
-            archive.refuse("the scene of the run beside its own has changed");
         other.run.bits = record.bits_beside;
         set_scene_beside(scene, std::move(other));
     }

@@ -42,11 +42,9 @@ Sweep sweep_from(const Json& json) {
 
 // With the scene as it is without the values of a point.
 Json request_to_json(const SweepRequest& request, const Scene& scene) {
-    const std::string path =
-        request.scene == standard_input ? scene.source.path : fs::absolute(request.scene).string();
     return {{"scene", scene.source.path},
-            {"path", path},
             {"text", scene.source.text},
+            {"files", scene.source.files},
             {"template", fingerprint(scene.source.template_text)},
             {"title", scene.title},
             {"physics", scene.source.physics},
@@ -58,7 +56,7 @@ Json request_to_json(const SweepRequest& request, const Scene& scene) {
 }
 
 SweptScene swept_scene(const Json& request) {
-    return {request.at("text"), request.at("path"), request.at("overrides")};
+    return {request.at("text"), request.at("scene"), request.at("files"), request.at("overrides")};
 }
 
 // All points, so that a mistake at one is found before the first run. Which numbers a run has must

@@ -68,8 +68,10 @@ std::shared_ptr<const Scene> scene_at_point(const SweptScene& swept, const Sweep
     const std::vector<std::string> changes = sweep.changes_at(point);
     overrides.insert(overrides.end(), changes.begin(), changes.end());
     try {
+        SceneResources resources = scene_resources();
+        resources.files = swept.files;
         return std::make_shared<const Scene>(
-            load_run_text(swept.text, swept.path, scene_resources(), overrides));
+            load_run_text(swept.text, swept.path, resources, overrides));
     } catch (const SceneError& error) {
         throw at_point(error, sweep, point);
     }

@@ -14,7 +14,8 @@ namespace carom {
 /// A scene file as it was read, and what is laid over it at all points.
 struct SweptScene {
     std::string text;
-    std::string path;  ///< of the file; its template is looked for beside it
+    std::string path;      ///< of the file, as the user gave it
+    FileTexts files = {};  ///< that it names, as they were read
     Overrides overrides = {};
 };
 

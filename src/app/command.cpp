@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <system_error>
 
 #include "app/granted_cores.h"
@@ -16,6 +18,17 @@ namespace fs = std::filesystem;
 
 // `--size 1280x720` is easier on a shell than `[1280, 720]`.
 std::string as_yaml_size(const std::string& text) {
+    for (const std::string unit : {"cm", "mm", "in", "pt"})
+        if (text.ends_with(unit))
+            throw UsageError(
+                fmt::format("--size {}: pictures of films are measured in pixels "
+                            "(WIDTHxHEIGHT); carom figure --width takes {}",
+                            text, "centimetres"));
+    if (text.find_first_not_of("0123456789") == std::string::npos)
+        throw UsageError(fmt::format(
+            "--size {0}: expected WIDTHxHEIGHT, for instance {0}x{1}, or 2160p, 1080p or 720p",
+            text,
+            std::max(2, 2 * static_cast<int>(std::lround(std::atof(text.c_str()) * 9 / 32)))));
     for (const std::string cross : {"x", "X", "×"})
         if (const std::size_t at = text.find(cross); at != std::string::npos)
             return fmt::format("[{}, {}]", text.substr(0, at), text.substr(at + cross.size()));

@@ -103,6 +103,7 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 Command render_command();
 Command still_command();
 Command figures_command();
+Command figure_command();
 Command run_command();
 Command plan_command();
 Command join_command();

@@ -21,6 +21,4 @@ SceneResources scene_resources() { return {templates_folder(), panel_kinds()}; }
 
 std::filesystem::path library_folder() { return templates_folder().parent_path() / "scenes"; }
 
-std::filesystem::path schema_file() { return library_folder() / "scene.schema.json"; }
-
 }  // namespace carom

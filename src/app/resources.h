@@ -18,7 +18,4 @@ SceneResources scene_resources();
 /// templates_folder() does; it need not exist.
 std::filesystem::path library_folder();
 
-/// The JSON Schema of scenes, a file.
-std::filesystem::path schema_file();
-
 }  // namespace carom

@@ -42,10 +42,19 @@ Node key_node(const Source& source, const Step& step) {
 Node* enter_list(Node& list, const Source& source, const Step& step, Errors& errors) {
     const auto index = list_index(step.word);
     if (index && *index < list.items.size()) return &list.items[*index];
+    std::vector<std::string> names;
+    for (Node& item : list.items) {
+        const Node* name = find(item, "name");
+        if (name == nullptr) continue;
+        if (name->text == step.word) return &item;
+        names.push_back(name->text);
+    }
+    const std::string by_name =
+        names.empty() ? "" : ", or named: " + fmt::format("`{}`", fmt::join(names, "`, `"));
     errors.add(key_node(source, step),
                fmt::format("expected an item of a list of {}, found {}", list.items.size(),
                            in_quotes(step.word)),
-               "items are counted from 0");
+               "items are counted from 0" + by_name);
     return nullptr;
 }
 

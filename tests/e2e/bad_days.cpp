@@ -193,8 +193,8 @@ TEST_CASE("a flag that the command does not have is told with the nearest one") 
     const Outcome outcome = run({program, "render", scene, "--qualty=draft"});
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err ==
-          "The following argument was not expected: --qualty=draft\n"
-          "Run with --help for more information.\nDid you mean --quality?\n");
+          "carom: carom render has no option --qualty; did you mean --quality?; carom render "
+          "--help lists the options\n");
     const Outcome other = run({program, "render", scene, "--xyzzy"});
     CHECK(other.exit_code == 2);
     CHECK(other.err.find("mean") == std::string::npos);

@@ -27,10 +27,16 @@ TEST_CASE("carom new writes a scene that is valid and renders") {
     const Outcome made = run({program, "new", "mine"}, folder.path());
     CHECK(made.exit_code == 0);
     CHECK(made.out == "mine.yaml: a scene; `carom render mine.yaml` makes its film\n");
-    CHECK(folder.names() == std::vector<std::string>{"mine.yaml"});
+    CHECK(folder.names() == std::vector<std::string>{"mine.yaml", "scene.schema.json"});
     const std::string line = first_line(folder.path() / "mine.yaml");
     REQUIRE(line.starts_with(mark));
-    CHECK(fs::equivalent(line.substr(mark.size()), root / "scenes/scene.schema.json"));
+    CHECK(line.substr(mark.size()) == "scene.schema.json");
+    CHECK(contents(folder.path() / "scene.schema.json") ==
+          contents(root / "scenes/scene.schema.json"));
+    folder.write("scene.schema.json", "mine");
+    CHECK(run({program, "new", "second", "--quiet"}, folder.path()).exit_code == 0);
+    CHECK(contents(folder.path() / "scene.schema.json") == "mine");
+    fs::remove(folder.path() / "second.yaml");
     CHECK(run({program, "check", "mine.yaml"}, folder.path()).exit_code == 0);
     const Outcome film = run({program, "render", "mine.yaml", "--quality", "draft", "--size",
                               "320x180", "--set", "film.seconds=0.2", "--quiet"},
@@ -97,5 +103,5 @@ TEST_CASE("a new scene may begin with another one, by its path or its name in th
         run({program, "new", "other", "--from", "time-revesal"}, folder.path());
     CHECK(misspelt.exit_code == 2);
     CHECK(misspelt.err.find("did you mean `time-reversal`?") != std::string::npos);
-    CHECK(folder.names() == std::vector<std::string>{"mine.yaml"});
+    CHECK(folder.names() == std::vector<std::string>{"mine.yaml", "scene.schema.json"});
 }

@@ -109,7 +109,77 @@ void make_all(const FiguresArguments& arguments) {
     }
 }
 
+// What `carom figure` draws, which the scene need not list.
+struct FigureAsked {
+    std::string kind, at, width;
+};
+
+std::string as_centimetres(const std::string& width) {
+    const std::string number = width.ends_with("cm") ? width.substr(0, width.size() - 2) : width;
+    if (number.empty() || number.find_first_not_of("0123456789.") != std::string::npos)
+        throw UsageError(
+            fmt::format("--width {}: expected a width in centimetres, for instance 8cm", width));
+    return number;
+}
+
+Overrides overrides_of(const FigureAsked& asked) {
+    std::string keys = fmt::format("name: {0}, kind: {0}", asked.kind);
+    if (!asked.at.empty()) keys += ", at: " + asked.at;
+    if (!asked.width.empty()) keys += ", size: " + as_centimetres(asked.width);
+    return {"figures=[{" + keys + "}]"};
+}
+
+void make_one(FiguresArguments arguments, const FigureAsked& asked) {
+    if (asked.kind.empty())
+        throw UsageError("carom figure needs the kind of the figure: --kind gas, for instance");
+    const Overrides overrides = overrides_of(asked);
+    arguments.shortcuts.insert(arguments.shortcuts.end(), overrides.begin(), overrides.end());
+    if (arguments.output.empty())
+        arguments.output = (fs::path("out") /
+                            fmt::format("{}-{}", scene_stem(arguments.scenes.front()), asked.kind))
+                               .string();
+    make_all(arguments);
+}
+
+Option formats_option(FiguresArguments& arguments) {
+    return {"--formats",
+            fmt::format("{}; several separated by commas", fmt::join(figure_formats(), ", ")),
+            CommaSeparated{&arguments.formats}, figure_formats()};
+}
+
+std::vector<Option> drawing_options(FiguresArguments& arguments) {
+    return joined<Option>({scene_options(arguments),
+                           {language_option(arguments),
+                            {"--threads", "cores to use; the result is the same for any number",
+                             &arguments.threads}}});
+}
+
 }  // namespace
+
+Command figure_command() {
+    struct Arguments : FiguresArguments {
+        std::string scene;
+        FigureAsked asked;
+    };
+    const auto arguments = std::make_shared<Arguments>();
+    Arguments& its = *arguments;
+    return {"figure", "draw one figure of a scene, which need not list it",
+            joined<Option>(
+                {{{"scene", "a scene file, or - for standard input", &its.scene},
+                  {"--kind", "the kind of the figure: gas, speed-histogram, pressure, ...",
+                   &its.asked.kind},
+                  {"--at", "the time that it shows; default: the end of the run", &its.asked.at},
+                  {"--width", "its width in centimetres, for instance 8cm", &its.asked.width},
+                  {"-o,--output", "output folder; default: out/SCENE-KIND", &its.output},
+                  formats_option(its),
+                  {"--force", "draw it again, and replace files that carom did not write",
+                   &its.options.force}},
+                 drawing_options(its)}),
+            [arguments] {
+                arguments->scenes = {arguments->scene};
+                make_one(*arguments, arguments->asked);
+            }};
+}
 
 Command figures_command() {
     const auto arguments = std::make_shared<FiguresArguments>();
@@ -122,9 +192,7 @@ Command figures_command() {
               {"-o,--output",
                "output folder, for several scenes with a subfolder for each; default: out/SCENE",
                &its.output},
-              {"--formats",
-               fmt::format("{}; several separated by commas", fmt::join(figure_formats(), ", ")),
-               CommaSeparated{&its.formats}, figure_formats()},
+              formats_option(its),
               {"--only", "only the figures with these names, separated by commas",
                CommaSeparated{&its.options.only}},
               {"--force", "draw all again, and replace files that carom did not write",
@@ -135,9 +203,7 @@ Command figures_command() {
                CommaSeparated{&its.pages}},
               {"--films", "also render the films of the scenes, which pages then show",
                &its.options.films}},
-             scene_options(its),
-             {language_option(its),
-              {"--threads", "cores to use; the result is the same for any number", &its.threads}}}),
+             drawing_options(its)}),
         [arguments] { make_all(*arguments); }};
 }
 

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <system_error>
 
 #include "app/command.h"
+#include "app/film/film_request.h"
 #include "app/progress.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -68,22 +70,77 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
     if (argc < 2) throw UsageError("a command is needed\n\n" + app.help());
     const std::string word = argv[1];
     if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
+    for (int i = 2; i < argc; ++i)
+        if (std::ranges::find(names, argv[i]) != names.end())
+            throw UsageError(fmt::format("the command stands first: carom {} {}", argv[i], word));
     const std::string commands = fmt::format("the commands are {}", fmt::join(names, ", "));
     throw UsageError(
         fmt::format("there is no command `{}`; {}", word, spelling_hint(word, names, commands)));
 }
 
-// Of a flag that the command does not have: the one that is meant.
-std::string meant_flag(const CLI::App& app) {
-    for (const CLI::App* command : app.get_subcommands())
-        for (const std::string& word : command->remaining()) {
-            std::vector<std::string> flags;
-            for (const CLI::Option* option : command->get_options())
-                for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
-            const auto meant = nearest_spelling(word.substr(0, word.find('=')), flags);
-            if (word.starts_with("-") && meant) return *meant;
-        }
-    return "";
+// The flags of other commands that are likely to be tried.
+struct OtherFlag {
+    std::string command, flag, hint;
+};
+const std::vector<OtherFlag> other_flags{
+    {"run", "-o", "samples go to --csv PATH, statistics to --json PATH"},
+    {"run", "--output", "samples go to --csv PATH, statistics to --json PATH"},
+    {"new", "-o", "the name of the file stands alone: carom new NAME"},
+    {"schema", "-o", "send it to a file: carom schema > scene.schema.json"},
+    {"still", "--width", "carom figure SCENE --kind gas --width 8cm draws a figure"},
+};
+
+// Of words that a command does not take: what is wrong with the first.
+std::string unexpected_word(const CLI::App& command) {
+    const std::vector<std::string> words = command.remaining();
+    const auto flag = std::ranges::find_if(
+        words, [](const std::string& word) { return word.starts_with("-") && word != "-"; });
+    const std::string name = command.get_name();
+    const std::string call = command.get_parent() == nullptr ? name : "carom " + name;
+    if (flag == words.end())
+        return fmt::format("{} does not take the word {}", call, words.front());
+    const std::string word = flag->substr(0, flag->find('='));
+    const std::string mistake = fmt::format("{} has no option {}", call, word);
+    for (const OtherFlag& other : other_flags)
+        if (other.command == name && other.flag == word) return mistake + "; " + other.hint;
+    std::vector<std::string> flags;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& its : option->get_lnames()) flags.push_back("--" + its);
+    const auto meant = nearest_spelling(word, flags);
+    return meant ? fmt::format("{}; did you mean {}?", mistake, *meant) : mistake;
+}
+
+// "carom render SCENE...", of a command whose words are missing.
+std::string call_of(const CLI::App& command) {
+    std::string call = "carom " + command.get_name();
+    for (const CLI::Option* option : command.get_options()) {
+        if (!option->get_lnames().empty() || !option->get_snames().empty()) continue;
+        std::string word = upper_case(option->get_name());
+        if (option->get_items_expected_max() > 1) word = word.substr(0, word.size() - 1) + "...";
+        call += " " + word;
+    }
+    return call;
+}
+
+// What is wrong with the command line, and what to write instead.
+std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    if (commands.empty())
+        return fmt::format("{}; carom --help lists the commands",
+                           app.remaining().empty() ? "a command is needed" : unexpected_word(app));
+    const CLI::App& command = *commands.front();
+    const std::string help = fmt::format("; carom {} --help lists the options", command.get_name());
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+        return unexpected_word(command) + help;
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+        return fmt::format("carom {} needs more: write {}{}", command.get_name(), call_of(command),
+                           help);
+    const std::string what = error.what();
+    const std::string flag = what.substr(0, what.find(':'));
+    const CLI::Option* option = command.get_option_no_throw(flag);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr)
+        return fmt::format("{} needs a value: {}{}", flag, option->get_description(), help);
+    return what + help;
 }
 
 // A variable of a shell that is not set must not be taken for the number 0, or for no file.
@@ -95,6 +152,20 @@ void refuse_empty_values(CLI::App& app) {
         for (CLI::Option* option : command->get_options())
             if (!option->get_lnames().empty() && option->get_items_expected_max() > 0)
                 option->check(complaint);
+}
+
+// `--set a=1 b=2` is `--set a=1 --set b=2`, but for files of such a name.
+std::vector<std::string> with_each_set(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const auto is_change = [](const std::string& word) {
+        std::error_code error;
+        return !word.starts_with('-') && word.find('=') != std::string::npos &&
+               !std::filesystem::exists(word, error);
+    };
+    for (std::size_t i = 2; i < words.size(); ++i)
+        if (words[i - 2] == "--set" && is_change(words[i]))
+            words.insert(words.begin() + static_cast<std::ptrdiff_t>(i++), "--set");
+    return words;
 }
 
 // Of what a command has printed there, and of the help; that it was closed is no error.
@@ -111,19 +182,20 @@ int parse_and_run(int argc, const char* const* argv) {
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
     for (const auto command :
-         {render_command, still_command, figures_command, run_command, plan_command, join_command,
-          check_command, new_command, schema_command})
+         {render_command, still_command, figures_command, figure_command, run_command, plan_command,
+          join_command, check_command, new_command, schema_command})
         add_command(app, command());
     refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words = with_each_set(argc, argv);
+        std::ranges::reverse(words);  // as the library takes them
+        app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
-        const int code = app.exit(error);
-        if (const std::string meant = meant_flag(app); code != 0 && !meant.empty())
-            say(fmt::format("Did you mean {}?\n", meant));
+        if (error.get_exit_code() != 0) throw UsageError(mistake_in(app, error));
+        app.exit(error);  // the help, or the version
         finish_standard_output();
-        return code == 0 ? 0 : 2;
+        return 0;
     }
     finish_standard_output();
     return 0;

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "app/command.h"
+#include "app/report/schema_json.h"
 #include "app/resources.h"
 #include "panels/registry.h"
 #include "scene/reading/set_reading.h"
@@ -34,24 +35,17 @@ fs::path named(const std::string& name) {
     return name + ".yaml";
 }
 
-// A path as the first line may hold it: editors read it up to a space, so that one with spaces
-// or other letters becomes a URI.
-std::string as_reference(const fs::path& path) {
-    constexpr std::string_view plain = "/._-~+";
-    const std::string text = path.string();
-    if (percent_encoded(text, plain) == text) return text;
-    return "file://" + percent_encoded(fs::absolute(path).string(), plain);
-}
+constexpr const char* schema_beside = "scene.schema.json";
 
-// Where the file finds the schema: by a way that stays true when both are moved if it is written
-// into the folder of the schema, else by the whole path. Nothing is installed: beside the file.
+// Where the file finds the schema, by a way that stays true when its folder is moved or given to
+// others: in the library that of the library, elsewhere the one beside it.
 std::string schema_reference(const fs::path& file) {
     std::error_code error;
-    const fs::path schema = schema_file();
-    if (!fs::exists(schema, error)) return "scene.schema.json";
-    const fs::path folder = fs::absolute(file).parent_path();
-    if (is_same_file(folder, schema.parent_path())) return schema.filename().string();
-    return as_reference(schema);
+    const fs::path way = fs::relative(library_folder(), fs::absolute(file).parent_path(), error);
+    const bool is_in_library = !error && std::ranges::all_of(way, [](const fs::path& step) {
+        return step == ".." || step == ".";
+    });
+    return is_in_library ? (way / schema_beside).lexically_normal().string() : schema_beside;
 }
 
 // The scenes of all its folders by their names; figure sets are none.
@@ -110,6 +104,13 @@ void write_new(const fs::path& file, const std::string& text) {
     fail(file, written ? at_closing : cause);
 }
 
+// One that is there already is left as it is.
+void write_schema_beside(const fs::path& file) {
+    const fs::path schema = file.parent_path() / schema_reference(file);
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(schema, error))) write_new(schema, scene_schema_json());
+}
+
 void make_scene(const NewArguments& arguments) {
     const fs::path file = named(arguments.name);
     std::error_code error;
@@ -117,6 +118,7 @@ void make_scene(const NewArguments& arguments) {
     const std::string text = text_for(arguments, file);
     load_scene_text(text, file.string(), scene_resources());  // a template beside the other one
     write_new(file, text);
+    write_schema_beside(file);
     if (!arguments.quiet)
         fmt::print("{0}: a scene; `carom render {0}` makes its film\n", file.string());
 }

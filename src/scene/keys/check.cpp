@@ -46,7 +46,10 @@ std::string expected(const Node& node, const std::vector<Form>& forms) {
             all.push_back(one);
             if (kind_of(form) == node.kind) near.push_back(one);
         }
-    return listed(near.empty() ? all : near, "or");
+    const std::vector<std::string>& shown = near.empty() ? all : near;
+    constexpr std::size_t most_shown = 12;
+    if (shown.size() > most_shown) return fmt::format("one of {} names", shown.size());
+    return listed(shown, "or");
 }
 
 void mismatch(Node& node, const std::vector<Form>& forms, std::string hint, Context context) {
@@ -120,6 +123,17 @@ std::string keys_hint(const Section& section) {
     return (names.size() == 1 ? "its key is " : "its keys are ") + listed(names, "and");
 }
 
+// Whether a name has a word of `text`; words of names stand between dashes.
+bool has_word_of(std::string_view text, std::string_view name) {
+    constexpr std::size_t shortest = 4;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("- _", at), text.size());
+        if (end - at >= shortest && name.find(text.substr(at, end - at)) != name.npos) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
 std::string word_hint(const Node& node, const std::vector<Form>& forms) {
     for (const Form& form : forms)
         for (const Elsewhere& other : form.elsewhere)
@@ -127,7 +141,18 @@ std::string word_hint(const Node& node, const std::vector<Form>& forms) {
     std::vector<std::string> words;
     for (const Form& form : forms) words.insert(words.end(), form.words.begin(), form.words.end());
     const auto near = nearest_spelling(node.text, words);
-    return near ? fmt::format("did you mean `{}`?", *near) : "";
+    if (near) return fmt::format("did you mean `{}`?", *near);
+    constexpr std::size_t few = 12;  // all stand in the message
+    if (words.size() <= few || form_of(forms, Shape::color) != nullptr) return "";
+    std::vector<std::string> alike;
+    for (const std::string& word : words)
+        if (has_word_of(node.text, word)) alike.push_back(word);
+    return "there are " + fmt::format("`{}`", fmt::join(alike.empty() ? words : alike, "`, `"));
+}
+
+bool is_pair_of_numbers(const Form& list) {
+    return list.shortest == 2 && list.most.count() == 2 &&
+           form_of(list.items, Shape::number) != nullptr;
 }
 
 std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
@@ -139,6 +164,10 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
         return "names are those of CSS: red, darkblue, orange, teal and others";
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     const Form* list = form_of(forms, Shape::list);
+    if (list != nullptr && is_pair_of_numbers(*list) && number_in(node))
+        return *number_in(node) == 0.0
+                   ? "write [0, 0], or leave it out"
+                   : fmt::format("for instance [{}, 0]: one number for each direction", node.text);
     return list != nullptr && forms.size() > 1 ? "or give " + phrase(*list) : "";
 }
 

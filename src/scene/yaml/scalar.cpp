@@ -50,6 +50,16 @@ std::string without(std::string text, std::string_view letters) {
     return text;
 }
 
+// The number of a quantity such as "5mm" or "2.5 m/s"; empty if there is no number or no unit.
+std::string before_unit(const std::string& text) {
+    const std::size_t end = text.find_last_of("0123456789.");
+    const std::size_t unit = text.find_first_not_of("0123456789.+-");
+    if (unit == std::string::npos || unit == 0) return "";
+    const std::string number = text.substr(0, unit);
+    const bool is_one_number = end == unit - 1 || text.find_first_of("/^²³", unit) != text.npos;
+    return is_one_number && parse_number(number) ? number : "";
+}
+
 // A comma is a decimal point to some, and parts thousands for others.
 std::string separator_hint(const std::string& text) {
     const std::string plain = without(text, "_,' ");
@@ -104,6 +114,8 @@ std::string number_hint(const Node& node) {
     if (zeros != std::string::npos && zeros > sign && parse_number(node.text.substr(zeros)))
         return fmt::format("write `{}{}`, without leading zeros", node.text.substr(0, sign),
                            node.text.substr(zeros));
+    if (const std::string number = before_unit(node.text); !number.empty())
+        return fmt::format("quantities have no units in carom: write `{}`", number);
     if (!word.empty() && is_decimal(std::string_view{word}.substr(sign)))
         return "too large or too small for a number of double precision";
     return "";

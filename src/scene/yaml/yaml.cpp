@@ -266,9 +266,17 @@ void report_syntax(const Source& source, const YAML::Exception& error, std::size
     const bool open_end = error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ||
                           error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW ||
                           error.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
-    const std::size_t mark = open_end ? open_mark(before) : std::string_view::npos;
+    const bool is_other_end = error.msg == YAML::ErrorMsg::FLOW_END && offset < text.size();
+    const std::size_t mark = open_end || is_other_end ? open_mark(before) : std::string_view::npos;
     if (mark == std::string_view::npos)
         return errors.add(source, offset, "not valid YAML: " + problem_of(error), hint);
+    if (is_other_end)
+        return errors.add(
+            source, mark,
+            fmt::format("not valid YAML: this `{}` is not closed before the `{}` of "
+                        "line {}, column {}",
+                        text[mark], text[offset], 1 + std::ranges::count(before, '\n'),
+                        offset - before.rfind('\n')));
     const bool quote = text[mark] == '"' || text[mark] == '\'';
     if (quote) return errors.add(source, mark, "not valid YAML: this quotation mark is not closed");
     errors.add(source, mark,

@@ -1,0 +1,113 @@
+// What a newcomer is likely to write, and what carom says to write instead.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "e2e/program.h"
+#include "support/files.h"
+#include "support/process.h"
+
+using namespace carom::test;
+
+namespace {
+
+const std::string plain = library_scene("one-hot-particle");
+
+struct Mistake {
+    std::string call, said;
+};
+
+Outcome call(const std::string& arguments) {
+    return shell("'" + program + "' " + arguments, std::filesystem::temp_directory_path());
+}
+
+// Of a scene with these lines for box, gas and film.
+Outcome check_lines(const std::string& lines) {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", "title: A scene\n" + lines + "run: {until: 1}\n");
+    return shell("'" + program + "' check scene.yaml", folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("each mistake on the command line is told with what to write instead") {
+    const std::vector<Mistake> mistakes{
+        {"render", "write carom render SCENE...;"},
+        {"figure", "write carom figure SCENE;"},
+        {"new", "write carom new NAME;"},
+        {"run --json", "--json needs a value: "},
+        {"'" + plain + "' render", "the command stands first: carom render " + plain + "\n"},
+        {"run '" + plain + "' -o x.csv", "has no option -o; samples go to --csv PATH"},
+        {"run '" + plain + "' --output=x.csv", "has no option --output; samples go to --csv PATH"},
+        {"check '" + plain + "' --sett a=1", "did you mean --set?"},
+        {"--list", "carom has no option --list; carom --help lists the commands"},
+        {"new a b", "carom new does not take the word b"},
+        {"still '" + plain + "' --size 8cm", "carom figure --width takes centimetres"},
+        {"still '" + plain + "' --size 640", "expected WIDTHxHEIGHT, for instance 640x360"},
+        {"check '" + plain + "' --set gas.nobody.count=1",
+         "items are counted from 0, or named: `the 200 others`, `the fast disk`"},
+    };
+    for (const Mistake& mistake : mistakes) {
+        CAPTURE(mistake.call);
+        const Outcome outcome = call(mistake.call);
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.err, mistake.said));
+    }
+}
+
+TEST_CASE("--set takes several values, and items of lists by their names") {
+    const auto facts = [](const std::string& arguments) {
+        const Outcome outcome = call("check '" + plain + "' " + arguments);
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return outcome.out;
+    };
+    const std::string both = facts("--set gas.0.count=7 --set film.seconds=5");
+    CHECK(has(both, "7 the 200 others"));
+    CHECK(has(both, "0:05 at 30 a second"));
+    CHECK(facts("--set gas.0.count=7 film.seconds=5") == both);
+    CHECK(facts("--set 'gas.the 200 others.count=7' film.seconds=5") == both);
+}
+
+TEST_CASE("a value that a newcomer would write is told with the right one") {
+    const std::string box = "box: {size: [20, 15]}\n";
+    const auto gas = [](const std::string& keys) {
+        return "gas: [{count: 5, radius: 0.4, " + keys + "}]\n";
+    };
+    const std::vector<Mistake> mistakes{
+        {"box: {size: [20, 15}\n" + gas("speed: 1"),
+         "scene.yaml:2:13: error: not valid YAML: this `[` is not closed before the `}` of line 2, "
+         "column 20"},
+        {box + gas("velocity: 0"), "hint: write [0, 0], or leave it out"},
+        {box + gas("velocity: 2"), "hint: for instance [2, 0]: one number for each direction"},
+        {box + gas("speed: 5mm"), "quantities have no units in carom: write `5`"},
+        {box + gas("speed: 2.5 m/s"), "quantities have no units in carom: write `2.5`"},
+        {box + gas("speed: 1") + "film: {panels: [sped-histogram]}\n",
+         "hint: did you mean `speed-histogram`?"},
+        {box + gas("speed: 1") + "film: {panels: [histogram-of-energies]}\n",
+         "hint: there are `speed-histogram`, `energy-histogram`, "},
+    };
+    for (const Mistake& mistake : mistakes) {
+        CAPTURE(mistake.call);
+        const Outcome outcome = check_lines(mistake.call);
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.err, mistake.said));
+        CHECK_FALSE(has(outcome.err, "`stopwatch`"));  // not all the names
+    }
+}
+
+TEST_CASE("carom figure draws a figure that the scene does not list") {
+    const TemporaryFolder folder;
+    const std::string call = "'" + program + "' figure '" + plain + "' --kind gas --at 5 ";
+    CHECK(shell(call + "--width 8cm --formats svg,png", folder.path()).exit_code == 0);
+    const std::filesystem::path made = folder.path() / "out/one-hot-particle-gas";
+    CHECK(has(contents(made / "gas.svg"), "width=\"302px\""));  // 8 cm at 96 dots an inch
+    CHECK(contents(made / "gas.png").starts_with("\x89PNG"));
+    CHECK_FALSE(std::filesystem::exists(made / "gas.pdf"));
+    const Outcome wrong = shell(call + "--width 8mm", folder.path());
+    CHECK(wrong.exit_code == 2);
+    CHECK(has(wrong.err, "expected a width in centimetres"));
+}

@@ -93,7 +93,7 @@ TEST_CASE("an ensemble by Slurm is that of one process, and a film for more task
     const Outcome made =
         place.with_slurm("array ensemble.yaml " + Workplace::ensemble +
                          " --chunks 5 -o out/all.json --csv out/all.csv || exit 1\n"
-                         "array scenes/second.yaml -o out/many.gif --chunks 40");
+                         "array scenes/second.yaml -o out/many.gif --chunks 6");
     CHECK_MESSAGE(made.exit_code == 0, made.out, made.err);
     check_same(place, "out/all.json", "one.json");
     check_same(place, "out/all.csv", "one.csv");

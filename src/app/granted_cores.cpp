@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A whole number that is more than 0; "max" and -1 mean that there is no limit.
-std::optional<double> positive(std::string_view text) {
+std::optional<double> positive_number(std::string_view text) {
     long long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || value <= 0) return std::nullopt;
@@ -34,7 +34,7 @@ std::string first_line(const fs::path& path) {
 
 // Cores of a quota of so much time in each period.
 std::optional<double> cores_of(const std::string& quota, const std::string& period) {
-    const auto time = positive(quota), whole = positive(period);
+    const auto time = positive_number(quota), whole = positive_number(period);
     if (!time || !whole) return std::nullopt;
     return *time / *whole;
 }
@@ -74,7 +74,7 @@ double least_quota(const fs::path& root) {
 int granted_cores(const fs::path& root) {
     double cores = std::max(1U, std::thread::hardware_concurrency());  // by the affinity
     if (const char* task = std::getenv("SLURM_CPUS_PER_TASK"))
-        cores = std::min(cores, positive(task).value_or(cores));
+        cores = std::min(cores, positive_number(task).value_or(cores));
     return static_cast<int>(std::max(1.0, std::floor(std::min(cores, least_quota(root)))));
 }
 

@@ -31,7 +31,7 @@ void check_vary(const Sweep& sweep, const Node& node, Reading& reading) {
     if (sweep.runs() > most_in_figure)
         reading.errors.add(node, fmt::format("the figure runs {} gases", sweep.runs()),
                            fmt::format("a figure runs up to {} by itself; plan more with `carom "
-                                       "plan`, and name the folder in `joined`",
+                                       "plan`, and name the folder in `seeds: {{from: FOLDER}}`",
                                        most_in_figure));
 }
 
@@ -74,9 +74,6 @@ std::vector<Binding<PanelSpec>> sweep_keys() {
                     node, fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(written)),
                     "for instance run.until=40");
         });
-    const auto fill_joined = [](PanelSpec& panel, std::string path) {
-        panel.sweep.from = std::move(path);
-    };
     const auto fill_across = [](PanelSpec& panel, std::string key) {
         panel.sweep.against = std::move(key);
     };
@@ -94,15 +91,11 @@ std::vector<Binding<PanelSpec>> sweep_keys() {
                              "The keys that it varies, each with N equally spaced values or as "
                              "KEY=VALUE,VALUE,... Each point is the mean of as many runs as "
                              "`seeds` says.")
-            .default_text("none; or `joined`"),
+            .default_text("none; or `seeds: {from: FOLDER}`"),
         bind_with<PanelSpec>("set", fill_set,
                              one_or_list(change, most_changes, "a list of KEY.PATH=VALUE"),
                              "Values that differ from the scene in all of its runs.")
             .default_text("nothing"),
-        bind_with<PanelSpec>("joined", fill_joined, line,
-                             "Instead of `vary`: the folder of a sweep that `carom join` has put "
-                             "together, or its summary; beside the scene.")
-            .default_text("none"),
         bind_with<PanelSpec>("across", fill_across, line,
                              "What is on the axis across: a key that is varied, or `packing` or "
                              "`density` of the gas. With other keys varied, too, each combination "
@@ -119,14 +112,12 @@ void check_sweep_figure(PanelSpec& panel, const Node& node, Reading& reading) {
         reading.errors.add(node, "a figure of kind `sweep` needs `number`",
                            "for instance {kind: sweep, number: virial pressure, vary: "
                            "\"gas.0.radius=0.1:0.4:7\", seeds: 8}");
-    const Node *vary = find(node, "vary"), *joined = find(node, "joined");
-    if ((vary == nullptr) == (joined == nullptr))
-        reading.errors.add(node,
-                           vary == nullptr ? "a figure of kind `sweep` needs `vary` or `joined`"
-                                           : "`vary` and `joined` of a sweep exclude one another",
+    const Node* vary = find(node, "vary");
+    if (vary == nullptr && !shown.from)
+        reading.errors.add(node, "a figure of kind `sweep` needs `vary` or `seeds: {from: FOLDER}`",
                            "it runs what `vary` says, or shows a sweep that is joined already");
-    for (const char* key : {"seeds", "set"})
-        if (const Node* written = given(node, key); written != nullptr && joined != nullptr)
+    for (const char* key : {"vary", "set"})
+        if (const Node* written = given(node, key); written != nullptr && shown.from)
             reading.errors.add(*written, fmt::format("a joined sweep has its own `{}`", key),
                                fmt::format("leave out `{}`", key));
     for (const char* key : {"at", "over"})

@@ -172,15 +172,41 @@ void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) 
             "make a figure for each");
 }
 
+// How many runs, or the folder of a sweep in which they were done.
+Binding<PanelSpec> seeds_key() {
+    struct Joined {
+        std::string from;
+    };
+    using Runs = std::variant<std::int64_t, Joined>;
+    const KeyTable<Joined> joined_sweep{
+        .name = "`seeds`",
+        .keys = {bind_key("from", &Joined::from, text(1, most_title_letters),
+                          "The folder of a sweep that `carom join` has put together, or its "
+                          "summary; beside the scene.")
+                     .required()}};
+    const auto fill = [](PanelSpec& panel, const Runs& runs) {
+        if (const auto* sweep = std::get_if<Joined>(&runs))
+            panel.sweep.from = sweep->from;
+        else
+            panel.seeds = static_cast<int>(std::get<std::int64_t>(runs));
+    };
+    return bind_with<PanelSpec>(
+               "seeds", fill,
+               either(
+                   as<Runs>(whole(1, most_seeds)),
+                   as<Runs>(mapping(joined_sweep, "{from: FOLDER} of a figure of kind `sweep`"))),
+               "The number of independent runs of which it shows the mean, with its standard "
+               "error: "
+               "with the scene's seed and those that follow it.")
+        .default_text("1");
+}
+
 std::vector<Binding<PanelSpec>> keys_of_runs(PanelKinds kinds) {
     return {bind_key("test", &PanelSpec::test, flag(),
                      "Whether the caption says how well the bars fit the theory, by Pearson's "
                      "chi-squared test, for one time `at` and particles of one mass.")
                 .only_with(kinds_that_can(kinds, Ability::equilibrium)),
-            bind_key("seeds", &PanelSpec::seeds, whole(1, most_seeds),
-                     "The number of independent runs of which it shows the mean, with its standard "
-                     "error: with the scene's seed and those that follow it.")
-                .only_with(kinds_that_can(kinds, Ability::means))};
+            seeds_key().only_with(kinds_that_can(kinds, Ability::means))};
 }
 
 std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
@@ -211,6 +237,10 @@ std::vector<Binding<FigureSpec>> page_keys() {
 
 void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
     complete_panel(figure, node, kinds, reading);
+    if (figure.sweep.from && figure.kind != "sweep")
+        reading.errors.add(*given(node, "seeds"),
+                           "only a figure of kind `sweep` reads the runs of a joined sweep",
+                           "give the number of runs, which the figure then does itself");
     complete_times(figure, node, reading);
     check_test(figure, node, reading);
     if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)

@@ -126,11 +126,9 @@ bool plan_sweep(const SweepRequest& request, const fs::path& folder, bool again,
     const SweptScene swept = swept_scene(its);
     const Sweep& sweep = request.sweep;
     const std::vector<RunNumber> numbers = checked_points(swept, sweep, progress);
-    if (request.chunks && *request.chunks > sweep.runs())
-        throw UsageError(fmt::format("--chunks {}: the sweep has {}", *request.chunks,
-                                     counted(sweep.runs(), "run")));
     const RunCost cost = cost_of_runs(swept, sweep, progress);
-    const int count = request.chunks.value_or(usual_chunks(sweep, cost));
+    const int count = static_cast<int>(
+        std::min<std::int64_t>(request.chunks.value_or(usual_chunks(sweep, cost)), sweep.runs()));
     PlanWriter writer(folder);
     writer.commit({PlanKind::sweep, its, facts_of(sweep, numbers)},
                   chunks_of(sweep, count, cost, numbers.size()));

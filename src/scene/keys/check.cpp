@@ -150,9 +150,8 @@ std::string word_hint(const Node& node, const std::vector<Form>& forms) {
     return "there are " + fmt::format("`{}`", fmt::join(alike.empty() ? words : alike, "`, `"));
 }
 
-bool is_pair_of_numbers(const Form& list) {
-    return list.shortest == 2 && list.most.count() == 2 &&
-           form_of(list.items, Shape::number) != nullptr;
+bool is_vector(const Form& list) {
+    return list.phrase == "[x, y]" && form_of(list.items, Shape::number) != nullptr;
 }
 
 std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
@@ -164,7 +163,7 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
         return "names are those of CSS: red, darkblue, orange, teal and others";
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     const Form* list = form_of(forms, Shape::list);
-    if (list != nullptr && is_pair_of_numbers(*list) && number_in(node))
+    if (list != nullptr && is_vector(*list) && number_in(node))
         return *number_in(node) == 0.0
                    ? "write [0, 0], or leave it out"
                    : fmt::format("for instance [{}, 0]: one number for each direction", node.text);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <variant>
 
 #include "physics/theory/equilibrium.h"
 #include "scene/reading/panel_reading.h"
@@ -14,7 +15,7 @@ namespace {
 /// A figure with what only the rules between its keys need.
 struct FigureReading : FigureSpec, PanelSpec {
     std::optional<double> one_time;
-    std::vector<double> interval;  ///< from and to; empty: not given
+    std::vector<double> interval;  ///< from and to, of `over`; empty: not given
     std::vector<double> strip;
     const Node* scenes = nullptr;  ///< of a comparison
 };
@@ -110,6 +111,11 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
     if (figure.one_time) check_time(*given(node, "at"), *figure.one_time, reading);
     if (!figure.interval.empty()) {
         const Node& over = *given(node, "over");
+        for (const char* key : {"at", "strip"})
+            if (const Node* written = given(node, key))
+                reading.errors.add(
+                    *written, fmt::format("`{}` and an interval in `over` exclude each other", key),
+                    "an interval ends at the time that the figure shows");
         const double from = figure.interval[0], to = figure.interval[1];
         check_time(over.items[1], to, reading);
         if (from >= to) reading.errors.add(over, "expected [from, to] with from < to for `over`");
@@ -148,7 +154,7 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
 void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
     if (asked == nullptr || !panel.test) return;
-    if (find(node, "over") != nullptr)
+    if (panel.over && panel.over->since != Over::Since::now)
         reading.errors.add(*asked,
                            "`test` applies to one time: over a longer time the same particles are "
                            "counted repeatedly, and values are not independent",
@@ -209,16 +215,31 @@ std::vector<Binding<PanelSpec>> keys_of_runs(PanelKinds kinds) {
             seeds_key().only_with(kinds_that_can(kinds, Ability::means))};
 }
 
+// As panels have it, or the interval itself.
+Binding<FigureReading> over_key() {
+    using Interval = std::vector<double>;
+    using Times = std::variant<Over, Interval>;
+    const auto fill = [](FigureReading& figure, const Times& times) {
+        if (const auto* interval = std::get_if<Interval>(&times))
+            figure.interval = *interval;
+        else
+            figure.over = std::get<Over>(times);
+    };
+    return bind_with<FigureReading>(
+        "over", fill,
+        either(as<Times>(over_notation()),
+               as<Times>(list_of(number(not_negative), 2, {2}, "[from, to]"))),
+        "The time whose values it counts: that which it shows, all since time 0, a time before it; "
+        "or an interval, which takes the place of `at`.");
+}
+
 std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
     Notation<double> one_time = number(not_negative);
     one_time.forms.front().instead_of_list =
         "a figure has one time; `strip` shows several side by side, in a figure of kind `gas`";
     return {bind_key("at", &FigureReading::one_time, one_time, "The simulated time that it shows.")
                 .default_text("the end of the run"),
-            bind_key("over", &FigureReading::interval,
-                     list_of(number(not_negative), 2, {2}, "[from, to]"),
-                     "Instead of `at`: the time over which its values are taken.")
-                .only_with(kinds_that_can(kinds, Ability::over)),
+            over_key().only_with(kinds_that_can(kinds, Ability::over)),
             bind_key("strip", &FigureReading::strip,
                      list_of(number(not_negative), 2, most_strip, "a list of times"),
                      "Instead of `at`: several times, shown side by side.")
@@ -265,7 +286,7 @@ KeyTable<FigureReading> figure_table(PanelKinds kinds) {
         .name = "a figure",
         .keys = joined<FigureReading>(name, panel_keys(kinds, kind_key(word(names)), {}),
                                       keys_of_runs(kinds), compare, time_keys(kinds), page_keys()),
-        .choices = {{{"at", "over", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
+        .choices = {{{"at", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
         .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
             complete_figure(figure, node, kinds, reading);
         }};
@@ -323,7 +344,7 @@ Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const 
                          "The scenes that it compares, in one panel with shared axes and a legend.")
                     .required());
     }
-    table.choices = {{{"at", "over"}}};
+    table.choices.clear();
     return as<FigureSpec>(mapping(table));
 }
 

@@ -41,22 +41,6 @@ std::optional<Chosen> chosen(const std::string&, const Node& node, Reading& read
     return std::nullopt;
 }
 
-Notation<Over> over_notation() {
-    const auto word =
-        one_of<Over::Since>({{"now", Over::Since::now}, {"start", Over::Since::start}});
-    const KeyTable<Over> window{
-        .name = "`over`",
-        .keys = {bind_key("window", &Over::window, number(positive),
-                          "How far back from the present, in simulated time.")
-                     .required()},
-        .rule = [](Over& over, const Node&, Reading&) { over.since = Over::Since::window; }};
-    return either(mapped(word,
-                         [](Over::Since since) {
-                             return Over{since, 0.0};
-                         }),
-                  mapping(window, "{window: time}"));
-}
-
 using Interval = std::pair<double, double>;
 
 Notation<Interval> range_notation() {
@@ -226,6 +210,22 @@ Notation<std::vector<Monitor>> monitors_notation() {
     };
     return list_of(checked(one_of<Monitor>(), check), 1, most_monitors,
                    "a list of numbers to show");
+}
+
+Notation<Over> over_notation() {
+    const auto word =
+        one_of<Over::Since>({{"now", Over::Since::now}, {"start", Over::Since::start}});
+    const KeyTable<Over> window{
+        .name = "`over`",
+        .keys = {bind_key("window", &Over::window, number(positive),
+                          "How far back from the present, in simulated time.")
+                     .required()},
+        .rule = [](Over& over, const Node&, Reading&) { over.since = Over::Since::window; }};
+    return either(mapped(word,
+                         [](Over::Since since) {
+                             return Over{since, 0.0};
+                         }),
+                  mapping(window, "{window: time}"));
 }
 
 Binding<PanelSpec> kind_key(const Notation<std::string>& words) {

@@ -17,6 +17,9 @@ Notation<std::vector<Chosen>> chosen_notation();
 /// A list of numbers to show.
 Notation<std::vector<Monitor>> monitors_notation();
 
+/// Which values are counted: those at present, all since time 0, those of a time before.
+Notation<Over> over_notation();
+
 /// The panels of a film.
 Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds);
 

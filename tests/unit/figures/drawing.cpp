@@ -99,6 +99,17 @@ TEST_CASE("a figure shows the gas at its very time, whatever frames the film has
     CHECK(scene.figures[2].panel.over->window == 3.25);
 }
 
+TEST_CASE("`over` of a figure is an interval, or as a panel has it") {
+    const auto picture = [](const std::string& keys) {
+        return drawn(run_of(scene_of("  - {name: a, kind: speed-histogram, " + keys + "}\n")), 0)
+            .file();
+    };
+    CHECK(picture("over: [2, 5.25]") == picture("at: 5.25, over: {window: 3.25}"));
+    CHECK(picture("at: 6") == picture("at: 6, over: now"));
+    CHECK(picture("at: 6, over: start") != picture("at: 6"));
+    CHECK(picture("over: [2, 6]") != picture("at: 6"));
+}
+
 TEST_CASE("two runs give the same bytes in every format") {
     const Scene scene =
         scene_of("  - {name: a, kind: gas, strip: [0, 5]}\n  - {name: b, kind: speed-histogram}\n");

@@ -197,7 +197,7 @@ TEST_CASE("an option whose value is empty is refused: a variable of a shell that
         CAPTURE(option);
         const Outcome refused = call(option + " '' '" + scene + "'", folder.path());
         CHECK(refused.exit_code == 2);
-        CHECK(has(refused.err, option.substr(option.find("--")) + ": the value is empty\n"));
+        CHECK(has(refused.err, option.substr(option.find("--")) + ": the value is empty; carom "));
     }
     CHECK(folder.names().empty());
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -33,16 +34,22 @@ std::optional<double> number_from(const std::string& text) {
 }
 
 // "gas.0.temperature.exact" as "temperature", with the name of one of several species.
-std::string words_of_key(const std::string& key, const Gas& gas) {
+std::string words_of_key(const std::string& key, const Gas& gas, Language language) {
+    static constexpr std::array translated{Phrase{"radius"}, Phrase{"number of particles"},
+                                           Phrase{"mass"},   Phrase{"temperature"},
+                                           Phrase{"speed"},  Phrase{"length"}};
     std::string path = key;
     for (const char* form : {".exact", ".each"})
         if (path.ends_with(form)) path.resize(path.size() - std::string_view(form).size());
     std::string words = path.substr(path.rfind('.') + 1);
     std::ranges::replace(words, '_', ' ');
-    if (words == "count") words = "particles";
+    if (words == "count") words = "number of particles";
+    if (const auto found = std::ranges::find(translated, words, &Phrase::english);
+        found != translated.end())
+        words = say(language, *found);
     for (std::size_t k = 0; k < gas.species.size(); ++k)
         if (gas.species.size() > 1 && path.starts_with(fmt::format("gas.{}.", k)))
-            words += " of " + gas.species[k].name;
+            words = say(language, "{} of {}", words, gas.species[k].name);
     return words;
 }
 
@@ -147,7 +154,7 @@ class SweptFigure {
         const Language language = scene_.film.language;
         if (shown_.against == across_packing) return say(language, "packing fraction");
         if (shown_.against == across_density) return say(language, "density");
-        return words_of_key(summary_.sweep.axes[across_].key, scene_.gas);
+        return words_of_key(summary_.sweep.axes[across_].key, scene_.gas, language);
     }
 
     // By the values of the other keys, those of one value left out, in the order of the points.
@@ -158,9 +165,10 @@ class SweptFigure {
             const Changes values = summary_.sweep.values_at(point);
             for (std::size_t k = 0; k < values.size(); ++k)
                 if (k != across_ && summary_.sweep.axes[k].values.size() > 1)
-                    name += fmt::format("{}{} {}", name.empty() ? "" : ", ",
-                                        words_of_key(summary_.sweep.axes[k].key, scene_.gas),
-                                        values[k]);
+                    name += fmt::format(
+                        "{}{} {}", name.empty() ? "" : ", ",
+                        words_of_key(summary_.sweep.axes[k].key, scene_.gas, scene_.film.language),
+                        values[k]);
             const auto found = std::ranges::find(
                 lines, name, [](const auto& one) -> const auto& { return one.first; });
             if (found == lines.end())

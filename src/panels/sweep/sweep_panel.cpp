@@ -66,6 +66,10 @@ Role SweepPanel::role_of(std::size_t line, std::size_t lines) const {
     return {.of = Role::Of::run, .index = line};
 }
 
+plot::Mark SweepPanel::mark_of(std::size_t line, std::size_t lines) const {
+    return {.role = role_of(line, lines), .radius = 0.26};
+}
+
 void SweepPanel::set_axes(const SweptNumbers& numbers) {
     Extent across, up;
     for (const SweptLine& line : numbers.lines) {
@@ -101,15 +105,31 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
     const SweptLine& first = numbers.lines.front();
     plot::Note key{.wraps = true};
     const Role ink{.of = Role::Of::ink};
+    if (numbers.lines.size() > 1) return set_words_of_lines(numbers);
     for (const auto& [curve, dashes] :
          {std::pair{&first.theory, dashes_of_theory}, std::pair{&first.ideal, dashes_of_ideal}}) {
-        if (curve->y.empty()) continue;
+        if (curve->y.size() < 2) continue;  // of one value no curve is seen
         const std::string name = say(language_, Phrase{curve->name});
         key.entries.push_back({.sample = stroke_of(ink, dashes), .words = {escape_markup(name)}});
         plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
                                                            : say(language_, "Dotted: {}.", name));
     }
     if (!key.entries.empty()) plot_.notes.push_back(std::move(key));
+}
+
+// A key of the lines, which are of theory where any is known, and join the points elsewhere.
+void SweepPanel::set_words_of_lines(const SweptNumbers& numbers) {
+    std::vector<std::string> names;
+    for (const SweptLine& line : numbers.lines) names.push_back(line.name);
+    plot::name_runs(plot_, std::move(names));
+    plot::Note& key = plot_.notes.back();
+    for (std::size_t k = 0; k < numbers.lines.size(); ++k)
+        key.entries[k].mark = mark_of(k, numbers.lines.size());
+    const SweptCurve& theory = numbers.lines.front().theory;
+    if (theory.y.size() < 2) return;
+    const std::string name = say(language_, Phrase{theory.name});
+    key.entries.push_back({.words = {escape_markup(say(language_, "lines: {}", name))}});
+    plot_.account += " " + say(language_, "Lines: {}.", name);
 }
 
 void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
@@ -128,9 +148,14 @@ void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
 }
 
 void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t lines) {
-    const Role role = lines == 1 ? Role{.of = Role::Of::ink} : role_of(k, lines);
-    add_curve(line.theory, stroke_of(role, dashes_of_theory), line.name);
-    add_curve(line.ideal, stroke_of(role, dashes_of_ideal), line.name);
+    const Role ink{.of = Role::Of::ink};
+    if (lines > 1) {
+        const SweptCurve joined{.x = line.x, .y = line.mean};
+        return add_curve(line.theory.y.size() > 1 ? line.theory : joined, plot::stroke_of_run(k),
+                         line.name);
+    }
+    add_curve(line.theory, stroke_of(ink, dashes_of_theory), line.name);
+    add_curve(line.ideal, stroke_of(ink, dashes_of_ideal), line.name);
 }
 
 // A bar of an error is a piece of one line, from its lower end to its upper.
@@ -165,7 +190,7 @@ void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
     points.y = plot::column(plot_.columns[1], line.mean);
     points.more = {plot::column(plot_.columns[2], line.error),
                    plot::column(plot_.columns[3], std::move(counts))};
-    points.mark = {.role = role_of(k, lines), .radius = 0.26};
+    points.mark = mark_of(k, lines);
     plot_.layers.emplace_back(std::move(points));
 }
 
@@ -175,11 +200,6 @@ void SweepPanel::show(const SweptNumbers& numbers) {
     plot_.columns = {numbers.across, up, "standard error of " + up, "runs"};
     set_axes(numbers);
     set_words(numbers);
-    if (numbers.lines.size() > 1) {
-        std::vector<std::string> names;
-        for (const SweptLine& line : numbers.lines) names.push_back(line.name);
-        plot::name_runs(plot_, std::move(names));
-    }
     for (std::size_t k = 0; k < numbers.lines.size(); ++k) {
         add_curves(numbers.lines[k], k, numbers.lines.size());
         add_line(numbers, k);

@@ -8,6 +8,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "figures/sweep_figure.h"
+#include "panels/plot/plot_panel.h"
 #include "runs/sweep_summary.h"
 #include "support/figure_run.h"
 #include "support/files.h"
@@ -157,7 +158,7 @@ TEST_CASE("keys that are not across make lines with names") {
     const SweptNumbers swept =
         numbers_of(scene_of("number: mean energy, vary: [\"gas.0.temperature.exact=1,2\", "
                             "\"gas.0.count=20:30:3\"], across: gas.0.count, set: run.until=2"));
-    CHECK(swept.across == "particles");
+    CHECK(swept.across == "number of particles");
     REQUIRE(swept.lines.size() == 2);
     CHECK(swept.lines[0].name == "temperature 1");
     CHECK(swept.lines[1].name == "temperature 2");
@@ -165,6 +166,48 @@ TEST_CASE("keys that are not across make lines with names") {
     for (const double mean : swept.lines[1].mean) CHECK(mean == doctest::Approx(2.0));
     for (const double y : swept.lines[1].theory.y) CHECK(y == doctest::Approx(2.0));
     for (const double x : swept.lines[1].theory.x) CHECK(x == std::round(x));
+}
+
+TEST_CASE("the key of several lines shows how each is drawn, in the language of the film") {
+    const std::string two =
+        "number: wall pressure, vary: [\"gas.0.temperature.exact=1,2\", "
+        "\"gas.0.count=20:30:3\"], across: gas.0.count, set: run.until=2";
+    for (const bool theory : {true, false}) {
+        const FigureRun run = run_of(
+            scene_of(two + (theory ? "" : ", theory: false"), physics + "film: {language: de}\n"));
+        const plot::Plot plot =
+            dynamic_cast<const PlotPanel&>(*run.figures().front().panel).plot(nullptr);
+        CHECK(plot.x.title.pieces.front().markup == "Teilchenzahl");
+        const std::vector<plot::KeyEntry>& entries = plot.notes.front().entries;
+        REQUIRE(entries.size() == (theory ? 3 : 2));  // the last says what the lines are
+        std::vector<plot::Line> lines;
+        std::vector<plot::Points> points;
+        for (const plot::AnyLayer& layer : plot.layers) {
+            if (const auto* line = std::get_if<plot::Line>(&layer); line && !line->piece)
+                lines.push_back(*line);
+            if (const auto* point = std::get_if<plot::Points>(&layer)) points.push_back(*point);
+        }
+        REQUIRE(lines.size() == 2);
+        REQUIRE(points.size() == 2);
+        for (const std::size_t k : {0U, 1U}) {
+            CHECK(points[k].of == (k == 0 ? "Temperatur 1" : "Temperatur 2"));
+            REQUIRE(entries[k].sample);
+            CHECK(entries[k].sample->dashes == lines[k].stroke.dashes);
+            REQUIRE(entries[k].mark);
+            CHECK(entries[k].mark->role.index == points[k].mark.role.index);
+            CHECK(entries[k].mark->role.index == lines[k].stroke.role.index);
+        }
+        CHECK(lines[0].stroke.dashes != lines[1].stroke.dashes);
+        CHECK((plot.account.find("Linien: harte Scheiben") != std::string::npos) == theory);
+    }
+}
+
+TEST_CASE("of one point no theory is seen, and none is named") {
+    const FigureRun run = run_of(scene_of("number: wall pressure, vary: gas.0.radius=0.3"));
+    const plot::Plot plot =
+        dynamic_cast<const PlotPanel&>(*run.figures().front().panel).plot(nullptr);
+    CHECK(plot.notes.empty());
+    CHECK(plot.account.find("Dashed") == std::string::npos);
 }
 
 TEST_CASE("a number that runs do not have is refused with the nearest one") {

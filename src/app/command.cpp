@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "app/film/film_request.h"
 #include "app/granted_cores.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -39,26 +40,54 @@ std::string as_yaml_size(const std::string& text) {
 
 Option shortcut(SceneOptions& options, const std::string& flag, const std::string& key,
                 const std::string& meaning) {
-    return {flag, meaning, [&options, key](const std::string& value) {
+    return {flag,
+            meaning,
+            [&options, key](const std::string& value) {
                 options.shortcuts.push_back(key + "=" +
                                             (key == "film.size" ? as_yaml_size(value) : value));
-            }};
+            },
+            {},
+            key};
+}
+
+std::string flags_of(const Option& option) {
+    std::string flags = option.name.substr(0, option.name.find(' '));
+    std::erase_if(flags, [](char c) { return c == '[' || c == ']'; });
+    return flags;
+}
+
+std::string word_of(const Option& option) {
+    if (const std::size_t space = option.name.find(' '); space != std::string::npos)
+        return option.name.substr(space + 1);
+    if (!option.choices.empty()) return fmt::format("{}", fmt::join(option.choices, "|"));
+    if (option.name.starts_with('-')) return "";
+    const std::string word = upper_case(option.name);
+    const bool several = std::holds_alternative<std::vector<std::string>*>(option.value);
+    return several ? word.substr(0, word.size() - 1) + "..." : word;
+}
+
+std::vector<Command> all_commands() {
+    return {render_command(), still_command(),  figures_command(), figure_command(),
+            run_command(),    plan_command(),   join_command(),    check_command(),
+            new_command(),    schema_command(), help_command(),    completions_command()};
 }
 
 std::vector<Option> scene_options(SceneOptions& options) {
-    return {shortcut(options, "--seed", "seed", "another seed for every random choice"),
-            {"--set", "set a value of the scene: KEY.PATH=VALUE", &options.sets},
+    return {shortcut(options, "--seed N", "seed", "another seed for every random choice"),
+            {"--set KEY.PATH=VALUE",
+             "set a value of the scene; several may follow, and it may be repeated", &options.sets},
             {"--quiet", "print no progress and no report", &options.quiet}};
 }
 
 std::vector<Option> work_options(SceneOptions& options) {
-    return {{"--threads", "cores to use; the result is the same for any number", &options.threads},
-            {"--timings", "print the time of each stage", &options.timings}};
+    return {
+        {"--threads N", "cores to use; the result is the same for any number", &options.threads},
+        {"--timings", "print the time of each stage", &options.timings}};
 }
 
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
-    return {{"--chunk", "of a plan: the number of the chunk to make; default: all that are missing",
-             &chunk},
+    return {{"--chunk K",
+             "of a plan: the number of the chunk to make; default: all that are missing", &chunk},
             {"--force", "of a plan: make chunks again that are there already", &force},
             {"--allow-mixed",
              "of a plan: also with another build of carom or other libraries than the plan was "
@@ -67,18 +96,19 @@ std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
 }
 
 Option language_option(SceneOptions& options) {
-    return shortcut(options, "--language", "film.language",
+    return shortcut(options, "--language LANGUAGE", "film.language",
                     "language of carom's own words: en, de, fr or es");
 }
 
 std::vector<Option> picture_options(SceneOptions& options) {
     return {
-        shortcut(options, "--template", "film.template",
+        shortcut(options, "--template TEMPLATE", "film.template",
                  "another layout: the name of a template, or a file"),
-        shortcut(options, "--theme", "film.theme", "colours: light, dark or print"),
+        shortcut(options, "--theme THEME", "film.theme", "colours: light, dark or print"),
         language_option(options),
-        shortcut(options, "--ground", "film.ground", "background: theme, or none for transparent"),
-        shortcut(options, "--size", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT"),
+        shortcut(options, "--ground GROUND", "film.ground",
+                 "background: theme, or none for transparent"),
+        shortcut(options, "--size SIZE", "film.size", "1080p, 720p, 2160p or WIDTHxHEIGHT"),
     };
 }
 

@@ -32,10 +32,31 @@ using OptionValue = std::variant<bool*, int*, double*, std::optional<double>*, s
 
 /// One option of a command, or the words that stand in it without a flag.
 struct Option {
-    std::string name;     ///< "-o,--output"; without dashes: words, of which one is required
+    /// "-o,--output FILM": flags, and what the value is called (without: a flag, or `choices`).
+    /// Without dashes: words, of which one is required; "[word]": one that may be missing.
+    std::string name;
     std::string meaning;  ///< for the help
     OptionValue value;
     std::vector<std::string> choices = {};  ///< the only values; none: any
+    std::string key = {};                   ///< of the scene, which it sets; empty: none
+};
+
+/// The flags of an option: "-o,--output"; the name of words without flags.
+std::string flags_of(const Option& option);
+
+/// What the help calls the value of an option: FILM, mp4|webm, SCENE...; empty for a flag.
+std::string word_of(const Option& option);
+
+/// A call of carom, as it would be typed in a checkout, and what it does.
+struct Example {
+    std::string call, meaning;
+};
+
+/// What the help and the manual say of a command beside its options.
+struct CommandText {
+    std::vector<std::string> synopsis;
+    std::string description;  ///< sentences, in paragraphs with an empty line between them
+    std::vector<Example> examples;
 };
 
 /// A command of the program. What `run` does and where values go is shared by its copies.
@@ -43,7 +64,11 @@ struct Command {
     std::string name, meaning;
     std::vector<Option> options;
     std::function<void()> run;
+    CommandText text;
 };
+
+/// All commands, in the order in which the help lists them.
+std::vector<Command> all_commands();
 
 /// What may be said to every command that reads scenes.
 struct SceneOptions {
@@ -110,5 +135,7 @@ Command join_command();
 Command check_command();
 Command new_command();
 Command schema_command();
+Command help_command();
+Command completions_command();
 
 }  // namespace carom

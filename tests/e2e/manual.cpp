@@ -50,7 +50,7 @@ std::vector<fs::path> documents() {
 TEST_CASE("the manual knows every option of every command, and no other") {
     std::set<std::string> known;
     const std::string all = run({program, "--help"}).out;
-    static const std::regex line("\n  ([a-z]+) ");
+    static const std::regex line("\n  ([a-z]+)  ");
     for (std::sregex_iterator found(all.begin(), all.end(), line), end; found != end; ++found) {
         const std::string command = (*found)[1];
         const Outcome help = run({program, command, "--help"});
@@ -68,6 +68,23 @@ TEST_CASE("the manual knows every option of every command, and no other") {
         CAPTURE(flag);
         CHECK((known.contains(flag) || flag == "--help"));
     }
+}
+
+TEST_CASE("the manual shows the calls of every command as its help does") {
+    const std::string all = run({program, "--help"}).out;
+    int calls = 0;
+    static const std::regex line("\n  ([a-z]+)  "), call("\n  (carom [^\n]*)");
+    for (std::sregex_iterator found(all.begin(), all.end(), line), end; found != end; ++found) {
+        std::string usage = run({program, (*found)[1], "--help"}).out;
+        usage.resize(usage.find("\n\nOptions:"));
+        for (std::sregex_iterator one(usage.begin(), usage.end(), call); one != end; ++one) {
+            const std::string shown = (*one)[1];
+            CAPTURE(shown);
+            CHECK(manual.find("    " + shown + "\n") != std::string::npos);
+            ++calls;
+        }
+    }
+    CHECK(calls > 12);
 }
 
 TEST_CASE("the manual shows what carom check and carom run print") {

@@ -65,7 +65,13 @@ TEST_CASE("the manual's program builds from an installed core and is right") {
     for (const std::string recipe : {"slurm-array.sh", "attempt.sh", "profiles/slurm/job-state.sh"})
         CHECK((fs::status(installed / "share/carom/cluster" / recipe).permissions() &
                fs::perms::owner_exec) != fs::perms::none);
-    CHECK(fs::exists(installed / "share/carom/cluster/Snakefile"));
+    for (const std::string file :
+         {"carom/cluster/Snakefile", "man/man1/carom.1", "man/man1/carom-render.1",
+          "bash-completion/completions/carom", "zsh/site-functions/_carom",
+          "fish/vendor_completions.d/carom.fish"}) {
+        CAPTURE(file);
+        CHECK(fs::exists(installed / "share" / file));
+    }
     fs::create_directory(source);
     std::ofstream(source / "CMakeLists.txt")
         << cmake

@@ -95,6 +95,18 @@ void check_scenes(const CheckArguments& arguments) {
     refuse_invalid(files, arguments.json);
 }
 
+CommandText check_text() {
+    return {
+        {"carom check SCENE|SET... [--json] [options]"},
+        "Checks all scenes and figure sets, reports every mistake of each with its line, and says "
+        "what a valid scene contains and what its film will cost.",
+        {{"carom check scenes/mixed-masses.yaml", "is it valid, and how long will its film take?"},
+         {"carom check scenes/mixed-masses.yaml --set gas.0.count=1000 --size 2160p",
+          "the same of a changed scene"},
+         {"carom check scenes/mixed-masses.yaml scenes/sets/collisions.yaml --json",
+          "as JSON, for other programs"}}};
+}
+
 }  // namespace
 
 Command check_command() {
@@ -108,7 +120,7 @@ Command check_command() {
               {"--json", "print JSON: a list with an object for each file", &its.json}},
              scene_options(its),
              picture_options(its)}),
-        [arguments] { check_scenes(*arguments); }};
+        [arguments] { check_scenes(*arguments); }, check_text()};
 }
 
 }  // namespace carom

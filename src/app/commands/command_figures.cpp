@@ -142,7 +142,7 @@ void make_one(FiguresArguments arguments, const FigureAsked& asked) {
 }
 
 Option formats_option(FiguresArguments& arguments) {
-    return {"--formats",
+    return {"--formats FORMAT,...",
             fmt::format("{}; several separated by commas", fmt::join(figure_formats(), ", ")),
             CommaSeparated{&arguments.formats}, figure_formats()};
 }
@@ -150,8 +150,34 @@ Option formats_option(FiguresArguments& arguments) {
 std::vector<Option> drawing_options(FiguresArguments& arguments) {
     return joined<Option>({scene_options(arguments),
                            {language_option(arguments),
-                            {"--threads", "cores to use; the result is the same for any number",
+                            {"--threads N", "cores to use; the result is the same for any number",
                              &arguments.threads}}});
+}
+
+CommandText figures_text() {
+    return {{"carom figures SCENE|SET... [options]"},
+            "Draws the figures that a scene lists under `figures`, or those of all scenes of a "
+            "figure set, with their data as CSV and a caption for each. A figure is made again "
+            "only when it has changed.",
+            {{"carom figures scenes/sets/collisions.yaml",
+              "writes a folder for each scene into out/collisions"},
+             {"carom figures scenes/sets/collisions.yaml --page html --formats svg,csv",
+              "a page that shows the figures"},
+             {"carom figures scenes/sets/collisions.yaml -o book --force",
+              "draws all again, into another folder"}}};
+}
+
+CommandText figure_text() {
+    return {
+        {"carom figure SCENE --kind KIND [options]"},
+        "Draws one figure, which the scene need not list, as SVG, PDF and PNG with its data as "
+        "CSV.",
+        {{"carom figure scenes/one-hot-particle.yaml --kind gas --at 5 --width 8cm",
+          "writes out/one-hot-particle-gas/gas.svg and others"},
+         {"carom figure scenes/one-hot-particle.yaml --kind speed-histogram --formats pdf",
+          "for LaTeX only"},
+         {"carom figure scenes/mixed-masses.yaml --kind energy-by-species -o lecture --language de",
+          "in German, into another folder"}}};
 }
 
 }  // namespace
@@ -166,11 +192,11 @@ Command figure_command() {
     return {"figure", "draw one figure of a scene, which need not list it",
             joined<Option>(
                 {{{"scene", "a scene file, or - for standard input", &its.scene},
-                  {"--kind", "the kind of the figure: gas, speed-histogram, pressure, ...",
+                  {"--kind KIND", "the kind of the figure: gas, speed-histogram, pressure, ...",
                    &its.asked.kind},
-                  {"--at", "the time that it shows; default: the end of the run", &its.asked.at},
-                  {"--width", "its width in centimetres, for instance 8cm", &its.asked.width},
-                  {"-o,--output", "output folder; default: out/SCENE-KIND", &its.output},
+                  {"--at T", "the time that it shows; default: the end of the run", &its.asked.at},
+                  {"--width WIDTH", "its width in centimetres, for instance 8cm", &its.asked.width},
+                  {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
                   formats_option(its),
                   {"--force", "draw it again, and replace files that carom did not write",
                    &its.options.force}},
@@ -178,7 +204,8 @@ Command figure_command() {
             [arguments] {
                 arguments->scenes = {arguments->scene};
                 make_one(*arguments, arguments->asked);
-            }};
+            },
+            figure_text()};
 }
 
 Command figures_command() {
@@ -189,22 +216,22 @@ Command figures_command() {
         joined<Option>(
             {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
                &its.scenes},
-              {"-o,--output",
+              {"-o,--output FOLDER",
                "output folder, for several scenes with a subfolder for each; default: out/SCENE",
                &its.output},
               formats_option(its),
-              {"--only", "only the figures with these names, separated by commas",
+              {"--only NAME,...", "only the figures with these names, separated by commas",
                CommaSeparated{&its.options.only}},
               {"--force", "draw all again, and replace files that carom did not write",
                &its.options.force},
-              {"--page",
+              {"--page PAGE,...",
                "write a page that shows them: markdown, html, latex, or a template of your own "
                "(.md, .html, .tex); several separated by commas",
                CommaSeparated{&its.pages}},
               {"--films", "also render the films of the scenes, which pages then show",
                &its.options.films}},
              drawing_options(its)}),
-        [arguments] { make_all(*arguments); }};
+        [arguments] { make_all(*arguments); }, figures_text()};
 }
 
 }  // namespace carom

@@ -99,6 +99,17 @@ void join(const JoinArguments& arguments) {
                      arguments.quiet});
 }
 
+CommandText join_text() {
+    return {{"carom join PLAN/ [-o film.mp4] [--words] [--poster] [options]",
+             "carom join SWEEP/ [-o summary.json] [--csv runs.csv] [options]"},
+            "Puts together what the chunks of a plan have made. The film is, byte for byte, that "
+            "of carom render; the summary of a sweep is the same for any number of chunks.",
+            {{"carom join plan/ -o film.mp4 --words", "the film, with captions and a transcript"},
+             {"carom join plan/ --poster", "also a picture of it"},
+             {"carom join sweep/ -o summary.json --csv runs.csv",
+              "the summary of a sweep, and a row for each run"}}};
+}
+
 }  // namespace
 
 Command join_command() {
@@ -108,7 +119,7 @@ Command join_command() {
         "join",
         "put together what the chunks of a plan have made",
         {{"plan", "the folder of a plan, all chunks of which are done", &its.plan},
-         {"-o,--output",
+         {"-o,--output FILE",
           "the film (default: out/SCENE.mp4), or the summary of a sweep as JSON, - for standard "
           "output",
           &its.output},
@@ -117,10 +128,11 @@ Command join_command() {
           "(.txt)",
           &its.text},
          {"--poster", "of a film: also write a picture of it (.poster.png)", &its.poster},
-         {"--csv", "of a sweep: a row for each run; - for standard output", &its.csv},
+         {"--csv FILE", "of a sweep: a row for each run; - for standard output", &its.csv},
          {"--allow-mixed", "take chunks that other builds of carom have made", &its.allow_mixed},
          {"--quiet", "print no report", &its.quiet}},
-        [arguments] { join(*arguments); }};
+        [arguments] { join(*arguments); },
+        join_text()};
 }
 
 }  // namespace carom

@@ -13,6 +13,7 @@
 
 #include "app/command.h"
 #include "app/film/film_request.h"
+#include "app/manual/page_text.h"
 #include "app/progress.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -23,21 +24,21 @@ namespace {
 
 template <class Value>
 CLI::Option& declare(CLI::App& app, const Option& option, Value* value) {
-    return *app.add_option(option.name, *value, option.meaning);
+    return *app.add_option(flags_of(option), *value, option.meaning);
 }
 
 CLI::Option& declare(CLI::App& app, const Option& option, bool* value) {
-    return *app.add_flag(option.name, *value, option.meaning);
+    return *app.add_flag(flags_of(option), *value, option.meaning);
 }
 
 CLI::Option& declare(CLI::App& app, const Option& option, int* value) {
     constexpr int most = 1024;
-    return *app.add_option(option.name, *value, option.meaning)->check(CLI::Range(1, most));
+    return *app.add_option(flags_of(option), *value, option.meaning)->check(CLI::Range(1, most));
 }
 
 // Behind a flag one word only, so that a scene may stand behind it.
 CLI::Option& declare(CLI::App& app, const Option& option, std::vector<std::string>* value) {
-    CLI::Option& declared = *app.add_option(option.name, *value, option.meaning);
+    CLI::Option& declared = *app.add_option(flags_of(option), *value, option.meaning);
     if (option.name.starts_with('-')) declared.allow_extra_args(false);
     return declared;
 }
@@ -49,7 +50,7 @@ CLI::Option& declare(CLI::App& app, const Option& option, const CommaSeparated& 
 }
 
 CLI::Option& declare(CLI::App& app, const Option& option, const TakeValue& take) {
-    return *app.add_option_function<std::string>(option.name, take, option.meaning);
+    return *app.add_option_function<std::string>(flags_of(option), take, option.meaning);
 }
 
 void add_command(CLI::App& app, const Command& command) {
@@ -58,10 +59,12 @@ void add_command(CLI::App& app, const Command& command) {
         CLI::Option& its = std::visit(
             [&](const auto& value) -> CLI::Option& { return declare(declared, option, value); },
             option.value);
-        if (!option.name.starts_with('-')) its.required();
+        if (!option.name.starts_with('-')) its.required(!option.name.starts_with('['));
         if (!option.choices.empty()) its.check(CLI::IsMember(option.choices));
     }
     declared.callback(command.run);
+    declared.formatter_fn([help = text_of(help_of(command))](const CLI::App*, const std::string&,
+                                                             CLI::AppFormatMode) { return help; });
 }
 
 void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
@@ -177,14 +180,13 @@ void finish_standard_output() {
 }
 
 // The command that is named does its work at the end of parsing.
-int parse_and_run(int argc, const char* const* argv) {
+int parse_and_run(int argc, const char* const* argv, const std::vector<Command>& commands) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
-    for (const auto command :
-         {render_command, still_command, figures_command, figure_command, run_command, plan_command,
-          join_command, check_command, new_command, schema_command})
-        add_command(app, command());
+    for (const Command& command : commands) add_command(app, command);
+    app.formatter_fn([help = text_of(help_of(commands))](const CLI::App*, const std::string&,
+                                                         CLI::AppFormatMode) { return help; });
     refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);
     try {
@@ -213,7 +215,7 @@ int complain(int code, const std::string& what) {
 
 int run_command_line(int argc, const char* const* argv) {
     try {
-        return parse_and_run(argc, argv);
+        return parse_and_run(argc, argv, all_commands());
     } catch (const SceneError& error) {
         return complain(2, error.what());
     } catch (const UsageError& error) {
@@ -228,6 +230,15 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const std::exception& error) {
         return complain(1, fmt::format("carom: {}", error.what()));
     }
+}
+
+void check_command_line(const std::vector<std::string>& words) {
+    std::vector<Command> commands = all_commands();
+    for (Command& command : commands)
+        command.run = [values = command.run] {};  // which own where values go
+    std::vector<const char*> arguments{"carom"};
+    for (const std::string& word : words) arguments.push_back(word.c_str());
+    parse_and_run(static_cast<int>(arguments.size()), arguments.data(), commands);
 }
 
 }  // namespace carom

@@ -123,6 +123,16 @@ void make_scene(const NewArguments& arguments) {
         fmt::print("{0}: a scene; `carom render {0}` makes its film\n", file.string());
 }
 
+CommandText new_text() {
+    return {{"carom new NAME [--from SCENE]"},
+            "Writes NAME.yaml, a scene that renders as it stands, with a comment on every key. An "
+            "existing file is never replaced. Beside it is written scene.schema.json, with which "
+            "editors complete keys and underline mistakes.",
+            {{"carom new mine", "writes mine.yaml"},
+             {"carom new echo --from time-reversal", "starts from a scene that comes with carom"},
+             {"carom new other --from scenes/mixed-masses.yaml", "starts from a file"}}};
+}
+
 }  // namespace
 
 Command new_command() {
@@ -130,12 +140,13 @@ Command new_command() {
     return {"new",
             "write a commented scene to start from",
             {{"name", "the file to write: NAME.yaml", &arguments->name},
-             {"--from",
+             {"--from SCENE",
               "start from another scene: a file, - for standard input, or the name of one that "
               "comes with carom",
               &arguments->from},
              {"--quiet", "print no report", &arguments->quiet}},
-            [arguments] { make_scene(*arguments); }};
+            [arguments] { make_scene(*arguments); },
+            new_text()};
 }
 
 }  // namespace carom

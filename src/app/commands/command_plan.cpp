@@ -119,6 +119,22 @@ void plan(const PlanArguments& arguments) {
     plan_seeds(arguments);
 }
 
+CommandText plan_text() {
+    return {
+        {"carom plan SCENE... [--chunks N | --chunk-seconds S] [-o PLAN/] [options]",
+         "carom plan SCENE --seeds FIRST:LAST [--vary KEY=FIRST:LAST:N]... [-o SWEEP/] [options]",
+         "carom plan PLAN/ --list", "carom plan PLAN/ --missing"},
+        "Divides work into chunks, which any process on any machine can do in any order, and "
+        "writes what they need into a folder. The work is the film of each scene or, with --seeds "
+        "or --vary, a sweep: the run of one scene with many seeds and values. carom render and "
+        "carom run do the chunks, and carom join puts together what they have made.",
+        {{"carom plan scenes/one-hot-particle.yaml --chunks 8 -o plan/", "a film in 8 chunks"},
+         {"carom plan scenes/mixed-masses.yaml --seeds 1:100 --vary gas.0.radius=0.1:0.4:7 -o "
+          "sweep/",
+          "7 radii with 100 seeds each"},
+         {"carom plan plan/ --missing", "the numbers of the chunks that are still to do"}}};
+}
+
 }  // namespace
 
 Command plan_command() {
@@ -128,20 +144,21 @@ Command plan_command() {
         "plan", "divide work into chunks for several processes",
         joined<Option>(
             {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
-              {"-o,--output",
+              {"-o,--output FOLDER",
                "the folder of the plan, for several scenes with a subfolder for each; default: "
                "out/SCENE.plan",
                &its.output},
-              {"--seeds", "a run with each of these seeds: FIRST:LAST, or N for 1:N", &its.seeds},
-              {"--vary", "runs with several values of a key: KEY=FIRST:LAST:N or KEY=V,V,...",
-               &its.vary},
-              {"--chunks", "the number of chunks of each plan", &its.film.chunks},
+              {"--seeds FIRST:LAST", "a run with each of these seeds: FIRST:LAST, or N for 1:N",
+               &its.seeds},
+              {"--vary KEY=VALUES",
+               "runs with several values of a key: KEY=FIRST:LAST:N or KEY=V,V,...", &its.vary},
+              {"--chunks N", "the number of chunks of each plan", &its.film.chunks},
               {"--list", "print the numbers of the chunks of a plan", &its.list},
               {"--missing", "print the numbers of the chunks that are still to do", &its.missing},
               {"--force", "plan anew, and remove the chunks that are there", &its.film.force}},
              film_plan_options(its, its.film),
              scene_options(its)}),
-        [arguments] { plan(*arguments); }};
+        [arguments] { plan(*arguments); }, plan_text()};
 }
 
 }  // namespace carom

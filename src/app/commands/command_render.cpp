@@ -268,6 +268,20 @@ void render_scenes(RenderArguments& arguments) {
     }
 }
 
+CommandText render_text() {
+    return {{"carom render SCENE... [options]", "carom render PLAN/ [--chunk K] [options]"},
+            "Simulates the gas of each scene and writes a film of it: MP4, WebM, GIF, or single "
+            "frames as PNG. All scenes are read and checked before the first film begins. The same "
+            "scene and seed give the same film, byte for byte, on any number of cores.\n\nOf a "
+            "plan that carom plan has made, it draws and encodes the chunks that are missing.",
+            {{"carom render scenes/one-hot-particle.yaml", "writes out/one-hot-particle.mp4"},
+             {"carom render scenes/mixed-masses.yaml -o film.webm --size 720p --theme light",
+              "another format, size and colours"},
+             {"carom render scenes/mixed-masses.yaml --set run.until=20 film.seconds=10 --quality "
+              "draft",
+              "a short film, made quickly"}}};
+}
+
 }  // namespace
 
 Command render_command() {
@@ -277,7 +291,7 @@ Command render_command() {
         "render", "render the films of scenes",
         joined<Option>(
             {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
-              {"-o,--output",
+              {"-o,--output FILM",
                "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
                "it, or a new folder with a slash for its frames as PNG (frames/); default: "
                "out/SCENE.mp4",
@@ -295,7 +309,7 @@ Command render_command() {
              picture_options(its),
              film_options(its, its.film),
              work_options(its)}),
-        [arguments] { render_scenes(*arguments); }};
+        [arguments] { render_scenes(*arguments); }, render_text()};
 }
 
 }  // namespace carom

@@ -184,6 +184,20 @@ void run_scene(const RunArguments& arguments) {
     print(arguments, report_text(arguments, scene, report));
 }
 
+CommandText run_text() {
+    return {{"carom run SCENE [--json FILE] [--csv FILE] [--surfaces FILE] [options]",
+             "carom run SWEEP/ [--chunk K] [options]"},
+            "Simulates without drawing, and prints a summary: collisions, energy, momentum, "
+            "temperature, pressure, and how exact the run was. Samples are taken at time 0, at "
+            "every multiple of `run.sample_every`, and at the end.\n\nOf a sweep that carom plan "
+            "has made, it does the runs of the chunks that are missing.",
+            {{"carom run scenes/time-reversal.yaml", "prints the summary"},
+             {"carom run scenes/mixed-masses.yaml --csv samples.csv --json summary.json",
+              "every sample as CSV, the summary as JSON"},
+             {"carom run scenes/mixed-masses.yaml --seed 7 --set run.until=20",
+              "with other random choices, for a shorter time"}}};
+}
+
 }  // namespace
 
 Command run_command() {
@@ -193,9 +207,10 @@ Command run_command() {
         "run", "simulate without drawing: statistics and samples",
         joined<Option>(
             {{{"scene", "a scene file, - for standard input; or the folder of a sweep", &its.scene},
-              {"--json", "the statistics as JSON; - for standard output", &its.json},
-              {"--csv", "all samples, a row for each particle; - for standard output", &its.csv},
-              {"--surfaces",
+              {"--json FILE", "the statistics as JSON; - for standard output", &its.json},
+              {"--csv FILE", "all samples, a row for each particle; - for standard output",
+               &its.csv},
+              {"--surfaces FILE",
                "what walls, partitions and obstacles have done, a row for each sample and surface; "
                "- "
                "for standard output",
@@ -207,7 +222,8 @@ Command run_command() {
             if (is_plan(arguments->scene)) return run_sweep(*arguments);
             refuse_options_of_sweep(*arguments);
             run_scene(*arguments);
-        }};
+        },
+        run_text()};
 }
 
 }  // namespace carom

@@ -8,13 +8,26 @@
 
 namespace carom {
 
+namespace {
+
+CommandText schema_text() {
+    return {{"carom schema [--for scene|set]"},
+            "Prints the JSON Schema of scenes, or of figure sets, with which editors complete keys "
+            "and underline mistakes.",
+            {{"carom schema > scene.schema.json", "save it beside your scenes"},
+             {"carom schema --for set > set.schema.json", "that of figure sets"},
+             {"carom schema --for scene", "prints it"}}};
+}
+
+}  // namespace
+
 Command schema_command() {
     const auto what = std::make_shared<std::string>("scene");
-    return {
-        "schema",
-        "print the JSON Schema of scenes, for editors",
-        {{"--for", "scene, or set for figure sets", what.get(), {"scene", "set"}}},
-        [what] { Output("-").write(*what == "set" ? set_schema_json() : scene_schema_json()); }};
+    return {"schema",
+            "print the JSON Schema of scenes, for editors",
+            {{"--for", "scene, or set for figure sets", what.get(), {"scene", "set"}}},
+            [what] { Output("-").write(*what == "set" ? set_schema_json() : scene_schema_json()); },
+            schema_text()};
 }
 
 }  // namespace carom

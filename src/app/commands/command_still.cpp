@@ -54,6 +54,18 @@ void make_still(const StillArguments& arguments) {
     if (!arguments.quiet) fmt::print("{}\n", output.string());
 }
 
+CommandText still_text() {
+    return {
+        {"carom still SCENE [--at T] [-o PICTURE] [options]"},
+        "Draws the frame of the film that is nearest to simulated time T; without --at, the first. "
+        "SVG and PDF contain lines, curves and text that can be searched, and no pixels.",
+        {{"carom still scenes/one-hot-particle.yaml --at 3", "writes out/one-hot-particle.png"},
+         {"carom still scenes/one-hot-particle.yaml --at 3 -o frame.pdf --theme print",
+          "the same frame for print"},
+         {"carom still scenes/mixed-masses.yaml --template minimal --ground none -o gas.svg",
+          "another layout on a transparent ground"}}};
+}
+
 }  // namespace
 
 Command still_command() {
@@ -61,15 +73,15 @@ Command still_command() {
     StillArguments& its = *arguments;
     return {"still", "draw one frame of a film as PNG, SVG or PDF",
             joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
-                             {"--at", "simulated time; the nearest frame is drawn", &its.at},
-                             {"-o,--output",
+                             {"--at T", "simulated time; the nearest frame is drawn", &its.at},
+                             {"-o,--output PICTURE",
                               "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
                               "default: out/SCENE.png",
                               &its.output},
                              {"--format", "png, svg or pdf", &its.format, still_formats()}},
                             scene_options(its),
                             picture_options(its)}),
-            [arguments] { make_still(*arguments); }};
+            [arguments] { make_still(*arguments); }, still_text()};
 }
 
 }  // namespace carom

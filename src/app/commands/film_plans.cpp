@@ -67,7 +67,7 @@ FilmDivision division_of(const FilmPlanArguments& arguments) {
 
 std::vector<Option> film_plan_options(SceneOptions& options, FilmPlanArguments& arguments) {
     return joined<Option>(
-        {{{"--chunk-seconds", "of films: as many chunks as take so long each, on one core",
+        {{{"--chunk-seconds S", "of films: as many chunks as take so long each, on one core",
            &arguments.chunk_seconds},
           {"--format", "of films: mp4, webm, gif, or png for single frames", &arguments.format,
            film_formats()}},

@@ -44,10 +44,10 @@ void refuse_format(const OutputFormat& format, const Scene& scene) {
 }  // namespace
 
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film) {
-    return {{"--from", "simulated time at which the film begins", &film.from},
-            {"--to", "simulated time at which the film ends", &film.to},
-            shortcut(options, "--fps", "film.fps", "frames per second"),
-            shortcut(options, "--seconds", "film.seconds", "length of the film"),
+    return {{"--from T", "simulated time at which the film begins", &film.from},
+            {"--to T", "simulated time at which the film ends", &film.to},
+            shortcut(options, "--fps N", "film.fps", "frames per second"),
+            shortcut(options, "--seconds S", "film.seconds", "length of the film"),
             {"--quality",
              "draft, standard or final",
              [&film](const std::string& name) { film.quality = quality_of(name); },

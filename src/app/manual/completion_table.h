@@ -1,0 +1,48 @@
+// What a shell can complete in a call of carom, as a value: made from the table of commands and
+// from the keys of the scene language. shell_completions.h writes it for each shell.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command.h"
+
+namespace carom {
+
+/// Which files complete a word.
+enum class CompletedFiles { none, any, scenes, folders };
+
+/// What completes the value of an option, or a word without a flag.
+struct CompletedValue {
+    std::string name;  ///< as the help calls it
+    CompletedFiles files = CompletedFiles::none;
+    std::vector<std::string> words = {};
+    bool with_commas = false;  ///< several of the words, between commas
+    bool keys = false;         ///< a key of the scene and `=`
+    bool key_values = false;   ///< and, behind it, the words that the key takes
+};
+
+struct CompletedOption {
+    std::vector<std::string> flags;  ///< "-o", "--output"
+    std::string meaning;
+    bool takes_value = false, repeated = false;
+    CompletedValue value = {};
+};
+
+struct CompletedCommand {
+    std::string name, meaning;
+    std::vector<CompletedOption> options;
+    CompletedValue words = {};  ///< of its words without flags
+};
+
+struct CompletionTable {
+    std::vector<CompletedCommand> commands;
+    std::vector<std::string> keys;        ///< "film.theme="; items of lists have the number 0
+    std::vector<std::string> key_values;  ///< "film.theme=dark", of keys that take words
+};
+
+/// Templates and scenes are those that come with this program. Throws SystemError when they cannot
+/// be found.
+CompletionTable completion_table(const std::vector<Command>& commands);
+
+}  // namespace carom

@@ -112,3 +112,9 @@ TEST_CASE("links from document to document lead somewhere") {
         }
     }
 }
+
+TEST_CASE("the citation names the version that the program has") {
+    const std::string version = run({program, "--version"}).out;  // "carom 0.1.0\n"
+    REQUIRE(version.starts_with("carom "));
+    CHECK(has(contents(root / "CITATION.cff"), "\nversion: " + version.substr(6)));
+}

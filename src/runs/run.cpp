@@ -1,6 +1,7 @@
 #include "runs/run.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -8,6 +9,7 @@
 #include "panels/precision.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/ways_back.h"
+#include "util/fingerprint.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
 
@@ -122,6 +124,16 @@ double sample_time(const Run& run, std::int64_t index) {
     return static_cast<double>(index) * run.sample_every;
 }
 
+// Of their bytes, which are little-endian on all machines that carom knows.
+std::string fingerprint_of(const Sample& sample) {
+    static_assert(std::endian::native == std::endian::little);
+    std::string bytes;
+    for (const auto* numbers : {&sample.position, &sample.velocity})
+        bytes.append(reinterpret_cast<const char*>(numbers->data()),
+                     static_cast<std::size_t>(numbers->size()) * sizeof(double));
+    return fingerprint(bytes);
+}
+
 class Course {
   public:
     Course(const StartedScene& started, const Stopwatch& watch, const RunCallbacks& on_progress)
@@ -159,6 +171,7 @@ class Course {
             report.account = simulation_.energy_account();
             report.summary.largest_energy_error = std::nullopt;
         }
+        report.state = fingerprint_of(simulation_.sample());
         return report;
     }
 

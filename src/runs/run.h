@@ -53,6 +53,7 @@ struct RunReport {
     RunSeconds seconds;
     std::vector<SurfaceReport> surfaces = {};   ///< by their numbers; none in a plain box
     std::optional<EnergyAccount> account = {};  ///< where there are any
+    std::string state = {};  ///< fingerprint of all positions and velocities at the end, every bit
 };
 
 /// All events: collisions between particles and with walls.

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# What a newcomer meets on other systems: both commands of the README's start in a fresh Debian of each suite, and carom
+# built in other ways there. Prints a row for each; what was said is in build/portability-SUITE.log. As root, for
+# debootstrap and chroot. Called by `./dev portability`.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+readonly film='./carom render scenes/one-hot-particle.yaml'
+readonly small='render scenes/one-hot-particle.yaml --quality draft --size 640x360 --seconds 4 --quiet'
+
+# row SUITE WHAT COMMAND: runs it in the fresh Debian at $root, in /carom
+row() {
+    local begun=$SECONDS result=passed
+    printf '%-10s %-34s' "$1" "$2"
+    echo "== $2" >>"$log"
+    unshare --mount env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root chroot "$root" \
+        bash -c "mount -t proc proc /proc; mount -t tmpfs tmpfs /dev/shm; cd /carom && $3" >>"$log" 2>&1 || result=FAILED
+    [ "$result" = passed ] || failed=1
+    printf ' %3d:%02d %s' $(((SECONDS - begun) / 60)) $(((SECONDS - begun) % 60)) "$result"
+    [ "$2" != tests ] || sed -n '/tests FAILED:$/,/^Errors while/p' "$log" | grep -o ' - [^ ]*' | tr -d '\n-'
+    echo
+}
+
+# rows SUITE: each builds in a folder of its own; the films are compared where the encoder is the same.
+rows() {
+    row "$1" 'first film' "$film"
+    row "$1" tests './dev test'
+    row "$1" 'clang' "apt-get install -y -qq --no-install-recommends clang \
+        && cmake -G Ninja -B build/clang -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=clang++ -DCAROM_TESTS=OFF \
+        && cmake --build build/clang && build/clang/bin/carom $small -o out/clang.mp4 \
+        && build/release/bin/carom $small -o out/gcc.mp4 && cmp out/gcc.mp4 out/clang.mp4"
+    row "$1" 'Debug' "cmake --preset debug -DCAROM_TESTS=OFF && cmake --build build/debug \
+        && build/debug/bin/carom $small -o out/debug.mp4 && cmp out/gcc.mp4 out/debug.mp4"
+    row "$1" 'a path with spaces and umlauts' "mkdir -p '/tmp/Räume und Gase' \
+        && tar --exclude=./build -c . | tar -x -C '/tmp/Räume und Gase' && cd '/tmp/Räume und Gase' \
+        && LC_ALL=C ./carom $small -o film.mp4 && cmp film.mp4 /carom/out/gcc.mp4"
+    row "$1" 'another user, built by root' "useradd -m lecturer && chmod -R a+rX . \
+        && su lecturer -c 'cd ~ && /carom/carom render /carom/${small#render } -o film.mp4' && cmp ~lecturer/film.mp4 out/gcc.mp4"
+    row "$1" 'another user, a build of their own' "mkdir -p ~lecturer/carom \
+        && tar --exclude=./build --exclude=./out -c . | tar -x -C ~lecturer/carom && chown -R lecturer ~lecturer/carom \
+        && su lecturer -c 'cd ~/carom && ./carom $small -o film.mp4' && cmp ~lecturer/carom/film.mp4 out/gcc.mp4"
+    row "$1" 'a read-only checkout' "chmod -R a-w ~lecturer/carom \
+        && su lecturer -c 'cd ~ && carom/carom render carom/${small#render } -o again.mp4' && cmp ~lecturer/again.mp4 out/gcc.mp4"
+}
+
+[ "$(id -u)" -eq 0 ] || { echo 'carom: portability needs root, for debootstrap and chroot' >&2; exit 1; }
+[ $# -gt 0 ] || set -- bookworm trixie
+mkdir -p build
+failed=0
+for suite; do
+    log=$PWD/build/portability-$suite.log
+    root=$(mktemp -d "${TMPDIR:-/var/tmp}/carom-$suite.XXXXXX")
+    if debootstrap --variant=minbase "$suite" "$root" >"$log" 2>&1; then
+        # As from a tarball: without git and without what was built.
+        mkdir "$root/carom" && tar --exclude=./build --exclude=./out --exclude=./.git -c . | tar -x -C "$root/carom"
+        rows "$suite"
+    else
+        printf '%-10s not reached: debootstrap failed, %s\n' "$suite" "$log"
+        failed=1
+    fi
+    rm -rf --one-file-system "$root"
+done
+exit "$failed"

@@ -160,7 +160,7 @@ CommandText figures_text() {
             "figure set, with their data as CSV and a caption for each. A figure is made again "
             "only when it has changed.",
             {{"carom figures scenes/sets/collisions.yaml",
-              "writes a folder for each scene into out/collisions"},
+              "writes the figures of the set into out/collisions"},
              {"carom figures scenes/sets/collisions.yaml --page html --formats svg,csv",
               "a page that shows the figures"},
              {"carom figures scenes/sets/collisions.yaml -o book --force",

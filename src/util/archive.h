@@ -102,11 +102,12 @@ class Archive {
     template <class T>
     void value(T& its) {
         if constexpr (std::same_as<T, bool>) {
-            auto whole = static_cast<std::uint8_t>(its);
+            // What is read into may be uninitialized, and then no bool.
+            auto whole = reading_ ? std::uint8_t{0} : static_cast<std::uint8_t>(its);
             number(whole);
             its = whole != 0;
         } else if constexpr (std::is_enum_v<T>) {
-            auto whole = static_cast<std::int64_t>(its);
+            auto whole = reading_ ? std::int64_t{0} : static_cast<std::int64_t>(its);
             number(whole);
             its = static_cast<T>(whole);
         } else if constexpr (std::is_arithmetic_v<T>) {

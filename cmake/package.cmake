@@ -19,12 +19,12 @@ target_include_directories(carom_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_I
 target_compile_definitions(carom_physics PUBLIC EIGEN_MAX_ALIGN_BYTES=64)
 
 install(TARGETS carom_util carom_physics EXPORT carom
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom)
-install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${package_folder})
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/carom COMPONENT development)
+install(EXPORT carom NAMESPACE carom:: FILE carom-targets.cmake DESTINATION ${package_folder} COMPONENT development)
 
 configure_package_config_file(cmake/carom-config.cmake.in ${PROJECT_BINARY_DIR}/carom-config.cmake
     INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/carom-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/carom-config.cmake ${PROJECT_BINARY_DIR}/carom-config-version.cmake
-    DESTINATION ${package_folder})
+    DESTINATION ${package_folder} COMPONENT development)

@@ -42,6 +42,22 @@ rows() {
         && su lecturer -c 'cd ~ && carom/carom render carom/${small#render } -o again.mp4' && cmp ~lecturer/again.mp4 out/gcc.mp4"
 }
 
+# Packages that were built there, in another fresh Debian where nothing is installed; and removed without a trace.
+package_rows() {
+    local built=$root/carom/build/package
+    row "$1" './dev package' './dev package'
+    root=$(mktemp -d "${TMPDIR:-/var/tmp}/carom-$1-clean.XXXXXX")
+    if debootstrap --variant=minbase "$1" "$root" >>"$log" 2>&1 && mkdir "$root/carom" && cp "$built"/*.deb "$root/carom"; then
+        row "$1" 'the package on a clean machine' "apt-get update -qq; apt-get install -y -qq man-db; find / -xdev -name '*carom*' | sort >before \
+            && apt-get install -y -qq --no-install-recommends ./carom_*.deb \
+            && (cd / && carom render /usr/share/carom/scenes/one-hot-particle.yaml -o /tmp/film.mp4 --quiet) \
+            && [ -s /tmp/film.mp4 ] && carom help render | grep -q chunk && zcat /usr/share/man/man1/carom-render.1.gz | grep -q chunk \
+            && [ -e /usr/share/bash-completion/completions/carom ] \
+            && apt-get purge -y -qq carom && find / -xdev -name '*carom*' ! -path '/carom/*' | sort | diff <(grep -v ^/carom/ before) -"
+    fi
+    rm -rf --one-file-system "$root"
+}
+
 [ "$(id -u)" -eq 0 ] || { echo 'carom: portability needs root, for debootstrap and chroot' >&2; exit 1; }
 [ $# -gt 0 ] || set -- bookworm trixie
 mkdir -p build
@@ -53,6 +69,9 @@ for suite; do
         # As from a tarball: without git and without what was built.
         mkdir "$root/carom" && tar --exclude=./build --exclude=./out --exclude=./.git -c . | tar -x -C "$root/carom"
         rows "$suite"
+        fresh=$root
+        package_rows "$suite"
+        root=$fresh
     else
         printf '%-10s not reached: debootstrap failed, %s\n' "$suite" "$log"
         failed=1

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "support/process.h"
 #include "support/relative.h"
@@ -102,4 +103,26 @@ TEST_CASE("the manual's program builds from an installed core and is right") {
     CHECK(enskog == relative(1.295, 0.1));
     // 128,000 collisions: their number is good to 0.3 %
     CHECK(rate == relative(enskog, 0.012));
+}
+
+TEST_CASE("what was installed is removed, and nothing else") {
+    const TemporaryFolder folder;
+    const fs::path installed = folder.path() / "installed";
+    REQUIRE(
+        run({"cmake", "--install", CAROM_BUILD_FOLDER, "--prefix", installed.string()}).exit_code ==
+        0);
+    REQUIRE(fs::exists(installed / "bin/carom"));
+    std::ofstream(installed / "share/carom/scenes/mine.yaml") << "mine";
+    const fs::path script = checkout() / "cmake/uninstall.cmake";
+    const std::string manifest =
+        "MANIFEST=" + (fs::path(CAROM_BUILD_FOLDER) / "install_manifest.txt").string();
+    const Outcome outcome = run({"cmake", "-D", manifest, "-P", script.string()});
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    std::vector<std::string> left;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(installed))
+        if (!entry.is_directory()) left.push_back(entry.path().string());
+    CHECK(left == std::vector{(installed / "share/carom/scenes/mine.yaml").string()});
+    CHECK_FALSE(fs::exists(installed / "include/carom"));
+    CHECK(run({"cmake", "-D", manifest, "-P", script.string()}).exit_code != 0);
 }

@@ -1,0 +1,59 @@
+# The Debian packages that `./dev package` makes: carom, the program with all that it reads, and libcarom-dev, the core for other programs.
+set(doc_folder ${PROJECT_BINARY_DIR}/deb)
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME carom)
+set(CPACK_PACKAGE_VENDOR "The carom developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "lecture films and figures of gases, from a scene file")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The carom developers <carom@noreply.invalid>")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME carom)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter (>= 4.0~)")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "carom simulates hard disks in a box and rods or points on a line with exact
+collision times, draws the gas beside histograms and theory curves, and writes
+films (MP4, WebM, GIF), figures (SVG, PDF, PNG) and tables. A scene is a few
+lines of YAML. No screen is needed.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcarom-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libmpfr-dev (>= 4.2), libfmt-dev (>= 9.1), libxxhash-dev (>= 0.8)")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The core of carom, the event-driven simulation of hard disks and rods, as a
+static library with its headers and a package for CMake: find_package(carom)
+gives carom::physics.")
+
+# What Debian's policy asks for beside them: who holds the copyright, and the changes.
+file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
+string(REPLACE "\n\n" "\n.\n" license "${license}")
+string(REPLACE "\n" "\n " license "${license}")
+file(WRITE ${doc_folder}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Upstream-Name: carom
+
+Files: *
+Copyright: 2026 The carom authors
+License: Expat
+ ${license}
+")
+find_program(GZIP gzip REQUIRED)
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(WRITE ${doc_folder}/changelog.Debian "carom (${PROJECT_VERSION}-1) unstable; urgency=medium
+
+  * Package of this version; changelog.gz says what has changed.
+
+ -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${now}
+")
+configure_file(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${doc_folder}/changelog COPYONLY)
+execute_process(COMMAND ${GZIP} -9nf changelog changelog.Debian WORKING_DIRECTORY ${doc_folder} COMMAND_ERROR_IS_FATAL ANY)
+foreach(package IN ITEMS program:carom development:libcarom-dev)
+    string(REPLACE ":" ";" package ${package})
+    list(GET package 0 component)
+    list(GET package 1 name)
+    install(FILES ${doc_folder}/copyright ${doc_folder}/changelog.gz ${doc_folder}/changelog.Debian.gz DESTINATION share/doc/${name} COMPONENT ${component})
+endforeach()
+include(CPack)

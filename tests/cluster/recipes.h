@@ -22,7 +22,7 @@ inline bool are_installed(std::initializer_list<const char*> names) {
     for (const std::string name : names) {
         if (is_installed(name)) continue;
         if (std::getenv("CI") != nullptr)
-            FAIL_CHECK(name, " is not installed: ./dev setup full");
+            FAIL_CHECK(name, " is not installed: ./dev setup full, or for Slurm ./dev test --slow");
         else
             MESSAGE(name, " is not installed: the recipes that need it are not tried");
         return false;

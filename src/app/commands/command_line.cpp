@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "app/command.h"
@@ -211,9 +213,18 @@ int complain(int code, const std::string& what) {
     return code;
 }
 
-}  // namespace
+// Of storage that is there from the start: a message that is made now might not fit any more.
+int complain_of_memory() noexcept {
+    constexpr std::string_view message =
+        "carom: not enough memory; a smaller picture or fewer particles need less\n";
+    std::fflush(stderr);
+    [[maybe_unused]] const ssize_t written =
+        write(STDERR_FILENO, message.data(), message.size());  // nothing is left to try
+    return 1;
+}
 
-int run_command_line(int argc, const char* const* argv) {
+// Throws std::bad_alloc, of the command or of what is said about its error.
+int run_and_complain(int argc, const char* const* argv) {
     try {
         return parse_and_run(argc, argv, all_commands());
     } catch (const SceneError& error) {
@@ -225,10 +236,19 @@ int run_command_line(int argc, const char* const* argv) {
     } catch (const TemporaryError& error) {
         return complain(exit_code_of_temporary_error, fmt::format("carom: {}", error.what()));
     } catch (const std::bad_alloc&) {
-        return complain(1,
-                        "carom: not enough memory; a smaller picture or fewer particles need less");
+        throw;
     } catch (const std::exception& error) {
         return complain(1, fmt::format("carom: {}", error.what()));
+    }
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    try {
+        return run_and_complain(argc, argv);
+    } catch (const std::bad_alloc&) {
+        return complain_of_memory();
     }
 }
 

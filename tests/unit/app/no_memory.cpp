@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include "app/command.h"
+#include "app/commands/command_line.h"
+#include "support/files.h"
+
+namespace {
+
+// How many more allocations this thread is granted; below 0: any number.
+thread_local long granted = -1;
+thread_local long made = 0;
+
+void* allocated(std::size_t bytes) {
+    if (granted == 0) throw std::bad_alloc();
+    if (granted > 0) --granted;
+    ++made;
+    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) { return allocated(bytes); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace carom;
+
+namespace {
+
+// Standard error in a file while it lives.
+class CaughtErrors {
+  public:
+    explicit CaughtErrors(const std::filesystem::path& path)
+        : descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600)) {
+        dup2(descriptor_, STDERR_FILENO);
+    }
+    ~CaughtErrors() {
+        dup2(before_, STDERR_FILENO);
+        close(before_);
+        close(descriptor_);
+    }
+
+  private:
+    int before_ = dup(STDERR_FILENO);
+    int descriptor_;
+};
+
+}  // namespace
+
+TEST_CASE("whenever memory runs out, carom says so and ends with exit code 1") {
+    const test::TemporaryFolder folder;
+    const std::string scene = (folder.path() / "missing.yaml").string();
+    const std::array<const char*, 3> words{"carom", "check", scene.c_str()};
+    const std::string message =
+        "carom: not enough memory; a smaller picture or fewer particles need less\n";
+    const std::filesystem::path errors = folder.path() / "errors";
+    const auto with_memory_for = [&](long allocations) {
+        const CaughtErrors caught(errors);
+        granted = allocations;
+        int code = -1;
+        try {
+            code = run_command_line(3, words.data());
+        } catch (...) {
+        }
+        granted = -1;
+        return code;
+    };
+    REQUIRE(with_memory_for(-1) == 2);
+    CHECK(with_memory_for(0) == 1);
+    CHECK(test::contents(errors) == message);
+    // Where a table of options is half made, what GCC 12 does of it is undefined.
+    made = 0;
+    all_commands();
+    long allocations = made;
+    const long first = allocations;
+    while (true) {
+        const int code = with_memory_for(allocations);
+        if (code == 2) break;  // all the memory that it needs
+        CAPTURE(allocations);
+        REQUIRE(code == 1);
+        REQUIRE(test::contents(errors) == message);
+        allocations += 1 + (allocations - first) / 50;
+    }
+    CHECK(allocations > first + 100);
+}

@@ -1,101 +1,32 @@
 #include "draw/text.h"
 
 #include <cairo.h>
-#include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
-#include <pango/pangofc-fontmap.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "draw/fonts/fonts.h"
 #include "draw/formula/ink.h"
-#include "util/diagnostics.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr const char* family = "Inter";
-
-template <auto release>
-struct Releaser {
-    template <typename T>
-    void operator()(T* handle) const {
-        release(handle);
-    }
-};
-template <typename T, auto release>
-using Owned = std::unique_ptr<T, Releaser<release>>;
-
-using FontConfig = Owned<FcConfig, FcConfigDestroy>;
-using Pattern = Owned<FcPattern, FcPatternDestroy>;
-using ObjectSet = Owned<FcObjectSet, FcObjectSetDestroy>;
-using FontSet = Owned<FcFontSet, FcFontSetDestroy>;
-using FontMap = Owned<PangoFontMap, g_object_unref>;
-using Context = Owned<PangoContext, g_object_unref>;
 using Font = Owned<PangoFont, g_object_unref>;
 using Layout = Owned<PangoLayout, g_object_unref>;
-using LayoutIter = Owned<PangoLayoutIter, pango_layout_iter_free>;
 using Attributes = Owned<PangoAttrList, pango_attr_list_unref>;
 using Description = Owned<PangoFontDescription, pango_font_description_free>;
-using FontOptions = Owned<cairo_font_options_t, cairo_font_options_destroy>;
 using Glyphs = Owned<PangoGlyphString, pango_glyph_string_free>;
 using Surface = Owned<cairo_surface_t, cairo_surface_destroy>;
 using CairoContext = Owned<cairo_t, cairo_destroy>;
 using GString = Owned<char, g_free>;
-
-// The fonts of this machine, and a configuration that knows none but the declared family.
-struct Configurations {
-    FontConfig machine{FcInitLoadConfigAndFonts()};
-    FontConfig declared{FcConfigCreate()};
-    bool has_font = false;
-
-    Configurations() {
-        const Pattern wanted{FcPatternCreate()};
-        FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(family));
-        const ObjectSet fields{FcObjectSetBuild(FC_FILE, nullptr)};
-        const FontSet found{FcFontList(machine.get(), wanted.get(), fields.get())};
-        for (int i = 0; found != nullptr && i < found->nfont; ++i) {
-            FcChar8* file = nullptr;
-            if (FcPatternGetString(found->fonts[i], FC_FILE, 0, &file) != FcResultMatch) continue;
-            if (FcConfigAppFontAddFile(declared.get(), file)) has_font = true;
-        }
-    }
-};
-
-const Configurations& configurations() {
-    static const Configurations all;
-    return all;
-}
-
-Context create_context(PangoFontMap* map) {
-    Context context{pango_font_map_create_context(map)};
-    const FontOptions options{cairo_font_options_create()};
-    cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
-    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-    pango_cairo_context_set_font_options(context.get(), options.get());
-    pango_context_set_round_glyph_positions(context.get(), FALSE);
-    pango_context_set_language(context.get(), pango_language_from_string("en"));
-    pango_context_set_base_dir(context.get(), PANGO_DIRECTION_WEAK_LTR);
-    return context;
-}
-
-// A font map for one thread: Pango's may not be shared.
-struct Fonts {
-    explicit Fonts(FcConfig* configuration)
-        : map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT)) {
-        pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), configuration);
-        context = create_context(map.get());
-    }
-    FontMap map;
-    Context context;
-};
 
 struct PlacedGlyph {
     PangoFont* font = nullptr;  ///< kept alive by the line's layout
@@ -140,7 +71,7 @@ Layout create_layout(PangoContext* context, const LineKey& key) {
         pango_attr_list_insert_before(attributes.get(), pango_attr_font_features_new("tnum=1"));
 
     const Description description{pango_font_description_new()};
-    pango_font_description_set_family_static(description.get(), family);
+    pango_font_description_set_family_static(description.get(), font_family);
     pango_font_description_set_weight(description.get(), static_cast<PangoWeight>(key.weight));
     pango_font_description_set_absolute_size(description.get(), key.size * PANGO_SCALE);
     pango_layout_set_font_description(layout.get(), description.get());
@@ -234,6 +165,7 @@ GlyphMask create_mask(PangoFont* font, PangoGlyph glyph, double shift_x, double 
     cairo_move_to(context.get(), shift_x - mask.left, shift_y - mask.top);
     pango_cairo_glyph_string_path(context.get(), font, one.get());
     cairo_fill(context.get());
+    require_drawn(context.get());
     return mask;
 }
 
@@ -261,8 +193,8 @@ class Typesetter {
 
     /// Words in as many lines as they need.
     Layout paragraph(const LineKey& key, double width) {
-        Layout layout = create_layout(declared_.context.get(), key);
-        if (!has_all_letters(layout)) layout = create_layout(machine().context.get(), key);
+        Layout layout = in_declared(key);
+        if (!has_all_letters(layout)) layout = in_machine(key);
         pango_layout_set_width(layout.get(), static_cast<int>(width * PANGO_SCALE));
         pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
         return layout;
@@ -270,8 +202,7 @@ class Typesetter {
 
     /// Whether no font of the machine has what the line needs.
     bool lacks(const LineKey& key) {
-        return !has_all_letters(create_layout(declared_.context.get(), key)) &&
-               !has_all_letters(create_layout(machine().context.get(), key));
+        return !has_all_letters(in_declared(key)) && !has_all_letters(in_machine(key));
     }
 
     static constexpr double phases = 8.0;
@@ -283,12 +214,26 @@ class Typesetter {
 
     Line set(const LineKey& key) {
         Line line;
-        line.layout = create_layout(declared_.context.get(), key);
+        line.layout = in_declared(key);
         const bool is_complete = has_all_letters(line.layout);
-        if (!is_complete) line.layout = create_layout(machine().context.get(), key);
+        if (!is_complete) line.layout = in_machine(key);
         line.extent = extent_of(line.layout.get());
         if (is_complete) line.glyphs = glyphs_of(line.layout.get());
         return line;
+    }
+
+    Layout in_declared(const LineKey& key) const {
+        Layout layout = create_layout(declared_.context.get(), key);
+        const bool has_markup = key.markup.find('<') != std::string::npos;
+        require_fonts_of(layout.get(), has_markup ? 0 : key.weight);
+        return layout;
+    }
+
+    Layout in_machine(const LineKey& key) {
+        if (!machine_) machine_ = machine_fonts();
+        Layout layout = create_layout(machine_->context.get(), key);
+        require_fonts_of(layout.get(), 0);
+        return layout;
     }
 
     static bool has_all_letters(const Layout& layout) {
@@ -301,20 +246,14 @@ class Typesetter {
             fonts_.emplace(font, static_cast<PangoFont*>(g_object_ref(font)));
     }
 
-    Fonts& machine() {
-        if (!machine_) machine_ = std::make_unique<Fonts>(configurations().machine.get());
-        return *machine_;
-    }
-
-    Fonts declared_{configurations().declared.get()};
-    std::unique_ptr<Fonts> machine_;
+    Fonts declared_ = declared_fonts();
+    std::optional<Fonts> machine_;
     std::map<PangoFont*, Font> fonts_;
     std::map<LineKey, Line> lines_;
     std::map<MaskKey, GlyphMask> masks_;
 };
 
 Typesetter& typesetter() {
-    require_font();
     thread_local Typesetter own;
     return own;
 }
@@ -397,6 +336,7 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
         pango_cairo_show_layout_line(context, pango_layout_get_line_readonly(line.layout.get(), 0));
         cairo_new_path(context);
     }
+    require_drawn(context);
     if (current_log != nullptr)
         current_log->lines.push_back({markup, style.size, ink_of(line.layout.get(), origin),
                                       pango_layout_is_ellipsized(line.layout.get()) != 0});
@@ -454,11 +394,6 @@ Ink ink_of(const std::string& markup, const TextStyle& style) {
     return {line.extent.width, ink_of(line.layout.get(), {})};
 }
 
-void require_font() {
-    if (!configurations().has_font)
-        throw SystemError(
-            "the typeface Inter is not installed on this machine: install the Debian package "
-            "fonts-inter");
-}
+void require_font() { declared_fonts(); }
 
 }  // namespace carom

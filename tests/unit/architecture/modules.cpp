@@ -41,7 +41,7 @@ struct Parts {
 
 const std::map<std::string, Parts> parts_of_module{
     {"util", {{"util", "formula"}, {}}},
-    {"draw", {{"draw", "formula"}, {"formula/ink.h"}}},
+    {"draw", {{"fonts", "draw", "formula"}, {"formula/ink.h"}}},
     {"stats", {{"paths", "stats"}, {}}},
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "surfaces", "placement", "theory", "events",
@@ -85,8 +85,9 @@ struct ThirdParty {
 const std::vector<ThirdParty> third_party{
     {std::regex("mpfr.*|boost/.*"), {"physics/multiprecision/multiprecision.h"}},
     {std::regex("yaml-cpp/.*"), {"scene/yaml/yaml.cpp"}},
-    {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/text.cpp"}},
-    {std::regex("(pango|fontconfig)/.*"), {"draw/text.cpp"}},
+    {std::regex("cairo.*"), {"draw/canvas.cpp", "draw/fonts/fonts.cpp", "draw/text.cpp"}},
+    {std::regex("(pango|fontconfig)/.*"),
+     {"draw/fonts/fonts.cpp", "draw/fonts/fonts.h", "draw/text.cpp"}},
     {std::regex("glib\\.h"), {"draw/markup.cpp"}},
     {std::regex("xxhash.*"), {"util/fingerprint.cpp"}},
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},

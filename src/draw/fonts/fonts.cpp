@@ -1,0 +1,184 @@
+#include "draw/fonts/fonts.h"
+
+#include <cairo.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fontconfig/fontconfig.h>
+#include <pango/pangofc-font.h>
+#include <pango/pangofc-fontmap.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+using FontConfig = Owned<FcConfig, FcConfigDestroy>;
+using Pattern = Owned<FcPattern, FcPatternDestroy>;
+using ObjectSet = Owned<FcObjectSet, FcObjectSetDestroy>;
+using FontSet = Owned<FcFontSet, FcFontSetDestroy>;
+using FontOptions = Owned<cairo_font_options_t, cairo_font_options_destroy>;
+using Description = Owned<PangoFontDescription, pango_font_description_free>;
+using LayoutIter = Owned<PangoLayoutIter, pango_layout_iter_free>;
+
+std::string file_of(FcPattern* pattern) {
+    FcChar8* file = nullptr;
+    if (FcPatternGetString(pattern, FC_FILE, 0, &file) != FcResultMatch) return "";
+    return reinterpret_cast<const char*>(file);
+}
+
+// The libraries do not tell why they could not read it: as the system says when it is opened again.
+[[noreturn]] void refuse(const std::string& file) {
+    const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const std::string reason = descriptor >= 0
+                                   ? "it can be opened now; there was no memory for it, or too "
+                                     "many files were open"
+                                   : std::generic_category().message(errno);
+    if (descriptor >= 0) close(descriptor);
+    throw SystemError(fmt::format("cannot read the font {}: {}", file, reason));
+}
+
+// GLib ends the program where it has no memory, or no thread, and leaves what was begun: unnamed
+// files go with it.
+[[noreturn]] void end_of_glib(const char* message) {
+    for (const std::string_view part :
+         {"carom: the libraries that set text cannot go on: ", message,
+          "\n       a higher limit of memory or of threads (ulimit -v, ulimit -u) mends it\n"}) {
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, part.data(), part.size());
+    }
+    _exit(1);
+}
+
+// A font that Pango warns of is refused where it is used.
+GLogWriterOutput on_glib_message(GLogLevelFlags level, const GLogField* fields, gsize count,
+                                 gpointer data) {
+    std::string_view domain;
+    const char* message = "";
+    for (const GLogField& field : std::span(fields, count)) {
+        const std::string_view key = field.key;
+        if (key == "GLIB_DOMAIN") domain = static_cast<const char*>(field.value);
+        if (key == "MESSAGE") message = static_cast<const char*>(field.value);
+    }
+    if ((level & G_LOG_LEVEL_ERROR) != 0) end_of_glib(message);
+    if (domain == "Pango" && level == G_LOG_LEVEL_WARNING) return G_LOG_WRITER_HANDLED;
+    return g_log_writer_default(level, fields, count, data);
+}
+
+// The fonts of this machine, and a configuration that knows none but the declared family.
+struct Configurations {
+    FontConfig machine;
+    FontConfig declared;
+    bool has_font = false;
+
+    Configurations() {
+        g_log_set_writer_func(on_glib_message, nullptr, nullptr);
+        machine.reset(FcInitLoadConfigAndFonts());
+        declared.reset(FcConfigCreate());
+        const Pattern wanted{FcPatternCreate()};
+        const ObjectSet fields{FcObjectSetBuild(FC_FILE, nullptr)};
+        if (!machine || !declared || !wanted || !fields) fail();
+        FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(font_family));
+        const FontSet found{FcFontList(machine.get(), wanted.get(), fields.get())};
+        if (!found) fail();
+        for (int i = 0; i < found->nfont; ++i) {
+            const std::string file = file_of(found->fonts[i]);
+            if (!FcConfigAppFontAddFile(declared.get(),
+                                        reinterpret_cast<const FcChar8*>(file.c_str())))
+                refuse(file);
+            has_font = true;
+        }
+    }
+
+    [[noreturn]] static void fail() {
+        throw SystemError("fontconfig cannot read its configuration: there is no memory for it");
+    }
+};
+
+const Configurations& configurations() {
+    static const Configurations all;
+    return all;
+}
+
+Fonts fonts_of(FcConfig* configuration) {
+    Fonts fonts;
+    fonts.map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+    pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(fonts.map.get()), configuration);
+    fonts.context.reset(pango_font_map_create_context(fonts.map.get()));
+    PangoContext* context = fonts.context.get();
+    const FontOptions options{cairo_font_options_create()};
+    cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context, options.get());
+    pango_context_set_round_glyph_positions(context, FALSE);
+    pango_context_set_language(context, pango_language_from_string("en"));
+    pango_context_set_base_dir(context, PANGO_DIRECTION_WEAK_LTR);
+    return fonts;
+}
+
+// A letter that its font has, but that was not found in it: the file could not be read when the
+// line was shaped.
+bool lacks_its_letter(FcPattern* pattern, PangoGlyph glyph) {
+    FcCharSet* letters = nullptr;
+    return (glyph & PANGO_GLYPH_UNKNOWN_FLAG) != 0 && glyph != PANGO_GLYPH_INVALID_INPUT &&
+           FcPatternGetCharSet(pattern, FC_CHARSET, 0, &letters) == FcResultMatch &&
+           FcCharSetHasChar(letters, glyph & ~PANGO_GLYPH_UNKNOWN_FLAG);
+}
+
+void require_font_of(const PangoGlyphItem& run, int weight) {
+    PangoFont* font = run.item->analysis.font;
+    if (font == nullptr || !PANGO_IS_FC_FONT(font)) return;
+    FcPattern* pattern = pango_fc_font_get_pattern(PANGO_FC_FONT(font));
+    cairo_scaled_font_t* scaled = pango_cairo_font_get_scaled_font(PANGO_CAIRO_FONT(font));
+    if (scaled == nullptr || cairo_scaled_font_status(scaled) != CAIRO_STATUS_SUCCESS)
+        refuse(file_of(pattern));
+    for (int i = 0; i < run.glyphs->num_glyphs; ++i)
+        if (lacks_its_letter(pattern, run.glyphs->glyphs[i].glyph)) refuse(file_of(pattern));
+    const Description description{pango_font_describe(font)};
+    constexpr int step = 100;  // from weight to weight of a family
+    if (weight > 0 &&
+        std::abs(pango_font_description_get_weight(description.get()) - weight) >= step)
+        throw SystemError(fmt::format(
+            "the typeface {} lacks the weight {} on this machine, or its file cannot be read: "
+            "install the Debian package fonts-inter again",
+            font_family, weight));
+}
+
+}  // namespace
+
+Fonts declared_fonts() {
+    if (!configurations().has_font)
+        throw SystemError(
+            "the typeface Inter is not installed on this machine: install the Debian package "
+            "fonts-inter");
+    return fonts_of(configurations().declared.get());
+}
+
+Fonts machine_fonts() { return fonts_of(configurations().machine.get()); }
+
+void require_fonts_of(PangoLayout* layout, int weight) {
+    const LayoutIter iter{pango_layout_get_iter(layout)};
+    do {
+        if (const PangoGlyphItem* run = pango_layout_iter_get_run_readonly(iter.get()))
+            require_font_of(*run, weight);
+    } while (pango_layout_iter_next_run(iter.get()) != 0);
+}
+
+void require_drawn(cairo_t* context) {
+    const cairo_status_t status = cairo_status(context);
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw SystemError(
+            fmt::format("cannot draw letters: {}; is a font gone, or is there no "
+                        "memory for it?",
+                        cairo_status_to_string(status)));
+}
+
+}  // namespace carom

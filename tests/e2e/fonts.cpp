@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -61,4 +62,49 @@ TEST_CASE("a film whose fonts are too many open files is refused, with the file"
     CHECK(outcome.exit_code == 1);
     CHECK(outcome.err.starts_with("carom: cannot read the font /"));
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("without memory or threads for text, carom says so before it begins an output") {
+    const TemporaryFolder folder;
+    const std::string of_scene = "'" + library_scene("two-to-one") + "'";
+    const std::vector<std::string> commands{
+        "render " + of_scene + " --size 320x180 --seconds 1 -o film.mp4",
+        "still " + of_scene + " --size 320x180 -o still.png",
+        "figure " + of_scene + " --kind speed-histogram -o figure"};
+    const auto check = [&](const std::string& limit, const std::string& command) {
+        CAPTURE(limit);
+        CAPTURE(command);
+        const Outcome outcome =
+            shell("ulimit -c 0; " + limit + "'" + program + "' " + command, folder.path());
+        CAPTURE(outcome.err);
+        if (outcome.exit_code == 0) {
+            for (const std::string& name : folder.names()) fs::remove_all(folder.path() / name);
+            return true;
+        }
+        CHECK(outcome.exit_code == 1);
+        CHECK(has(outcome.err, "carom: "));
+        CHECK(folder.names().empty());
+        return false;
+    };
+    const auto starts = [&](int kilobytes) {  // not where a sanitizer maps all there is
+        return shell(fmt::format("ulimit -v {}; '{}' --version", kilobytes, program)).exit_code ==
+               0;
+    };
+    for (const std::string& command : commands) {
+        int granted = 0;
+        for (int kilobytes = 255'000; kilobytes < 900'000; kilobytes += 60'000)
+            if (starts(kilobytes))
+                granted += check(fmt::format("ulimit -v {}; ", kilobytes), command) ? 1 : 0;
+        if (starts(900'000)) CHECK(granted > 0);
+    }
+    std::string few_threads = "exec prlimit --nproc=2 ";
+    if (geteuid() == 0) {  // whose threads have no limit
+        few_threads += "setpriv --reuid nobody --clear-groups ";
+        fs::permissions(folder.path(), fs::perms::all);
+    }
+    if (shell(few_threads + "'" + program + "' --version").exit_code != 0) {
+        MESSAGE("no program can be run here with few threads");
+        return;
+    }
+    for (const std::string& command : commands) CHECK_FALSE(check(few_threads, command));
 }

@@ -9,6 +9,7 @@
 #include "app/command.h"
 #include "app/film/letters.h"
 #include "app/film/render.h"
+#include "app/means.h"
 #include "app/output.h"
 #include "app/resources.h"
 #include "util/atomic_file.h"
@@ -39,6 +40,7 @@ std::filesystem::path still_path(const StillArguments& arguments) {
 void make_still(const StillArguments& arguments) {
     const Scene scene = load_scene(arguments.scene, scene_resources(), overrides_of(arguments));
     require_letters(scene);
+    require_means(1, 0);
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
         throw UsageError(
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));

@@ -8,6 +8,7 @@
 
 #include "app/figures/figure_pages.h"
 #include "app/film/render.h"
+#include "app/means.h"
 #include "app/scratch_folder.h"
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
@@ -343,6 +344,7 @@ void refuse_same_names(const FigureSet& set) {
 SetReport make_figures(const FigureSet& set, const SetOptions& options) {
     refuse_same_names(set);
     refuse_unknown(set, options.only);
+    require_means(options.threads, 0);
     return Maker(set, options).make();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/means.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
@@ -76,6 +77,8 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                                         std::vector<FilmChapter> chapters) {
     const Scene& scene = plan.scene;
     const Film& film = scene.film;
+    const int threads = std::min(options.threads, static_cast<int>(plan.segments.size()) - 1);
+    require_means(std::max(1, threads), 0);
     return film_writer(options.output,
                        {.width = film.size.width,
                         .height = film.size.height,

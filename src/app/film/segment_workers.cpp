@@ -1,12 +1,10 @@
 #include "app/film/segment_workers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <system_error>
 
-#include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/on_threads.h"
 #include "util/stopwatch.h"
 
 namespace carom {
@@ -33,8 +31,7 @@ SegmentWorkers::SegmentWorkers(const PanelSet& panels, std::vector<int> starts, 
         for (std::size_t i = 0; i < most_ahead_ / 2; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error& error) {
         stop();
-        throw SystemError(fmt::format("cannot start {} threads: {}; use fewer (--threads)",
-                                      most_ahead_ / 2, error.what()));
+        throw_no_threads(static_cast<int>(most_ahead_ / 2), error.what());
     } catch (...) {
         stop();
         throw;

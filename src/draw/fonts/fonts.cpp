@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "util/diagnostics.h"
+#include "util/on_threads.h"
 
 namespace carom {
 namespace {
@@ -72,6 +73,11 @@ GLogWriterOutput on_glib_message(GLogLevelFlags level, const GLogField* fields, 
     return g_log_writer_default(level, fields, count, data);
 }
 
+// Of the address space, for the fonts, their caches, and the thread with its heap that looks for
+// them: measured, and some more.
+constexpr std::size_t first_text_bytes = 192'000'000;
+constexpr int threads_of_pango = 2;  // at once, that look for the fonts of one thread
+
 // The fonts of this machine, and a configuration that knows none but the declared family.
 struct Configurations {
     FontConfig machine;
@@ -79,6 +85,9 @@ struct Configurations {
     bool has_font = false;
 
     Configurations() {
+        // Where fontconfig has no memory, or Pango no thread, they end the program.
+        require_memory(first_text_bytes, "setting text");
+        require_threads(threads_of_pango, [] {});
         g_log_set_writer_func(on_glib_message, nullptr, nullptr);
         machine.reset(FcInitLoadConfigAndFonts());
         declared.reset(FcConfigCreate());

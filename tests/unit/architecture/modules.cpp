@@ -58,8 +58,8 @@ const std::map<std::string, Parts> parts_of_module{
        "table.h"}}},
     {"app",
      {{"chunks", "sweep", "film", "figures", "report", "manual", "commands", "app"},
-      {"command.h", "json.h", "output.h", "progress.h", "resources.h", "scratch_folder.h",
-       "simulate.h"}}},
+      {"command.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
+       "scratch_folder.h", "simulate.h"}}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a

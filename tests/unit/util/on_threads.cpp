@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "util/diagnostics.h"
+
 using namespace carom;
 
 TEST_CASE("each piece of work is done once on any number of threads") {
@@ -35,4 +37,13 @@ TEST_CASE("the first error in order is thrown, and nothing is begun after one") 
         CHECK(begun >= 6);
         CHECK(begun < 6 + threads);
     }
+}
+
+TEST_CASE("threads are asked for at once, and memory before it is taken") {
+    std::atomic<int> begun = 0;
+    require_threads(7, [&] { ++begun; });
+    CHECK(begun == 7);
+    CHECK_THROWS_WITH(require_threads(3, [] { throw std::runtime_error("no font"); }), "no font");
+    CHECK_NOTHROW(require_memory(1 << 20, "a picture"));
+    CHECK_THROWS_AS(require_memory(std::size_t{1} << 60, "a picture"), SystemError);
 }

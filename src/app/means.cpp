@@ -1,0 +1,32 @@
+#include "app/means.h"
+
+#include <fmt/format.h>
+
+#include "draw/text.h"
+#include "util/on_threads.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// Those that look for the fonts of one thread, at once.
+constexpr int threads_of_pango = 2;
+
+// Of the address space: stack and heap of a thread, and of the one that looks for its fonts.
+constexpr std::size_t bytes_of_thread = 148'000'000;
+
+void set_text() {
+    for (const int weight : {400, 500, 600, 700}) measure_text("0", {.weight = weight});
+}
+
+}  // namespace
+
+void require_means(int threads, std::size_t bytes) {
+    require_font();
+    require_memory(bytes + static_cast<std::size_t>(threads) * bytes_of_thread,
+                   fmt::format("work on {}", counted(threads, "thread")));
+    require_threads(threads * (1 + threads_of_pango), [] {});
+    require_threads(threads, set_text);
+}
+
+}  // namespace carom

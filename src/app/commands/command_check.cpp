@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
+#include "app/film/letters.h"
 #include "app/output.h"
 #include "app/report/check_facts.h"
 #include "app/resources.h"
@@ -48,6 +49,7 @@ Facts facts_of_set(const std::string& path, const Overrides& overrides) {
 Facts facts_of_scene(const std::string& path, const Overrides& overrides, int cores) {
     const auto [scene, has_film] = loaded(path, overrides);
     if (has_film) refuse_long_words(scene);
+    require_letters(scene);
     return facts_of(scene, has_film, cores);
 }
 
@@ -59,6 +61,11 @@ CheckedFile checked(const std::string& path, const Overrides& overrides, int cor
             found.is_set ? facts_of_set(path, overrides) : facts_of_scene(path, overrides, cores);
     } catch (const SceneError& error) {
         found.errors = error.diagnostics();
+    } catch (const MissingLetters& error) {
+        Diagnostic& one = found.errors.emplace_back();
+        one.span.file = error.path;
+        one.message = error.what_is_missing;
+        one.hint = MissingLetters::hint;
     } catch (const UsageError& error) {
         Diagnostic& one = found.errors.emplace_back();
         one.span.file = path;

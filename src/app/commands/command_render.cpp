@@ -12,6 +12,7 @@
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/film/join.h"
+#include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/output.h"
 #include "app/resources.h"
@@ -247,6 +248,7 @@ void render_scenes(RenderArguments& arguments) {
         const SetFile set =
             load_figure_set(arguments.scenes.front(), panel_kinds(), figure_formats());
         title = {set.title, set.description};
+        require_letters(title.title + title.words, arguments.scenes.front());
         listed_scenes = scenes_of(set);
     }
     const std::vector<Scene> scenes = load_all(arguments, listed_scenes);

@@ -2,55 +2,101 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "draw/text.h"
-#include "util/diagnostics.h"
 #include "util/formula/formula.h"
 
 namespace carom {
 namespace {
 
-// Without formulae, whose letters there are.
+// Of formulae the words in them: of all other letters there are those that there are.
+void add_words(const formula::Parts& parts, std::string& words) {
+    for (const formula::Part& part : parts) {
+        words += part.words;
+        for (const formula::Parts* inner :
+             {&part.body, &part.below, &part.above_index, &part.below_index})
+            add_words(*inner, words);
+    }
+}
+
 std::string plain(const std::string& text) {
     std::string words;
-    for (const formula::Span& span : formula::spans_of(text))
-        if (!span.is_formula) words += span.text;
-    return words;
-}
-
-// All words that are drawn as they are written in the scene.
-std::string words_of(const Scene& scene) {
-    std::string words = scene.title + scene.subtitle;
-    for (const Species& species : scene.gas.species) words += species.name;
-    for (const SpeciesLook& look : scene.looks) words += look.label;
-    for (const PanelSpec& panel : scene.film.panels)
-        words += panel.title.value_or("") + plain(panel.words);
-    for (const Callout& callout : scene.film.callouts) words += plain(callout.words);
-    for (const Caption& caption : scene.captions) words += plain(caption.words);
-    words += plain(scene.film.end_card);
-    if (scene.film.beside) words += scene.film.beside->own_label + scene.film.beside->label;
-    for (const FigureSpec& figure : scene.figures) {
-        words += figure.panel.title.value_or("") + plain(figure.panel.words);
-        for (const ComparedRun& run : figure.compare) words += run.label;
+    for (const formula::Span& span : formula::spans_of(text)) {
+        if (span.is_formula)
+            add_words(formula::parsed(span.text), words);
+        else
+            words += span.text;
     }
-    std::erase(words, '\n');  // parts paragraphs, and is no letter
     return words;
 }
 
-}  // namespace
+// All of a scene that is drawn as it is written there.
+class Words {
+  public:
+    void add(const Scene& scene) {
+        all += scene.title + scene.subtitle;
+        for (const Species& species : scene.gas.species) all += species.name;
+        for (const SpeciesLook& look : scene.looks) all += look.label;
+        for (const std::string& name : scene.gas.box.surfaces.names()) all += name;
+        for (const Mark& mark : scene.marks) all += mark.words;
+        for (const Caption& caption : scene.captions) all += plain(caption.words);
+        add(scene.film);
+        for (const FigureSpec& figure : scene.figures) {
+            add(figure.panel);
+            for (const ComparedRun& run : figure.compare) all += run.label;
+        }
+    }
 
-void require_letters(const Scene& scene) {
+    std::string all;
+
+  private:
+    void add(const Film& film) {
+        for (const PanelSpec& panel : film.panels) add(panel);
+        for (const Callout& callout : film.callouts) all += plain(callout.words);
+        all += plain(film.end_card);
+        if (!film.beside) return;
+        all += film.beside->own_label + film.beside->label;
+        if (film.beside->scene) add(*film.beside->scene);
+    }
+
+    void add(const PanelSpec& panel) {
+        all += panel.title.value_or("") + plain(panel.words) + panel.sweep.across;
+        for (const NamedRegion& region : panel.regions) all += region.name;
+        for (const SweepAxis& axis : panel.sweep.sweep.axes)
+            for (const std::string& value : axis.values) all += value;
+    }
+};
+
+void require_letters_of(std::string words, const std::string& path) {
     require_font();
-    std::vector<std::string> missing = missing_letters(words_of(scene));
+    std::erase(words, '\n');  // parts paragraphs, and is no letter
+    std::vector<std::string> missing = missing_letters(words);
     if (missing.empty()) return;
     constexpr std::size_t most = 12;
     const bool more = missing.size() > most;
     if (more) missing.resize(most);
-    throw SystemError(fmt::format(
-        "{}: no font on this machine has {}{}: install one (fonts-noto-cjk has the letters of "
-        "Chinese, Japanese and Korean, fonts-noto-core those of most other scripts)",
-        scene.source.path, fmt::join(missing, " "), more ? " and more letters" : ""));
+    throw MissingLetters(path,
+                         fmt::format("no font on this machine has {}{}", fmt::join(missing, " "),
+                                     more ? " and more letters" : ""));
+}
+
+}  // namespace
+
+MissingLetters::MissingLetters(const std::string& scene, const std::string& letters)
+    : SystemError(fmt::format("{}: {}: {}", scene, letters, hint)),
+      path(scene),
+      what_is_missing(letters) {}
+
+void require_letters(const Scene& scene) {
+    Words words;
+    words.add(scene);
+    require_letters_of(std::move(words.all), scene.source.path);
+}
+
+void require_letters(const std::string& words, const std::string& path) {
+    require_letters_of(words, path);
 }
 
 }  // namespace carom

@@ -248,6 +248,7 @@ void check_value(Node& node, const std::vector<Form>& forms, Context context) {
 }
 
 void unknown_key(const Node& key, const Section& section, Errors& errors) {
+    if (errors.is_full()) return errors.add(key, "");
     const auto refused = std::ranges::find(section.refused, key.text, &Refused::name);
     if (refused != section.refused.end()) return errors.add(key, refused->reason, refused->hint);
     const std::vector<std::string> names = key_names(section);

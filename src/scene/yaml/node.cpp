@@ -126,7 +126,7 @@ std::string described(const Node& node) {
 }
 
 void Errors::add(const Node& node, std::string message, std::string hint) {
-    const std::size_t bytes = found_.size() < most_listed ? marked_bytes(node) : 1;
+    const std::size_t bytes = is_full() ? 1 : marked_bytes(node);
     add({node.source, node.offset, bytes, std::move(message), std::move(hint)});
 }
 
@@ -135,7 +135,7 @@ void Errors::add(const Source& source, std::size_t offset, std::string message, 
 }
 
 void Errors::add(Found found) {
-    if (found_.size() < most_listed)
+    if (!is_full())
         found_.push_back(std::move(found));
     else
         ++unlisted_;
@@ -144,6 +144,8 @@ void Errors::add(Found found) {
 void Errors::add(const Source& source, std::string message, std::string hint) {
     add(source, std::string::npos, std::move(message), std::move(hint));
 }
+
+bool Errors::is_full() const { return found_.size() >= most_listed; }
 
 void Errors::throw_if_any() const {
     if (found_.empty()) return;

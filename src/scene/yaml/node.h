@@ -64,6 +64,9 @@ class Errors {
 
     bool empty() const { return found_.empty(); }
 
+    /// Whether more errors are counted only, so that their words need not be made.
+    bool is_full() const;
+
     /// Throws a SceneError with all errors in the order of the sources' text, if there are any.
     void throw_if_any() const;
 

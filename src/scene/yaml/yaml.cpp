@@ -25,6 +25,11 @@ struct Stop {
     std::string hint;
 };
 
+Stop too_many_values(std::size_t offset) {
+    return {offset, fmt::format("the file holds more than {} values", most_values.value),
+            to_text(most_values)};
+}
+
 std::size_t count_nodes(const Node& node) {
     std::size_t count = 1 + node.keys.size();
     for (const Node& item : node.items) count += count_nodes(item);
@@ -113,9 +118,7 @@ class TreeBuilder : public YAML::EventHandler {
 
     void count(std::size_t nodes, std::size_t offset) {
         values_ += nodes;
-        if (values_ > most_values.count())
-            throw Stop{offset, fmt::format("the file holds more than {} values", most_values.value),
-                       to_text(most_values)};
+        if (values_ > most_values.count()) throw too_many_values(offset);
     }
 
     // An empty value has no place of its own: it takes its key's, or that of its dash.
@@ -306,6 +309,8 @@ std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t 
             return std::nullopt;
         }
         if (const auto stop = unreadable_byte(source.text, begin)) throw *stop;
+        const std::size_t beyond = place_beyond(source.text, begin, most_values.count());
+        if (beyond != source.text.npos) throw too_many_values(beyond);
         return parse(source, errors, begin);
     } catch (const Stop& stop) {
         errors.add(source, stop.offset, stop.message, stop.hint);

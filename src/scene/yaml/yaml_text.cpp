@@ -38,6 +38,30 @@ std::size_t open_mark(std::string_view text) {
     return open.empty() ? std::string_view::npos : open.back();
 }
 
+std::size_t place_beyond(std::string_view text, std::size_t begin, std::size_t most) {
+    bool is_line_empty = true;                           // so far
+    bool is_after_comma = false, is_after_mark = false;  // that a value may follow
+    std::size_t values = 0;
+    for (std::size_t i = begin; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '\n') is_line_empty = true;
+        if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+        if (c == '#' && is_line_empty) {
+            i = std::min(text.find('\n', i), text.size()) - 1;
+            continue;
+        }
+        is_line_empty = false;
+        const bool ends_list = is_after_comma && (c == ']' || c == '}');
+        if (is_after_mark && !ends_list && ++values > most) return i;
+        const bool is_of_key = (c == ':' || c == '?') &&
+                               (i + 1 == text.size() ||
+                                std::string_view{" \t\r\n\"'[{,"}.find(text[i + 1]) != text.npos);
+        is_after_comma = c == ',';
+        is_after_mark = c == '[' || c == '{' || is_after_comma || is_of_key;
+    }
+    return std::string_view::npos;
+}
+
 bool has_bare_color(std::string_view text) {
     for (std::size_t at = text.find(": #"); at != std::string_view::npos;
          at = text.find(": #", at + 1)) {

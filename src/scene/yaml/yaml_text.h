@@ -14,6 +14,11 @@ std::size_t end_of_quotation(std::string_view text, std::size_t start);
 /// there is none.
 std::size_t open_mark(std::string_view text);
 
+/// The place of the value after `most` values, if brackets, commas and colons part so many: those
+/// in texts count, too, those in lines that are comments do not. npos if there are fewer. For what
+/// is too much for the parser, which takes memory for all of a bracket before it tells of it.
+std::size_t place_beyond(std::string_view text, std::size_t begin, std::size_t most);
+
 /// Whether a colour stands in `text` without quotes, so that YAML takes it for a comment.
 bool has_bare_color(std::string_view text);
 

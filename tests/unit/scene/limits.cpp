@@ -135,6 +135,23 @@ TEST_CASE("a file may hold as many values as the limit, lists and mappings too")
     CHECK(names(complaint_of(most_values.count()), most_values));
 }
 
+// The parser takes memory for all of a bracket before it tells of it: 1 GB for 4 MiB of `[`.
+TEST_CASE("a file of nothing but structure is refused before it is parsed") {
+    for (const std::string part : {"[", "{", "[{", "[]", "{},", "1,", "{a: ", "a:\n", "? a\n", ": ",
+                                   "{\"a\":", "\"\":", "[#\n", "k: 1, "}) {
+        CAPTURE(part);
+        const std::string text = "[" + repeated(part, most_values.count() + 1);
+        CHECK(names(complaint(text), most_values));
+    }
+}
+
+TEST_CASE("brackets and commas in comments are no values") {
+    const std::string scene = scene_with("{count: 2}");
+    const std::string comments = repeated("  # [{,,,: }]\n", most_values.count() / 4);
+    CHECK(complaint(scene + comments).empty());
+    CHECK(names(complaint(scene + "x: " + repeated(",,,,", most_values.count() / 4)), most_values));
+}
+
 TEST_CASE("species may have as many particles together as the limit") {
     const auto two = [](const std::string& rest) {
         return scene_with(

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "util/text.h"
+
 namespace carom {
 
 void say(const std::string& text) {
@@ -26,7 +28,7 @@ Progress::Form Progress::fitting_form(bool quiet) {
     return isatty(STDERR_FILENO) ? Form::bar : Form::lines;
 }
 
-Progress::Progress(Form form, std::string name) : form_(form), name_(std::move(name)) {}
+Progress::Progress(Form form, std::string name) : form_(form), name_(printable(name)) {}
 
 Progress::~Progress() { finish(); }
 

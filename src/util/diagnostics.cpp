@@ -59,7 +59,7 @@ std::string marked_line(const Diagnostic& whole) {
     const SourceSpan& span = shown.span;
     const std::string number = span.line > 0 ? fmt::format("{}", span.line) : "";
     const auto carets = static_cast<std::size_t>(std::max(1, span.length));
-    return fmt::format("\n{:>5} | {}\n{:>8}{}{}", number, shown.source_line, "| ",
+    return fmt::format("\n{:>5} | {}\n{:>8}{}{}", number, printable(shown.source_line), "| ",
                        padding_up_to(shown.source_line, span.column), std::string(carets, '^'));
 }
 
@@ -67,12 +67,12 @@ std::string marked_line(const Diagnostic& whole) {
 
 std::string to_text(const Diagnostic& diagnostic) {
     const SourceSpan& span = diagnostic.span;
-    std::string text = span.file;
+    std::string text = printable(span.file);
     if (span.line > 0) text += fmt::format(":{}:{}", span.line, span.column);
     if (!text.empty()) text += ": ";
-    text += "error: " + diagnostic.message;
+    text += "error: " + printable(diagnostic.message);
     if (!diagnostic.source_line.empty()) text += marked_line(diagnostic);
-    if (!diagnostic.hint.empty()) text += "\n  hint: " + diagnostic.hint;
+    if (!diagnostic.hint.empty()) text += "\n  hint: " + printable(diagnostic.hint);
     return text;
 }
 

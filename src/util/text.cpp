@@ -33,6 +33,13 @@ Decoded decode(std::string_view text, std::size_t index) {
     return {length, true};
 }
 
+// Separators of lines and paragraphs, and what Unicode Standard Annex 9 obeys: U+061C, U+200E,
+// U+200F, U+2028 to U+202E, U+2066 to U+2069. In UTF-8 their order is that of their bytes.
+bool ends_line_or_turns(std::string_view letter) {
+    return letter == "\u061C" || (letter >= "\u200E" && letter <= "\u200F") ||
+           (letter >= "\u2028" && letter <= "\u202E") || (letter >= "\u2066" && letter <= "\u2069");
+}
+
 int edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
@@ -82,6 +89,19 @@ bool is_control(std::string_view code_point) {
     const auto lead = static_cast<unsigned char>(code_point[0]);
     if (code_point.size() == 1) return lead < 0x20 || lead == 0x7F;
     return lead == 0xC2 && static_cast<unsigned char>(code_point[1]) < 0xA0;
+}
+
+std::string printable(std::string_view words) {
+    std::string shown;
+    for (std::size_t i = 0; i < words.size();) {
+        const Decoded decoded = decode(words, i);
+        const std::string_view letter = words.substr(i, decoded.length);
+        const bool good =
+            letter == "\t" || (decoded.valid && !is_control(letter) && !ends_line_or_turns(letter));
+        shown += good ? letter : "\uFFFD";
+        i += decoded.length;
+    }
+    return shown;
 }
 
 std::optional<std::string> nearest_spelling(std::string_view word,

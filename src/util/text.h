@@ -28,6 +28,12 @@ std::string as_utf8(std::string_view text);
 /// Whether a code point (its UTF-8 bytes) is a control character: C0, delete or C1.
 bool is_control(std::string_view code_point);
 
+/// Words of strangers (names of files, words of the command line, titles) for one line on a
+/// terminal: what it would obey or could not show is U+FFFD: bytes that are not of well-formed
+/// UTF-8, control characters but the tab, ends of lines, and what turns the direction of writing
+/// (Unicode's bidirectional controls), so that words do not read as others.
+std::string printable(std::string_view words);
+
 /// The candidate with the smallest Damerau-Levenshtein distance (optimal string alignment) to
 /// `word`, if at most a third of its length.
 std::optional<std::string> nearest_spelling(std::string_view word,

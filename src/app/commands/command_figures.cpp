@@ -67,27 +67,28 @@ void refuse_same_folders(const FiguresArguments& arguments) {
 
 void print_report(const FigureSet& set, const SetReport& report) {
     if (report.films > 0)
-        fmt::print("{}: {} rendered\n", set.folder.string(), counted(report.films, "film"));
+        fmt::print("{}: {} rendered\n", printable(set.folder.string()),
+                   counted(report.films, "film"));
     if (report.made == 0)
-        return fmt::print("{}: up to date, {}\n", set.folder.string(),
+        return fmt::print("{}: up to date, {}\n", printable(set.folder.string()),
                           counted(report.up_to_date, "figure"));
-    fmt::print("{}: {} made{}\n", set.folder.string(), counted(report.made, "figure"),
+    fmt::print("{}: {} made{}\n", printable(set.folder.string()), counted(report.made, "figure"),
                report.up_to_date > 0 ? fmt::format(", {} up to date", report.up_to_date) : "");
 }
 
 void warn(const FigureSet& set, const SetReport& report) {
     if (!report.replaced.empty())
         say(fmt::format("carom: {}: replaced {}, not written by carom or changed since\n",
-                        set.folder.string(), listed(report.replaced)));
+                        printable(set.folder.string()), printable(listed(report.replaced))));
     for (const auto& [page, letters] : report.unset)
         say(
             fmt::format("carom: {}: pdfLaTeX cannot set {}; LuaLaTeX and XeLaTeX can, with a font "
                         "that has {}\n",
-                        (set.folder / page).string(), fmt::join(letters, " "),
+                        printable((set.folder / page).string()), fmt::join(letters, " "),
                         letters.size() == 1 ? "it" : "them"));
     if (!report.gone.empty())
         say(fmt::format("carom: {}: {} of figures that no longer exist; left as {}\n",
-                        set.folder.string(), listed(report.gone),
+                        printable(set.folder.string()), printable(listed(report.gone)),
                         report.gone.size() == 1 ? "it is" : "they are"));
 }
 

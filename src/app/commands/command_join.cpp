@@ -84,7 +84,7 @@ void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
         return;
     for (const std::string& path :
          {summary_in(plan.path()).string(), arguments.output, arguments.csv})
-        if (!path.empty()) Output("-").write(path + "\n");
+        if (!path.empty()) Output("-").write(printable(path) + "\n");
 }
 
 void join(const JoinArguments& arguments) {

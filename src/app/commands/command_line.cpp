@@ -72,7 +72,7 @@ void add_command(CLI::App& app, const Command& command) {
 void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-    if (argc < 2) throw UsageError("a command is needed\n\n" + app.help());
+    if (argc < 2) throw UsageError("a command is needed");
     const std::string word = argv[1];
     if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
     for (int i = 2; i < argc; ++i)
@@ -213,6 +213,11 @@ int complain(int code, const std::string& what) {
     return code;
 }
 
+// One line, whatever the words of the command line and the names of files hold.
+int complain(int code, const std::exception& error) {
+    return complain(code, "carom: " + printable(error.what()));
+}
+
 // Of storage that is there from the start: a message that is made now might not fit any more.
 int complain_of_memory() noexcept {
     constexpr std::string_view message =
@@ -226,19 +231,22 @@ int complain_of_memory() noexcept {
 // Throws std::bad_alloc, of the command or of what is said about its error.
 int run_and_complain(int argc, const char* const* argv) {
     try {
-        return parse_and_run(argc, argv, all_commands());
+        const std::vector<Command> commands = all_commands();
+        if (argc < 2)
+            return complain(2, "carom: a command is needed\n\n" + text_of(help_of(commands)));
+        return parse_and_run(argc, argv, commands);
     } catch (const SceneError& error) {
         return complain(2, error.what());
     } catch (const UsageError& error) {
-        return complain(2, fmt::format("carom: {}", error.what()));
+        return complain(2, error);
     } catch (const Interrupted& stop) {
-        return complain(130, fmt::format("carom: {}", stop.what()));
+        return complain(130, stop);
     } catch (const TemporaryError& error) {
-        return complain(exit_code_of_temporary_error, fmt::format("carom: {}", error.what()));
+        return complain(exit_code_of_temporary_error, error);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        return complain(1, fmt::format("carom: {}", error.what()));
+        return complain(1, error);
     }
 }
 

@@ -120,7 +120,7 @@ void make_scene(const NewArguments& arguments) {
     write_new(file, text);
     write_schema_beside(file);
     if (!arguments.quiet)
-        fmt::print("{0}: a scene; `carom render {0}` makes its film\n", file.string());
+        fmt::print("{0}: a scene; `carom render {0}` makes its film\n", printable(file.string()));
 }
 
 CommandText new_text() {

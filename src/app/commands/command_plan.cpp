@@ -77,7 +77,7 @@ std::string words_of_plan(const PlanFolder& plan, bool is_new) {
     double seconds = 0.0;
     for (const PlannedChunk& chunk : plan.chunks()) seconds += chunk.seconds;
     const auto chunks = static_cast<long long>(plan.chunks().size());
-    const std::string folder = plan.path().string();
+    const std::string folder = printable(plan.path().string());
     const std::string work = fmt::format("{}: {}, about {} on one core", folder,
                                          counted(chunks, "chunk"), clock_text(seconds));
     if (is_new) return work + "\n";

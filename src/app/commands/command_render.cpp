@@ -136,7 +136,7 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
 std::string warning_of_cut_words(const RenderReport& report) {
     if (report.cut.empty()) return "";
     return fmt::format("carom: no room for all of {}; write less, or choose another template\n",
-                       listed(report.cut));
+                       printable(listed(report.cut)));
 }
 
 // What pages and mail take without trouble is soon passed by a format that holds every change of
@@ -154,12 +154,13 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
                   const RenderReport& report) {
     if (arguments.quiet && !arguments.timings) return;
     const bool streamed = Output::is_standard_output(arguments.destination.output);
-    std::string text = fmt::format(
-        "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
-        streamed ? "standard output" : report.path.string(), counted(report.frames, "frame"),
-        clock_text(static_cast<double>(report.frames) / scene.film.fps),
-        1e-6 * static_cast<double>(report.bytes), counted(report.collisions.particle, "collision"),
-        report.wall_seconds);
+    std::string text =
+        fmt::format("{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
+                    streamed ? "standard output" : printable(report.path.string()),
+                    counted(report.frames, "frame"),
+                    clock_text(static_cast<double>(report.frames) / scene.film.fps),
+                    1e-6 * static_cast<double>(report.bytes),
+                    counted(report.collisions.particle, "collision"), report.wall_seconds);
     if (arguments.timings) text += timings(report);
     if (streamed) return say(text);
     fmt::print("{}", text);
@@ -224,7 +225,7 @@ void render_chunks(const RenderArguments& arguments) {
         const PlannedChunk& chunk = folder.chunk(number);
         const bool is_new = render_chunk(folder, chunk, options, progress);
         if (!arguments.quiet)
-            fmt::print("{}: {}, {}\n", folder.output(chunk).string(),
+            fmt::print("{}: {}, {}\n", printable(folder.output(chunk).string()),
                        counted(chunk.count(), "frame"), is_new ? "done" : "was there already");
     }
 }

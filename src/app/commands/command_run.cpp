@@ -20,6 +20,7 @@
 #include "runs/run.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -89,7 +90,7 @@ std::string report_text(const RunArguments& arguments, const Scene& scene,
     if (!arguments.quiet && !has_outputs) text += run_table(scene, report);
     if (!arguments.quiet && !standard_output_is_taken(arguments))
         for (const auto& [flag, path] : outputs)
-            if (!path.empty()) text += path + "\n";
+            if (!path.empty()) text += printable(path) + "\n";
     if (arguments.timings) text += (text.empty() ? "" : "\n") + run_timings(report);
     return text;
 }

@@ -14,6 +14,7 @@
 #include "app/resources.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -53,7 +54,7 @@ void make_still(const StillArguments& arguments) {
     const std::vector<std::uint8_t> bytes = picture.file();
     if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     write_file(output, bytes);
-    if (!arguments.quiet) fmt::print("{}\n", output.string());
+    if (!arguments.quiet) fmt::print("{}\n", printable(output.string()));
 }
 
 CommandText still_text() {

@@ -31,8 +31,9 @@ const OutputFormat& format_of(const FilmPlanArguments& arguments) {
 }
 
 std::string report_of(const fs::path& folder, const FilmPlanReport& report) {
-    std::string text = fmt::format("{}: {}, {}", folder.string(), counted(report.frames, "frame"),
-                                   counted(report.chunks, "chunk"));
+    std::string text =
+        fmt::format("{}: {}, {}", printable(folder.string()), counted(report.frames, "frame"),
+                    counted(report.chunks, "chunk"));
     text += report.is_new ? fmt::format(", planned in {:.1f} s\n", report.wall_seconds)
                           : std::string(", planned before (--force plans anew)\n");
     return text;
@@ -99,7 +100,7 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
         if (!report.cut.empty())
             say(fmt::format(
                 "carom: no room for all of {}; write less, or choose another template\n",
-                listed(report.cut)));
+                printable(listed(report.cut))));
     }
 }
 
@@ -119,8 +120,8 @@ void join_film(const PlanFolder& folder, const FilmJoinArguments& arguments) {
                                            .allow_mixed = arguments.allow_mixed},
                                           progress);
     if (!arguments.quiet)
-        Output("-").write(fmt::format("{}: {}, {:.1f} MB, joined in {:.1f} s\n", output.string(),
-                                      counted(report.frames, "frame"),
+        Output("-").write(fmt::format("{}: {}, {:.1f} MB, joined in {:.1f} s\n",
+                                      printable(output.string()), counted(report.frames, "frame"),
                                       1e-6 * static_cast<double>(report.bytes),
                                       report.wall_seconds));
 }

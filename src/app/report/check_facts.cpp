@@ -285,12 +285,12 @@ Facts facts_of(const CheckedFile& checked) {
     const bool valid = checked.facts.has_value();
     Json list = Json::array();
     for (const Diagnostic& error : checked.errors) list.push_back(error_value(error));
-    return joined<Fact>(
-        {{{checked.is_set ? "set" : "scene", checked.path, "",
-           fmt::format("{}: {}\n", checked.path, valid ? "valid" : "not valid, " + errors)},
-          {"valid", valid}},
-         checked.facts.value_or(Facts{}),
-         {{"errors", std::move(list)}}});
+    return joined<Fact>({{{checked.is_set ? "set" : "scene", checked.path, "",
+                           fmt::format("{}: {}\n", printable(checked.path),
+                                       valid ? "valid" : "not valid, " + errors)},
+                          {"valid", valid}},
+                         checked.facts.value_or(Facts{}),
+                         {{"errors", std::move(list)}}});
 }
 
 }  // namespace

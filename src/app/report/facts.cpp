@@ -2,9 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include "util/text.h"
 
 namespace carom {
+namespace {
+
+std::string printable_lines(std::string_view text) {
+    std::string lines;
+    for (std::size_t end = 0; !text.empty(); text.remove_prefix(end)) {
+        const std::size_t length = std::min(text.find('\n'), text.size());
+        end = std::min(length + 1, text.size());
+        lines += printable(text.substr(0, length)) + (end > length ? "\n" : "");
+    }
+    return lines;
+}
+
+}  // namespace
 
 Json number_or_null(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
@@ -13,9 +30,9 @@ Json number_or_null(std::optional<double> value) {
 std::string table_of(const Facts& facts, int label_width) {
     std::string text;
     for (const Fact& fact : facts)
-        text += fact.label.empty()
-                    ? fact.words
-                    : fmt::format("  {:<{}} {}\n", fact.label, label_width, fact.words);
+        text += fact.label.empty() ? printable_lines(fact.words)
+                                   : fmt::format("  {:<{}} {}\n", printable(fact.label),
+                                                 label_width, printable(fact.words));
     return text;
 }
 

@@ -301,8 +301,9 @@ Facts histograms(const RunSummary& summary) {
 }
 
 std::string heading(const Scene& scene, const RunReport& report) {
-    return fmt::format("{}\n{}: {} in {}, time 0 to {}, {} samples, seed {}\n\n", scene.title,
-                       scene.source.path, counted(report.particles, "particle"),
+    return fmt::format("{}\n{}: {} in {}, time 0 to {}, {} samples, seed {}\n\n",
+                       printable(scene.title), printable(scene.source.path),
+                       counted(report.particles, "particle"),
                        scene.gas.box.dimension == 1 ? "one dimension" : "two dimensions",
                        scene.run.until, grouped(report.samples), scene.seed);
 }

@@ -54,19 +54,6 @@ std::size_t marked_bytes(const Node& node) {
     return std::max<std::size_t>(1, std::min(line.find_first_of(":,]}# \t"), line.size()));
 }
 
-// What a terminal would obey, or could not show, replaced.
-std::string harmless(std::string_view text) {
-    std::string shown;
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t next = next_code_point(text, i);
-        const std::string_view letter = text.substr(i, next - i);
-        const bool good = letter == "\t" || (is_utf8(letter) && !is_control(letter));
-        shown += good ? letter : std::string_view{"\uFFFD"};
-        i = next;
-    }
-    return shown;
-}
-
 // `offset` npos is the whole source. A text from the command line has no lines.
 Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes) {
     Diagnostic place;
@@ -81,7 +68,7 @@ Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes)
     }
     place.span.column = 1 + code_points(text.substr(start, offset - start));
     place.span.length = std::max(1, code_points(text.substr(offset, bytes)));
-    place.source_line = harmless(text.substr(start, end_of_line(text, start) - start));
+    place.source_line = printable(text.substr(start, end_of_line(text, start) - start));
     return place;
 }
 
@@ -107,7 +94,7 @@ std::string in_quotes(std::string_view text) {
     std::size_t end = 0;
     for (int length = 0; end < text.size() && length < most_shown; ++length)
         end = next_code_point(text, end);
-    return "`" + harmless(text.substr(0, end)) + (end < text.size() ? "…`" : "`");
+    return "`" + printable(text.substr(0, end)) + (end < text.size() ? "…`" : "`");
 }
 
 std::string described(const Node& node) {

@@ -49,7 +49,7 @@ Node* find(Node& mapping, std::string_view key);
 /// What a node is, for messages: `abc`, a list of 3, a mapping, nothing.
 std::string described(const Node& node);
 
-/// `text` in backquotes, cut to 40 characters, control characters replaced.
+/// `text` in backquotes, cut to 40 characters, printable (util/text.h).
 std::string in_quotes(std::string_view text);
 
 /// The errors of a scene as they are found, in any order.

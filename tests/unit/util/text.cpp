@@ -78,6 +78,15 @@ TEST_CASE("integers are grouped by thin spaces, from five digits on") {
     CHECK(grouped(-1000) == "\u22121000");
 }
 
+TEST_CASE("words of strangers are made printable, all else stays") {
+    using carom::printable;
+    for (const char* plain : {"", "a b\tc", "é 𝛼 中 שלום", "\u2027\u202F\u2065\u206A\u200D"})
+        CHECK(printable(plain) == plain);
+    for (const char* odd : {"\n", "\r", "\x1b", "\x7f", "\u009b", "\x9b", "\u061C", "\u200E",
+                            "\u200F", "\u2028", "\u202A", "\u202E", "\u2066", "\u2069"})
+        CHECK(printable("a" + std::string(odd) + "b") == "a\uFFFDb");
+}
+
 TEST_CASE("control characters are C0, delete and C1") {
     using carom::is_control;
     CHECK(is_control("\n"));

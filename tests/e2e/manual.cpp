@@ -35,7 +35,7 @@ std::string shown_output(const std::string& command) {
 
 // Without the estimate of time, which depends on the machine.
 std::string without_cost(const std::string& text) {
-    return std::regex_replace(text, std::regex(" *rough cost .*\n"), "");
+    return std::regex_replace(text, std::regex(" *(rough cost|memory ) .*\n"), "");
 }
 
 std::vector<fs::path> documents() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/film/segment_workers.h"
 #include "app/resources.h"
 #include "app/simulate.h"
 #include "media/formats.h"
@@ -194,6 +195,26 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     const bool is_kept = plan.run.is_kept() && (!plan.beside || plan.beside->run.is_kept());
     plan.passes = passes_for(asked, is_kept, options.text, previews > 0);
     return plan;
+}
+
+std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
+                            int threads) {
+    constexpr double of_program = 120e6, of_particle = 1500.0;
+    constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // in a recording, or waiting
+    constexpr double most_kept = static_cast<double>(Recording::most_bytes) + most_waiting_bytes;
+    const double pixels = static_cast<double>(scene.film.size.width) * scene.film.size.height;
+    const int frames = frame_count(scene.film);
+    const double disks = static_cast<double>(particles) * (scene.film.beside ? 2.0 : 1.0);
+    const std::vector<int> segments = segment_starts(frames, particles);
+    const auto workers = static_cast<double>(std::clamp<std::size_t>(
+        static_cast<std::size_t>(std::max(1, threads)), 1, segments.size() - 1));
+    // Finished segments wait for their turn, two for each worker.
+    const double encoded = std::min(1.0 * frames, 2.0 * workers * segments[1]) *
+                           format.film->frame_bytes(disks, pixels);
+    const double kept = std::min(most_kept, frames * (of_frame + of_kept_particle * disks));
+    const double previews = 4.0 * pixels * std::min(format.previews, frames);
+    return static_cast<std::int64_t>(of_program + of_particle * disks + kept + 2.0 * encoded +
+                                     previews + workers * format.film->memory_per_pixel * pixels);
 }
 
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {

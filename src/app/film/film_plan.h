@@ -14,6 +14,7 @@
 #include "app/film/frame_span.h"
 #include "app/progress.h"
 #include "media/film_writer.h"
+#include "media/formats.h"
 #include "panels/frame.h"
 #include "panels/recording.h"
 #include "scene/scene.h"
@@ -74,6 +75,11 @@ FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progr
 
 /// What a film will be simulated for, as far as is known before: of so many particles.
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
+
+/// Bytes of memory that render() takes at most for a film in a format, whatever its quality, of so
+/// many particles: an upper estimate from measured peaks (docs/scaling.md).
+std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
+                            int threads);
 
 /// What all parts of a film share, and what is wanted of it, as bytes: all but the frames of its
 /// runs.

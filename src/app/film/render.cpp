@@ -77,8 +77,11 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                                         std::vector<FilmChapter> chapters) {
     const Scene& scene = plan.scene;
     const Film& film = scene.film;
-    const int threads = std::min(options.threads, static_cast<int>(plan.segments.size()) - 1);
-    require_means(std::max(1, threads), 0);
+    const int threads =
+        std::clamp(options.threads, 1, std::max(1, static_cast<int>(plan.segments.size()) - 1));
+    const double pixels = static_cast<double>(film.size.width) * film.size.height;
+    const FormatCost& cost = *format_of_film(options.output).film;
+    require_means(threads, static_cast<std::size_t>(threads * cost.memory_per_pixel * pixels));
     return film_writer(options.output,
                        {.width = film.size.width,
                         .height = film.size.height,

@@ -10,7 +10,6 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t most_waiting_bytes = 64 << 20;
 constexpr std::size_t frame_overhead_bytes = 4096;  // of one frame's value beside its arrays
 
 std::size_t weight(const FrameData& data) { return data.bytes + frame_overhead_bytes; }

@@ -18,6 +18,9 @@
 
 namespace carom {
 
+/// Bytes of frames that wait to be drawn, at most.
+inline constexpr std::size_t most_waiting_bytes = 64 << 20;
+
 /// CPU seconds spent by all workers together.
 struct WorkerSeconds {
     double draw = 0.0;

@@ -124,21 +124,25 @@ struct FilmCost {
     std::string format;
     double seconds;  ///< of work on all cores
     double bytes;
+    double memory;  ///< bytes, at most
 };
 
 // One core, `carom run --timings` of the scenes in scenes/: 1.0 to 1.3 million. Slower in large
 // gases, which memory holds up.
 constexpr double events_per_second = 1e6;
 
-FilmCost cost_of(const OutputFormat& output, const Film& film, double particles, double events,
-                 int cores) {
+FilmCost cost_of(const OutputFormat& output, const Scene& scene, std::int64_t of_each_run,
+                 double events, int cores) {
     const FormatCost& format = *output.film;
+    const Film& film = scene.film;
+    const double particles = static_cast<double>(of_each_run) * (film.beside ? 2.0 : 1.0);
     const double pixels = static_cast<double>(film.size.width) * film.size.height;
     const double frames = frame_count(film);
     return {output.name,
             events / events_per_second + format.seconds_before(pixels) +
                 frames * format.frame_seconds(particles, pixels) / cores,
-            frames * format.frame_bytes(particles, pixels)};
+            frames * format.frame_bytes(particles, pixels),
+            static_cast<double>(memory_of_film(scene, output, of_each_run, cores))};
 }
 
 std::string cost_words(const std::vector<FilmCost>& costs, int cores) {
@@ -151,11 +155,21 @@ std::string cost_words(const std::vector<FilmCost>& costs, int cores) {
                        fmt::join(words, "; "), counted(cores, "core"));
 }
 
+std::string memory_words(const std::vector<FilmCost>& costs, int cores) {
+    std::vector<std::string> words;
+    for (const FilmCost& cost : costs)
+        words.push_back(fmt::format("{} {} MB", cost.format, about(1e-6 * cost.memory)));
+    return fmt::format("at most: {} (on {}, any quality)", fmt::join(words, "; "),
+                       counted(cores, "core"));
+}
+
 // Of an MP4, and of every format by its name.
 Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
     Json formats = Json::object();
     for (const FilmCost& cost : costs)
-        formats[cost.format] = {{"seconds", cost.seconds}, {"bytes", std::round(cost.bytes)}};
+        formats[cost.format] = {{"seconds", cost.seconds},
+                                {"bytes", std::round(cost.bytes)},
+                                {"memory_bytes", std::round(cost.memory)}};
     return Json{{"seconds", costs.front().seconds},
                 {"cores", cores},
                 {"bytes", std::round(costs.front().bytes)},
@@ -193,9 +207,7 @@ Facts film_facts(const Scene& scene, std::int64_t particles, double collisions, 
     const double events = static_cast<double>(passes.size()) * runs * collisions;
     std::vector<FilmCost> costs;
     for (const OutputFormat& format : output_formats())
-        if (format.film)
-            costs.push_back(
-                cost_of(format, film, static_cast<double>(runs * particles), events, cores));
+        if (format.film) costs.push_back(cost_of(format, scene, particles, events, cores));
     Facts facts{{"film",
                  Json{{"template", film.template_name},
                       {"frames", frames},
@@ -211,7 +223,8 @@ Facts film_facts(const Scene& scene, std::int64_t particles, double collisions, 
                 shown("simulated",
                       fmt::format("{}: {}", counted(static_cast<long long>(passes.size()), "run"),
                                   fmt::join(passes, "; "))),
-                shown("rough cost", cost_words(costs, cores))};
+                shown("rough cost", cost_words(costs, cores)),
+                shown("memory", memory_words(costs, cores))};
     if (film.beside)
         facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),
                          "side by side", film.beside->own_label + " | " + film.beside->label});

@@ -104,6 +104,21 @@ std::string printable(std::string_view words) {
     return shown;
 }
 
+bool nests_deeper(std::string_view json, int most) {
+    int depth = 0;
+    bool is_string = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (c == '"') is_string = !is_string;
+        if (is_string && c == '\\') ++i;
+        if (is_string) continue;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (depth > most) return true;
+    }
+    return false;
+}
+
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates) {
     constexpr std::size_t longest_compared = 64;  // a longer word is no misspelt key

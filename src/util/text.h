@@ -34,6 +34,10 @@ bool is_control(std::string_view code_point);
 /// (Unicode's bidirectional controls), so that words do not read as others.
 std::string printable(std::string_view words);
 
+/// Whether brackets in a text of JSON are open in one another deeper than `most`; those in its
+/// strings do not count. For texts of strangers, of which a reader keeps each level in memory.
+bool nests_deeper(std::string_view json, int most);
+
 /// The candidate with the smallest Damerau-Levenshtein distance (optimal string alignment) to
 /// `word`, if at most a third of its length.
 std::optional<std::string> nearest_spelling(std::string_view word,

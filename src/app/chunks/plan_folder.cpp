@@ -135,8 +135,7 @@ PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
         throw UsageError(
             fmt::format("{} holds no plan (plan.json); make one with carom plan SCENE -o {}",
                         folder_.string(), folder_.string()));
-    constexpr bool may_throw = false;
-    contents_ = Json::parse(read_file(folder_ / "plan.json", most_json_bytes), nullptr, may_throw);
+    contents_ = json_in(read_file(folder_ / "plan.json", most_json_bytes));
     if (!contents_.is_object() || contents_.value("format", Json()) != format_name)
         refuse(folder_, "this is not a plan of carom");
     if (const Json version = contents_.value("format_version", Json()); version != format_version)
@@ -186,8 +185,7 @@ fs::path PlanFolder::manifest(const PlannedChunk& chunk) const {
 Json PlanFolder::read_manifest(const PlannedChunk& chunk) const {
     std::error_code error;
     if (!fs::is_regular_file(manifest(chunk), error)) return {};
-    constexpr bool may_throw = false;
-    Json json = Json::parse(read_file(manifest(chunk), most_json_bytes), nullptr, may_throw);
+    Json json = json_in(read_file(manifest(chunk), most_json_bytes));
     return json.is_object() ? json : Json();
 }
 

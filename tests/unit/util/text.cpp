@@ -78,6 +78,16 @@ TEST_CASE("integers are grouped by thin spaces, from five digits on") {
     CHECK(grouped(-1000) == "\u22121000");
 }
 
+TEST_CASE("how deep a text of JSON nests is found without its strings") {
+    using carom::nests_deeper;
+    CHECK(!nests_deeper("", 0));
+    CHECK(!nests_deeper(R"([{"a": [1]}, [], {}, [2]])", 3));
+    CHECK(nests_deeper(R"([{"a": [1]}, [], {}, [2]])", 2));
+    CHECK(!nests_deeper(R"(["[[[[", "\"[[[", "\\", {}])", 2));
+    CHECK(nests_deeper(R"(["\\", [[1]]])", 2));
+    CHECK(nests_deeper(std::string(1 << 20, '['), 32));
+}
+
 TEST_CASE("words of strangers are made printable, all else stays") {
     using carom::printable;
     for (const char* plain : {"", "a b\tc", "é 𝛼 中 שלום", "\u2027\u202F\u2065\u206A\u200D"})

@@ -79,10 +79,13 @@ std::vector<Option> scene_options(SceneOptions& options) {
             {"--quiet", "print no progress and no report", &options.quiet}};
 }
 
+Option threads_option(SceneOptions& options) {
+    return {"--threads N", "cores to use; the result is the same for any number", &options.threads};
+}
+
 std::vector<Option> work_options(SceneOptions& options) {
-    return {
-        {"--threads N", "cores to use; the result is the same for any number", &options.threads},
-        {"--timings", "print the time of each stage", &options.timings}};
+    return {threads_option(options),
+            {"--timings", "print the time of each stage", &options.timings}};
 }
 
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {

@@ -86,6 +86,9 @@ Option shortcut(SceneOptions& options, const std::string& flag, const std::strin
 /// --seed, --set and --quiet.
 std::vector<Option> scene_options(SceneOptions& options);
 
+/// --threads.
+Option threads_option(SceneOptions& options);
+
 /// --threads and --timings.
 std::vector<Option> work_options(SceneOptions& options);
 

@@ -19,6 +19,14 @@ std::filesystem::path templates_folder() {
 
 SceneResources scene_resources() { return {templates_folder(), panel_kinds()}; }
 
+Scene scene_from(const SceneSource& source, const Overrides& more) {
+    SceneResources resources = scene_resources();
+    resources.files = source.files;
+    Overrides overrides = source.overrides;
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return load_scene_text(source.text, source.path, resources, overrides);
+}
+
 std::filesystem::path library_folder() { return templates_folder().parent_path() / "scenes"; }
 
 }  // namespace carom

@@ -14,6 +14,9 @@ std::filesystem::path templates_folder();
 /// templates_folder() does.
 SceneResources scene_resources();
 
+/// The scene that its source describes, read again with more laid over it. Throws SceneError.
+Scene scene_from(const SceneSource& source, const Overrides& more = {});
+
 /// The folder scenes/, the library that comes with carom and holds its JSON Schema. Throws as
 /// templates_folder() does; it need not exist.
 std::filesystem::path library_folder();

@@ -15,10 +15,19 @@ namespace {
 constexpr double frames_measured = 900.0, pixels_measured = 1920.0 * 1080.0;
 constexpr PowerLaw mp4_seconds{2 * 6.86 / frames_measured, 2 * 9.04 / frames_measured};
 
-constexpr FormatCost mp4_cost{
-    mp4_seconds, {7.9e6 / frames_measured, 15.2e6 / frames_measured}, 0.5, 48};
+constexpr FormatCost mp4_cost{.core_seconds = mp4_seconds,
+                              .bytes = {7.9e6 / frames_measured, 15.2e6 / frames_measured},
+                              .power_of_pixels = 0.5,
+                              .memory_per_pixel = 48,
+                              .seconds_by_quality = {.draft = 0.75, .final_ = 3.4},
+                              .bytes_by_quality = {.draft = 1.8, .final_ = 1.2}};
 constexpr FormatCost webm_cost{
-    {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000}, {10.0e3, 21.0e3}, 0.5, 100};
+    .core_seconds = {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000},
+    .bytes = {10.0e3, 21.0e3},
+    .power_of_pixels = 0.5,
+    .memory_per_pixel = 100,
+    .seconds_by_quality = {.draft = 0.8, .final_ = 5.6},
+    .bytes_by_quality = {.draft = 0.8, .final_ = 0.9}};
 constexpr FormatCost gif_cost{
     {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, {27.3e3, 52.7e3}, 0.7, 30, 0.7};
 constexpr FormatCost png_cost{
@@ -40,12 +49,18 @@ double PowerLaw::at(double disks) const {
     return at_200 * std::pow(std::max(few, disks) / 200.0, power);
 }
 
-double FormatCost::frame_seconds(double disks, double pixels) const {
-    return core_seconds.at(disks) * pixels / pixels_measured;
+double QualityFactors::at(Quality quality) const {
+    if (quality == Quality::standard) return 1.0;
+    return quality == Quality::draft ? draft : final_;
 }
 
-double FormatCost::frame_bytes(double disks, double pixels) const {
-    return bytes.at(disks) * std::pow(pixels / pixels_measured, power_of_pixels);
+double FormatCost::frame_seconds(double disks, double pixels, Quality quality) const {
+    return seconds_by_quality.at(quality) * core_seconds.at(disks) * pixels / pixels_measured;
+}
+
+double FormatCost::frame_bytes(double disks, double pixels, Quality quality) const {
+    return bytes_by_quality.at(quality) * bytes.at(disks) *
+           std::pow(pixels / pixels_measured, power_of_pixels);
 }
 
 double FormatCost::seconds_before(double pixels) const {

@@ -18,15 +18,21 @@ struct PowerLaw {
     double at_200, at_1000;
     double at(double disks) const;
 };
+/// Of qualities, as factors of that of `standard`.
+struct QualityFactors {
+    double draft = 1.0, final_ = 1.0;
+    double at(Quality quality) const;
+};
 struct FormatCost {
     PowerLaw core_seconds, bytes;  ///< of a frame
     double power_of_pixels;        ///< by which the bytes of a frame grow: outlines, not areas
     double memory_per_pixel;       ///< bytes of a thread that draws and encodes, at most
     double beforehand = 0.0;       ///< seconds on one core at 1080p, whatever the length
+    QualityFactors seconds_by_quality = {}, bytes_by_quality = {};
 
     /// Of a frame with so many disks and pixels, on one core.
-    double frame_seconds(double disks, double pixels) const;
-    double frame_bytes(double disks, double pixels) const;
+    double frame_seconds(double disks, double pixels, Quality quality) const;
+    double frame_bytes(double disks, double pixels, Quality quality) const;
     /// On one core, whatever the length.
     double seconds_before(double pixels) const;
 };

@@ -190,7 +190,8 @@ TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2
     CHECK(has(table.out,
               "\n  film         720 frames, 0:24 at 30 a second, 1920 by 1080, template "
               "lecture\n"));
-    CHECK(has(table.out, "quality standard; half or twice as much is possible)\n"));
+    CHECK(has(table.out,
+              "quality standard; several times as much where all moves fast: --measure)\n"));
     CHECK(has(table.out, scenes[2] + ": not valid, 2 errors\n"));
     CHECK(has(table.err, "box_both.yaml:2:21: error: `size` and `length` cannot be combined"));
     CHECK(has(table.err, "run_times.yaml:5:14: error: "));

@@ -7,8 +7,11 @@
 #include "app/command.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
+#include "app/film/film_path.h"
+#include "app/film/film_request.h"
 #include "app/film/letters.h"
 #include "app/output.h"
+#include "app/progress.h"
 #include "app/report/check_facts.h"
 #include "app/resources.h"
 #include "panels/words/text_panel.h"
@@ -20,7 +23,9 @@ namespace {
 
 struct CheckArguments : SceneOptions {
     std::vector<std::string> scenes;
-    bool json = false;
+    FilmOptions film;
+    std::string format;  // empty: all
+    bool json = false, measures = false;
 };
 
 // A scene that says nothing of a film, and of which none can be made, is good for its physics.
@@ -46,19 +51,42 @@ Facts facts_of_set(const std::string& path, const Overrides& overrides) {
     return facts_of(set);
 }
 
-Facts facts_of_scene(const std::string& path, const Overrides& overrides, int cores) {
+// Of the format asked for, an MP4 where none is.
+FilmCost measured(const CheckArguments& arguments, const std::string& path, const Scene& scene,
+                  FilmOptions options) {
+    Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(path));
+    options.output =
+        film_path({.output = {}, .format = arguments.format}, arguments.scenes.front());
+    return measured_cost(scene, options, progress);
+}
+
+CheckedFilm checked_film(const CheckArguments& arguments, const std::string& path,
+                         const Scene& scene) {
+    CheckedFilm film{.options = arguments.film};
+    film.options.threads = threads_of(arguments);
+    if (!arguments.format.empty()) film.format = &output_format(arguments.format);
+    refuse_span(film.options, scene);
+    if (film.format != nullptr) refuse_format(*film.format, scene);
+    if (arguments.measures) film.measured = measured(arguments, path, scene, film.options);
+    return film;
+}
+
+Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
+                     const Overrides& overrides) {
     const auto [scene, has_film] = loaded(path, overrides);
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
-    return facts_of(scene, has_film, cores);
+    return facts_of(scene,
+                    has_film ? std::optional(checked_film(arguments, path, scene)) : std::nullopt);
 }
 
-CheckedFile checked(const std::string& path, const Overrides& overrides, int cores) {
+CheckedFile checked(const CheckArguments& arguments, const std::string& path,
+                    const Overrides& overrides) {
     CheckedFile found{.path = path == standard_input ? "<stdin>" : path,
                       .is_set = path != standard_input && is_figure_set(path)};
     try {
-        found.facts =
-            found.is_set ? facts_of_set(path, overrides) : facts_of_scene(path, overrides, cores);
+        found.facts = found.is_set ? facts_of_set(path, overrides)
+                                   : facts_of_scene(arguments, path, overrides);
     } catch (const SceneError& error) {
         found.errors = error.diagnostics();
     } catch (const MissingLetters& error) {
@@ -94,7 +122,7 @@ void check_scenes(const CheckArguments& arguments) {
     const Overrides overrides = overrides_of(arguments);
     std::vector<CheckedFile> files;
     for (const std::string& path : arguments.scenes)
-        files.push_back(checked(path, overrides, threads_of(arguments)));
+        files.push_back(checked(arguments, path, overrides));
     if (arguments.json)
         Output("-").write(check_json(files));
     else if (!arguments.quiet)
@@ -104,12 +132,12 @@ void check_scenes(const CheckArguments& arguments) {
 
 CommandText check_text() {
     return {
-        {"carom check SCENE|SET... [--json] [options]"},
+        {"carom check SCENE|SET... [--measure] [--json] [options]"},
         "Checks all scenes and figure sets, reports every mistake of each with its line, and says "
         "what a valid scene contains and what its film will cost.",
         {{"carom check scenes/mixed-masses.yaml", "is it valid, and how long will its film take?"},
-         {"carom check scenes/mixed-masses.yaml --set gas.0.count=1000 --size 2160p",
-          "the same of a changed scene"},
+         {"carom check scenes/mixed-masses.yaml --format gif --size 640x360 --fps 15 --measure",
+          "what a small GIF will take, measured on a few of its frames"},
          {"carom check scenes/mixed-masses.yaml scenes/sets/collisions.yaml --json",
           "as JSON, for other programs"}}};
 }
@@ -124,9 +152,16 @@ Command check_command() {
         joined<Option>(
             {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
                &its.scenes},
-              {"--json", "print JSON: a list with an object for each file", &its.json}},
+              {"--json", "print JSON: a list with an object for each file", &its.json},
+              {"--measure",
+               "simulate each film and encode a few of its frames, which tells its size within a "
+               "third",
+               &its.measures},
+              {"--format", "the cost of this format only", &its.format, film_formats()}},
              scene_options(its),
-             picture_options(its)}),
+             picture_options(its),
+             film_options(its, its.film),
+             {threads_option(its)}}),
         [arguments] { check_scenes(*arguments); }, check_text()};
 }
 

@@ -2,12 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
+#include "app/cost/film_cost.h"
+#include "app/cost/film_shape.h"
 #include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
@@ -33,7 +39,8 @@ namespace fs = std::filesystem;
 struct RenderArguments : SceneOptions {
     std::vector<std::string> scenes;
     FilmDestination destination;
-    FilmOptions film;  ///< without the path
+    FilmOptions film;      ///< without the path
+    std::string max_size;  // empty: any
     bool join = false;
     int chunk = 0;  // of a plan; 0: all that are missing
     bool force = false, allow_mixed = false;
@@ -150,6 +157,12 @@ std::string warning(const OutputFormat& format, const RenderReport& report) {
         1e-6 * bytes, upper_case(format.name));
 }
 
+// Bytes that a film may have.
+double most_bytes(const RenderArguments& arguments) {
+    if (arguments.max_size.empty()) return std::numeric_limits<double>::infinity();
+    return parsed_bytes("--max-size", arguments.max_size);
+}
+
 void print_report(const RenderArguments& arguments, const Scene& scene,
                   const RenderReport& report) {
     if (arguments.quiet && !arguments.timings) return;
@@ -161,35 +174,82 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
                     clock_text(static_cast<double>(report.frames) / scene.film.fps),
                     1e-6 * static_cast<double>(report.bytes),
                     counted(report.collisions.particle, "collision"), report.wall_seconds);
+    if (!arguments.max_size.empty())
+        text += fmt::format("  {} by {}, {} frames a second, for --max-size {}\n",
+                            scene.film.size.width, scene.film.size.height, scene.film.fps,
+                            arguments.max_size);
     if (arguments.timings) text += timings(report);
     if (streamed) return say(text);
     fmt::print("{}", text);
 }
 
+RenderReport render_all(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                        const FilmOptions& options, Progress& progress) {
+    if (scenes.size() > 1) return render_joined(scenes, title, options, progress);
+    return render(scenes.front(), options, progress);
+}
+
+// Writes nothing of a film of more bytes than `most`.
 RenderReport render_to_stream(const std::vector<Scene>& scenes, const JoinedTitle& title,
-                              FilmOptions options, Progress& progress) {
+                              FilmOptions options, double most, Progress& progress) {
     Output stream("-");
     const ScratchFolder folder;
     options.output = folder.path() / options.output;
-    const RenderReport report = scenes.size() > 1 ? render_joined(scenes, title, options, progress)
-                                                  : render(scenes.front(), options, progress);
-    stream.copy(options.output);
+    const RenderReport report = render_all(scenes, title, options, progress);
+    if (static_cast<double>(report.bytes) <= most) stream.copy(options.output);
     return report;
+}
+
+// In another shape, whatever the scenes say of it.
+std::vector<Scene> in_shape(const std::vector<Scene>& scenes, const FilmShape& shape) {
+    const Overrides values{fmt::format("film.size=[{}, {}]", shape.size.width, shape.size.height),
+                           fmt::format("film.fps={}", shape.fps)};
+    return all_made(scenes, [&](const Scene& scene) { return scene_from(scene.source, values); });
+}
+
+// The scenes of a film, as large as so many bytes allow.
+std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Scene>& scenes,
+                          double most, const FilmOptions& options, Progress& progress) {
+    const Film& film = scenes.front().film;
+    std::map<std::pair<int, int>, std::vector<Scene>> tried;  // by width and rate
+    const auto bytes_in = [&](const FilmShape& shape) {
+        std::vector<Scene>& its = tried[{shape.size.width, shape.fps}];
+        its = in_shape(scenes, shape);
+        double bytes = 0.0;
+        for (const Scene& scene : its) bytes += measured_cost(scene, options, progress).bytes;
+        return bytes;
+    };
+    const auto shape =
+        fitting_shape({film.size, film.fps}, *format_of_film(options.output).film, most, bytes_in);
+    if (!shape)
+        throw UsageError(fmt::format(
+            "--max-size {}: a film of {} seconds takes more, even of small frames and few of them; "
+            "make it shorter (--seconds), or allow more",
+            arguments.max_size, film.seconds));
+    return tried.at({shape->size.width, shape->fps});
 }
 
 // Of one scene, or of several joined.
 void render_film(const RenderArguments& arguments, const std::string& name,
-                 const std::vector<Scene>& scenes, const fs::path& output,
+                 const std::vector<Scene>& asked, const fs::path& output,
                  const JoinedTitle& title = {}) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
     options.output = output;
     options.threads = threads_of(arguments);
-    const RenderReport report = Output::is_standard_output(arguments.destination.output)
-                                    ? render_to_stream(scenes, title, options, progress)
-                                : scenes.size() > 1
-                                    ? render_joined(scenes, title, options, progress)
-                                    : render(scenes.front(), options, progress);
+    const double most = most_bytes(arguments);
+    std::vector<Scene> scenes = asked;
+    RenderReport report;
+    // What was measured on a few frames may be a little less than the whole film.
+    for (double aim = most;; aim *= 0.9) {
+        if (std::isfinite(most)) scenes = fitted(arguments, asked, aim, options, progress);
+        report = Output::is_standard_output(arguments.destination.output)
+                     ? render_to_stream(scenes, title, options, most, progress)
+                     : render_all(scenes, title, options, progress);
+        if (static_cast<double>(report.bytes) <= most) break;
+        std::error_code error;
+        fs::remove_all(report.path, error);  // it does not stay where none fits
+    }
     print_report(arguments, scenes.front(), report);
     if (!arguments.quiet)
         say(warning(format_of_film(output), report) + warning_of_cut_words(report));
@@ -200,7 +260,7 @@ void refuse_film_options(const RenderArguments& arguments) {
     const bool changes = !arguments.destination.output.empty() ||
                          !arguments.destination.format.empty() || arguments.film.from ||
                          arguments.film.to || arguments.film.text || arguments.join ||
-                         !overrides_of(arguments).empty();
+                         !arguments.max_size.empty() || !overrides_of(arguments).empty();
     if (changes)
         throw UsageError(
             "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
@@ -239,6 +299,7 @@ void render_scenes(RenderArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs = outputs_of(arguments);
+    most_bytes(arguments);  // refused before any work
     if (arguments.film.text && Output::is_standard_output(arguments.destination.output))
         throw UsageError(
             "--words: these files go beside the film, which has no file here; name one with -o");
@@ -311,6 +372,10 @@ Command render_command() {
              scene_options(its),
              picture_options(its),
              film_options(its, its.film),
+             {{"--max-size BYTES",
+               "make the picture smaller, or the frames fewer, until the film takes at most so "
+               "much: 5MB, 800kB",
+               &its.max_size}},
              work_options(its)}),
         [arguments] { render_scenes(*arguments); }, render_text()};
 }

@@ -60,8 +60,9 @@ double disks_of(const FilmPlan& plan) { return static_cast<double>(plan.particle
 
 // Seconds on one core that a frame takes: measured for the simulation, from the table of formats
 // for drawing and encoding.
-double seconds_of_frame(const FilmPlan& plan, const FormatCost& cost, double simulated) {
-    return cost.frame_seconds(disks_of(plan), pixels_of(plan)) +
+double seconds_of_frame(const FilmPlan& plan, const FormatCost& cost, Quality quality,
+                        double simulated) {
+    return cost.frame_seconds(disks_of(plan), pixels_of(plan), quality) +
            (plan.run.is_kept() ? 0.0 : simulated / std::max(1, plan.span.end));
 }
 
@@ -72,11 +73,12 @@ struct Memory {
 // Upper estimates from measured peaks (docs/scaling.md). What is encoded stays in memory until the
 // chunk is written.
 Memory memory_of_chunk(const FilmPlan& plan, const PlannedChunk& chunk, const FormatCost& cost,
-                       std::size_t start_bytes) {
+                       Quality quality, std::size_t start_bytes) {
     constexpr double of_program = 80e6, of_particle = 1500.0, of_start = 2.5;
     const double pixels = pixels_of(plan), disks = disks_of(plan);
     const double per_thread = cost.memory_per_pixel * pixels;
-    const double encoded = cost.frame_bytes(disks, pixels) * static_cast<double>(chunk.count());
+    const double encoded =
+        cost.frame_bytes(disks, pixels, quality) * static_cast<double>(chunk.count());
     const double all = of_program + of_start * static_cast<double>(start_bytes) + 2.0 * encoded +
                        per_thread + of_particle * disks;
     return {static_cast<std::int64_t>(all), static_cast<std::int64_t>(per_thread)};
@@ -104,9 +106,11 @@ std::string name_of_start(int chunk) { return fmt::format("starts/{:04}.start", 
 // The second pass over the run, without drawing: it writes what each chunk begins with.
 class StartWriter {
   public:
-    StartWriter(FilmPlan& plan, const FormatCost& cost, PlanWriter& writer, Progress& progress)
+    StartWriter(FilmPlan& plan, const FormatCost& cost, Quality quality, PlanWriter& writer,
+                Progress& progress)
         : plan_(plan),
           cost_(cost),
+          quality_(quality),
           writer_(writer),
           progress_(progress),
           panels_(plan.panels()),
@@ -143,7 +147,7 @@ class StartWriter {
         if (part.beside) part.beside->run = *panels_->rest_beside(end);
         const std::string bytes = run_bytes(part);
         chunk.start = name_of_start(chunk.number);
-        const Memory memory = memory_of_chunk(plan_, chunk, cost_, bytes.size());
+        const Memory memory = memory_of_chunk(plan_, chunk, cost_, quality_, bytes.size());
         chunk.memory_bytes = memory.bytes;
         chunk.memory_bytes_per_thread = memory.bytes_per_thread;
         writer_.write(chunk.start, bytes);
@@ -151,6 +155,7 @@ class StartWriter {
 
     FilmPlan& plan_;
     const FormatCost& cost_;
+    Quality quality_;
     PlanWriter& writer_;
     Progress& progress_;
     std::unique_ptr<PanelSet> panels_;
@@ -271,11 +276,11 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     FilmPlan plan = prepare(scene, options, progress);
     const double simulated = watch.cpu();
     const OutputFormat& format = format_of_film(options.output);
-    const double seconds = seconds_of_frame(plan, *format.film, simulated);
+    const double seconds = seconds_of_frame(plan, *format.film, options.quality, simulated);
     std::vector<PlannedChunk> chunks =
         chunks_of(plan, chunks_wanted(division, plan.frames(), seconds), seconds);
     PlanWriter writer(folder);
-    StartWriter starts(plan, *format.film, writer, progress);
+    StartWriter starts(plan, *format.film, options.quality, writer, progress);
     starts.write(chunks);
     writer.write(plan_file, shared_bytes(plan, options));
     writer.commit({PlanKind::film, request, facts_of(plan, format)}, chunks);

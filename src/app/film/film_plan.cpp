@@ -82,10 +82,7 @@ void set_scene_beside(Scene& scene, Scene other) {
 Scene scene_of(const SceneRecord& record, const Archive& archive) {
     if (record.program != CAROM_VERSION)
         archive.refuse("it was written by carom " + record.program);
-    SceneResources resources = scene_resources();
-    resources.files = record.source.files;
-    Scene scene =
-        load_scene_text(record.source.text, record.source.path, resources, record.source.overrides);
+    Scene scene = scene_from(record.source);
     if (scene.source.template_text != record.source.template_text)
         archive.refuse("the template of its film has changed");
     scene.run.bits = record.bits;
@@ -209,8 +206,10 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     const auto workers = static_cast<double>(std::clamp<std::size_t>(
         static_cast<std::size_t>(std::max(1, threads)), 1, segments.size() - 1));
     // Finished segments wait for their turn, two for each worker.
-    const double encoded = std::min(1.0 * frames, 2.0 * workers * segments[1]) *
-                           format.film->frame_bytes(disks, pixels);
+    const double frame_bytes = std::max({format.film->frame_bytes(disks, pixels, Quality::draft),
+                                         format.film->frame_bytes(disks, pixels, Quality::standard),
+                                         format.film->frame_bytes(disks, pixels, Quality::final_)});
+    const double encoded = std::min(1.0 * frames, 2.0 * workers * segments[1]) * frame_bytes;
     const double kept = std::min(most_kept, frames * (of_frame + of_kept_particle * disks));
     const double previews = 4.0 * pixels * std::min(format.previews, frames);
     return static_cast<std::int64_t>(of_program + of_particle * disks + kept + 2.0 * encoded +

@@ -16,6 +16,19 @@ Quality quality_of(const std::string& name) {
     return name == "final" ? Quality::final_ : Quality::standard;
 }
 
+}  // namespace
+
+std::vector<Option> film_options(SceneOptions& options, FilmOptions& film) {
+    return {{"--from T", "simulated time at which the film begins", &film.from},
+            {"--to T", "simulated time at which the film ends", &film.to},
+            shortcut(options, "--fps N", "film.fps", "frames per second"),
+            shortcut(options, "--seconds S", "film.seconds", "length of the film"),
+            {"--quality",
+             "draft, standard or final",
+             [&film](const std::string& name) { film.quality = quality_of(name); },
+             {"draft", "standard", "final"}}};
+}
+
 void refuse_span(const FilmOptions& film, const Scene& scene) {
     for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}})
         if (time && !(*time >= 0.0 && *time <= scene.run.until))
@@ -39,19 +52,6 @@ void refuse_format(const OutputFormat& format, const Scene& scene) {
             fmt::format("a {} cannot show {} frames a second, {} are the most; give --fps {} or "
                         "fewer, or write a .webm or .mp4",
                         upper_case(format.name), scene.film.fps, most, most));
-}
-
-}  // namespace
-
-std::vector<Option> film_options(SceneOptions& options, FilmOptions& film) {
-    return {{"--from T", "simulated time at which the film begins", &film.from},
-            {"--to T", "simulated time at which the film ends", &film.to},
-            shortcut(options, "--fps N", "film.fps", "frames per second"),
-            shortcut(options, "--seconds S", "film.seconds", "length of the film"),
-            {"--quality",
-             "draft, standard or final",
-             [&film](const std::string& name) { film.quality = quality_of(name); },
-             {"draft", "standard", "final"}}};
 }
 
 void refuse_unfit(const Scene& scene, const FilmOptions& film, const OutputFormat& format) {

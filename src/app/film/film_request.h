@@ -14,8 +14,13 @@ namespace carom {
 /// --from, --to, --fps, --seconds and --quality.
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);
 
-/// Throws UsageError where the film of a scene cannot be as it is asked for, SystemError where this
-/// machine lacks letters that it needs.
+/// Throws UsageError where --from and --to are not times of a scene, in order.
+void refuse_span(const FilmOptions& film, const Scene& scene);
+
+/// Throws UsageError where a film of a scene cannot be in a format.
+void refuse_format(const OutputFormat& format, const Scene& scene);
+
+/// Both, and throws SystemError where this machine lacks letters that the film needs.
 void refuse_unfit(const Scene& scene, const FilmOptions& film, const OutputFormat& format);
 
 /// The name of a format as it is written.

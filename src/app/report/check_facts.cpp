@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/film/film_plan.h"
+#include "app/film/frame_span.h"
 #include "app/progress.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
@@ -119,40 +119,24 @@ Facts event_rows(const Scene& scene) {
     return rows_of("events", lines);
 }
 
-/// What the film of a scene needs.
-struct FilmCost {
-    std::string format;
-    double seconds;  ///< of work on all cores
-    double bytes;
-    double memory;  ///< bytes, at most
-};
-
-// One core, `carom run --timings` of the scenes in scenes/: 1.0 to 1.3 million. Slower in large
-// gases, which memory holds up.
-constexpr double events_per_second = 1e6;
-
-FilmCost cost_of(const OutputFormat& output, const Scene& scene, std::int64_t of_each_run,
-                 double events, int cores) {
-    const FormatCost& format = *output.film;
-    const Film& film = scene.film;
-    const double particles = static_cast<double>(of_each_run) * (film.beside ? 2.0 : 1.0);
-    const double pixels = static_cast<double>(film.size.width) * film.size.height;
-    const double frames = frame_count(film);
-    return {output.name,
-            events / events_per_second + format.seconds_before(pixels) +
-                frames * format.frame_seconds(particles, pixels) / cores,
-            frames * format.frame_bytes(particles, pixels),
-            static_cast<double>(memory_of_film(scene, output, of_each_run, cores))};
+const char* word_of(Quality quality) {
+    if (quality == Quality::standard) return "standard";
+    return quality == Quality::draft ? "draft" : "final";
 }
 
-std::string cost_words(const std::vector<FilmCost>& costs, int cores) {
+// "mp4 0:07, 7.7 MB".
+std::string cost_words(const FilmCost& cost) {
+    return fmt::format("{} {}, {} MB", cost.format,
+                       cost.seconds < 1.0 ? "0:01" : clock_text(cost.seconds),
+                       about(1e-6 * cost.bytes));
+}
+
+std::string rough_words(const std::vector<FilmCost>& costs, const FilmOptions& options) {
     std::vector<std::string> words;
-    for (const FilmCost& cost : costs)
-        words.push_back(fmt::format("{} {}, {} MB", cost.format,
-                                    cost.seconds < 1.0 ? "0:01" : clock_text(cost.seconds),
-                                    about(1e-6 * cost.bytes)));
-    return fmt::format("{} (on {}, quality standard; half or twice as much is possible)",
-                       fmt::join(words, "; "), counted(cores, "core"));
+    for (const FilmCost& cost : costs) words.push_back(cost_words(cost));
+    return fmt::format(
+        "{} (on {}, quality {}; several times as much where all moves fast: --measure)",
+        fmt::join(words, "; "), counted(options.threads, "core"), word_of(options.quality));
 }
 
 std::string memory_words(const std::vector<FilmCost>& costs, int cores) {
@@ -163,13 +147,16 @@ std::string memory_words(const std::vector<FilmCost>& costs, int cores) {
                        counted(cores, "core"));
 }
 
-// Of an MP4, and of every format by its name.
+Json to_json(const FilmCost& cost) {
+    return {{"seconds", cost.seconds},
+            {"bytes", std::round(cost.bytes)},
+            {"memory_bytes", std::round(cost.memory)}};
+}
+
+// Of the first format, and of each by its name.
 Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
     Json formats = Json::object();
-    for (const FilmCost& cost : costs)
-        formats[cost.format] = {{"seconds", cost.seconds},
-                                {"bytes", std::round(cost.bytes)},
-                                {"memory_bytes", std::round(cost.memory)}};
+    for (const FilmCost& cost : costs) formats[cost.format] = to_json(cost);
     return Json{{"seconds", costs.front().seconds},
                 {"cores", cores},
                 {"bytes", std::round(costs.front().bytes)},
@@ -198,33 +185,62 @@ Facts field_rows(const Scene& scene, std::int64_t particles) {
                                        mean, least_in_cell))};
 }
 
-// Of a run with so many collisions, equilibration included.
-Facts film_facts(const Scene& scene, std::int64_t particles, double collisions, int cores) {
-    const Film& film = scene.film;
-    const int frames = frame_count(film);
-    const int runs = film.beside ? 2 : 1;
-    const std::vector<std::string> passes = expected_passes(scene, runs * particles);
-    const double events = static_cast<double>(passes.size()) * runs * collisions;
+int frames_of(const Scene& scene, const FilmOptions& options) {
+    if (!options.from && !options.to) return frame_count(scene.film);
+    return frames_between(timeline(scene), options.from, options.to).frames();
+}
+
+std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& film, int frames,
+                                      std::int64_t particles, double collisions) {
     std::vector<FilmCost> costs;
     for (const OutputFormat& format : output_formats())
-        if (format.film) costs.push_back(cost_of(format, scene, particles, events, cores));
-    Facts facts{{"film",
-                 Json{{"template", film.template_name},
-                      {"frames", frames},
-                      {"seconds", film.seconds},
-                      {"fps", film.fps},
-                      {"size", Json::array({film.size.width, film.size.height})},
-                      {"passes", passes},
-                      {"rough", rough_costs(costs, cores)}},
-                 "film",
-                 fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(frames),
-                             clock_text(film.seconds), film.fps, film.size.width, film.size.height,
-                             film.template_name)},
-                shown("simulated",
-                      fmt::format("{}: {}", counted(static_cast<long long>(passes.size()), "run"),
-                                  fmt::join(passes, "; "))),
-                shown("rough cost", cost_words(costs, cores)),
-                shown("memory", memory_words(costs, cores))};
+        if (format.film && (film.format == nullptr || film.format == &format))
+            costs.push_back(
+                estimated_cost(format, scene, film.options, frames, particles, collisions));
+    return costs;
+}
+
+Facts measured_rows(const std::optional<FilmCost>& measured, const FilmOptions& options) {
+    if (!measured) return {};
+    return {shown("measured", fmt::format("{} (on {}, quality {}; from a few frames of the film)",
+                                          cost_words(*measured), counted(options.threads, "core"),
+                                          word_of(options.quality)))};
+}
+
+// Of a run with so many collisions, equilibration included.
+Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t particles,
+                 double collisions) {
+    const Film& film = scene.film;
+    const FilmOptions& options = checked.options;
+    const int frames = frames_of(scene, options);
+    const int runs = film.beside ? 2 : 1;
+    const std::vector<std::string> passes = expected_passes(scene, runs * particles);
+    const std::vector<FilmCost> costs = estimated_costs(
+        scene, checked, frames, particles, static_cast<double>(passes.size()) * runs * collisions);
+    const double seconds = static_cast<double>(frames) / film.fps;
+    Json value{{"template", film.template_name},
+               {"frames", frames},
+               {"seconds", frames == frame_count(film) ? film.seconds : seconds},
+               {"fps", film.fps},
+               {"size", Json::array({film.size.width, film.size.height})},
+               {"passes", passes},
+               {"rough", rough_costs(costs, options.threads)}};
+    if (checked.measured) {
+        value["measured"] = to_json(*checked.measured);
+        value["measured"]["format"] = checked.measured->format;
+        value["measured"]["cores"] = options.threads;
+    }
+    Facts facts = joined<Fact>(
+        {{{"film", std::move(value), "film",
+           fmt::format("{} frames, {} at {} a second, {} by {}, template {}", grouped(frames),
+                       clock_text(seconds), film.fps, film.size.width, film.size.height,
+                       film.template_name)},
+          shown("simulated",
+                fmt::format("{}: {}", counted(static_cast<long long>(passes.size()), "run"),
+                            fmt::join(passes, "; "))),
+          shown("rough cost", rough_words(costs, options))},
+         measured_rows(checked.measured, options),
+         {shown("memory", memory_words(costs, options.threads))}});
     if (film.beside)
         facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),
                          "side by side", film.beside->own_label + " | " + film.beside->label});
@@ -308,7 +324,7 @@ Facts facts_of(const CheckedFile& checked) {
 
 }  // namespace
 
-Facts facts_of(const Scene& scene, bool has_film, int cores) {
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
     const Box& box = scene.gas.box;
     const Run& run = scene.run;
     const auto [drawn, sample] = draw_gas(scene.gas);
@@ -329,11 +345,10 @@ Facts facts_of(const Scene& scene, bool has_film, int cores) {
          event_rows(scene),
          {{"equilibrate", run.equilibrate},
           collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
-         has_film
-             ? joined<Fact>({film_facts(scene, particles,
-                                        rate.value_or(0.0) * (run.until + run.equilibrate), cores),
-                             field_rows(scene, particles), cut_rows(scene, drawn, sample)})
-             : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
+         film ? joined<Fact>({film_facts(scene, *film, particles,
+                                         rate.value_or(0.0) * (run.until + run.equilibrate)),
+                              field_rows(scene, particles), cut_rows(scene, drawn, sample)})
+              : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
 }
 
 Facts facts_of(const FigureSet& set) {

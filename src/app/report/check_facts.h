@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cost/film_cost.h"
 #include "app/figures/figure_set.h"
 #include "app/report/facts.h"
 #include "scene/scene.h"
@@ -22,11 +23,17 @@ struct CheckedFile {
     std::vector<Diagnostic> errors = {};
 };
 
-/// What a scene is and will cost. Draws the particles, without placing them. `has_film`: whether a
-/// film can be made of it. Its costs are rough: interpolated from films that were measured
-/// (docs/encoding.md), for quality `standard`, on a machine like the one they were made on, with
-/// so many cores. Throws SceneError (a distribution that gives no mass above zero).
-Facts facts_of(const Scene& scene, bool has_film, int cores);
+/// What is wanted of the film of a checked scene.
+struct CheckedFilm {
+    FilmOptions options = {};              ///< its output does not count
+    const OutputFormat* format = nullptr;  ///< none: all are estimated
+    std::optional<FilmCost> measured = {};
+};
+
+/// What a scene is and what its film will cost; without `film` none can be made of it. Draws the
+/// particles, without placing them. Throws SceneError (a distribution that gives no mass above
+/// zero).
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film);
 
 /// What a figure set is.
 Facts facts_of(const FigureSet& set);

@@ -57,7 +57,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "shared_panel.h",
        "table.h"}}},
     {"app",
-     {{"chunks", "sweep", "film", "figures", "report", "manual", "commands", "app"},
+     {{"chunks", "sweep", "film", "cost", "figures", "report", "manual", "commands", "app"},
       {"command.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
        "scratch_folder.h", "simulate.h"}}},
 };

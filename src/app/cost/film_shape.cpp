@@ -1,0 +1,115 @@
+#include "app/cost/film_shape.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+// Smaller text cannot be read, and slower motion is not seen as motion.
+constexpr std::array heights{1440, 1080, 900, 720, 600, 540, 480, 420, 360, 300, 240};
+constexpr std::array rates{50, 30, 25, 20, 15, 12, 10};
+
+struct Candidate {
+    FilmShape shape;
+    double loss = 0.0;  ///< halvings
+    bool is_measured = false;
+};
+
+// Both even, as videos have them.
+PictureSize scaled(const PictureSize& size, double factor) {
+    const auto even = [&](int length) {
+        return std::max(2, 2 * static_cast<int>(std::lround(0.5 * factor * length)));
+    };
+    return {even(size.width), even(size.height)};
+}
+
+// What was asked for, and the smaller ones.
+template <class Ladder>
+std::vector<int> steps(int asked, const Ladder& ladder) {
+    std::vector<int> found{asked};
+    std::ranges::copy_if(ladder, std::back_inserter(found), [&](int one) { return one < asked; });
+    return found;
+}
+
+// In the order of what is lost; the first is what was asked for.
+std::vector<Candidate> candidates_of(const FilmShape& asked) {
+    std::vector<Candidate> found;
+    const int shorter = std::min(asked.size.width, asked.size.height);
+    for (const int height : steps(shorter, heights))
+        for (const int fps : steps(asked.fps, rates)) {
+            const double factor = static_cast<double>(height) / shorter;
+            found.push_back({{height == shorter ? asked.size : scaled(asked.size, factor), fps},
+                             std::log2(static_cast<double>(asked.fps) / fps) - std::log2(factor)});
+        }
+    std::ranges::stable_sort(found, {}, &Candidate::loss);
+    return found;
+}
+
+// From what another took.
+double expected(const FilmShape& shape, const FilmShape& measured, double bytes,
+                const FormatCost& cost) {
+    const auto pixels = [](const FilmShape& one) {
+        return static_cast<double>(one.size.width) * one.size.height;
+    };
+    return bytes * std::pow(pixels(shape) / pixels(measured), cost.power_of_pixels) * shape.fps /
+           measured.fps;
+}
+
+}  // namespace
+
+std::optional<FilmShape> fitting_shape(const FilmShape& asked, const FormatCost& cost, double most,
+                                       const std::function<double(const FilmShape&)>& measure) {
+    constexpr double margin = 0.95;  // the sample of frames is not the film
+    constexpr int most_measured = 6;
+    std::vector<Candidate> candidates = candidates_of(asked);
+    std::optional<Candidate> best;
+    Candidate* next = candidates.data();
+    for (int k = 0; k < most_measured && next != nullptr; ++k) {
+        next->is_measured = true;
+        const FilmShape shape = next->shape;
+        const double bytes = measure(shape);
+        if (bytes <= margin * most) best = *next;
+        const auto found = std::ranges::find_if(candidates, [&](const Candidate& one) {
+            return !one.is_measured && !(best && one.loss >= best->loss) &&
+                   expected(one.shape, shape, bytes, cost) <= margin * most;
+        });
+        next = found == candidates.end() ? nullptr : &*found;
+        // What no one expects to fit is tried all the same before it is refused.
+        if (next == nullptr && !best && !candidates.back().is_measured) next = &candidates.back();
+    }
+    return best ? std::optional(best->shape) : std::nullopt;
+}
+
+double parsed_bytes(const std::string& option, const std::string& text) {
+    static const std::vector<std::pair<std::string, double>> units{
+        {"", 1},
+        {"B", 1},
+        {"kB", 1e3},
+        {"KB", 1e3},
+        {"MB", 1e6},
+        {"GB", 1e9},
+        {"KiB", 1024.0},
+        {"MiB", 1024.0 * 1024.0},
+        {"GiB", 1024.0 * 1024.0 * 1024.0}};
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    std::string unit(end, text.data() + text.size());
+    unit.erase(0, unit.find_first_not_of(' '));
+    const auto found = std::ranges::find(units, unit, &std::pair<std::string, double>::first);
+    if (error != std::errc() || found == units.end() || !(number > 0.0) || !std::isfinite(number))
+        throw UsageError(fmt::format("{} {}: expected a size above zero, for instance 5MB or 800kB",
+                                     option, text));
+    return number * found->second;
+}
+
+}  // namespace carom

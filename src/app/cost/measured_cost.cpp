@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/cost/film_cost.h"
+#include "app/film/render.h"
+#include "app/scratch_folder.h"
+#include "util/archive.h"
+#include "util/interrupt.h"
+#include "util/stopwatch.h"
+
+namespace carom {
+namespace {
+
+// Frames in a row that are encoded as the beginning of a segment is: one that is whole, and others
+// that change it.
+constexpr int places = 10, in_a_row = 8;
+
+double bytes_of(FilmSegment& segment) {
+    Archive archive;
+    segment.archive(archive);
+    return static_cast<double>(archive.finished().size());
+}
+
+// Draws and encodes the frames at these places of a plan.
+class FrameSampler {
+  public:
+    FrameSampler(const FilmPlan& plan, FilmWriter& writer, Progress& progress)
+        : plan_(plan), writer_(writer), progress_(progress), panels_(plan.panels()) {
+        const int frames = plan.frames();
+        row_ = std::min(in_a_row, frames);
+        const int rows = std::clamp(frames / row_, 1, places);
+        for (int k = 0; k < rows; ++k)
+            firsts_.push_back(plan.span.first + k * frames / rows + (frames / rows - row_) / 2);
+    }
+
+    // Of the whole film: a segment begins with a whole frame.
+    FilmCost measure() {
+        const auto end =
+            static_cast<std::size_t>(firsts_.back() + row_ - plan_.run.ticks().front().frame);
+        FramePainter painter(*panels_);
+        progress_.begin("measuring", static_cast<double>(end));
+        const Stopwatch watch;
+        plan_.run.play(end,
+                       [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                           const FrameData frame = panels_->frame_data(tick, sample, advanced);
+                           encode(tick.frame, frame, painter);
+                           progress_.advance();
+                       });
+        progress_.finish();
+        const auto rows = static_cast<double>(firsts_.size());
+        const double segments = static_cast<double>(plan_.segments.size()) - 1.0;
+        const double change = row_ > 1 ? (all_ - whole_) / (rows * (row_ - 1)) : 0.0;
+        FilmCost cost;
+        cost.bytes = segments * whole_ / rows + (plan_.frames() - segments) * change;
+        cost.seconds = plan_.frames() * encoding_seconds_ / (rows * (row_ + 1));
+        played_seconds_ = watch.cpu() - encoding_seconds_;
+        return cost;
+    }
+
+    double played_seconds() const { return played_seconds_; }
+
+  private:
+    void encode(int number, const FrameData& frame, FramePainter& painter) {
+        const auto next = std::ranges::upper_bound(firsts_, number);
+        if (next == firsts_.begin() || number >= *std::prev(next) + row_) return;
+        throw_if_interrupted();
+        const Stopwatch watch;
+        const Canvas& canvas = painter.paint(frame);
+        const int first = *std::prev(next), in_film = number - plan_.span.first;
+        if (number == first) {
+            const std::unique_ptr<FilmSegment> one = writer_.segment(in_film);
+            one->add(canvas);
+            one->finish();
+            whole_ += bytes_of(*one);
+            row_segment_ = writer_.segment(in_film);
+        }
+        row_segment_->add(canvas);
+        if (number == first + row_ - 1) {
+            row_segment_->finish();
+            all_ += bytes_of(*row_segment_);
+        }
+        encoding_seconds_ += watch.cpu();
+    }
+
+    const FilmPlan& plan_;
+    FilmWriter& writer_;
+    Progress& progress_;
+    std::unique_ptr<PanelSet> panels_;
+    int row_ = 1;
+    std::vector<int> firsts_;
+    std::unique_ptr<FilmSegment> row_segment_;
+    double whole_ = 0.0, all_ = 0.0;  // bytes
+    double encoding_seconds_ = 0.0, played_seconds_ = 0.0;
+};
+
+}  // namespace
+
+FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress& progress) {
+    const Stopwatch watch;
+    const ScratchFolder folder;
+    FilmOptions its = options;
+    const OutputFormat& format = format_of_film(options.output);
+    its.output = folder.path() / (format.name == "png" ? "frames/" : "film." + format.name);
+    const FilmPlan plan = prepare(scene, its, progress);
+    const std::unique_ptr<FilmWriter> writer = film_writer(plan, its);
+    if (!plan.colors.empty()) writer->use_colors(plan.colors);
+    const double prepared_seconds = watch.cpu();
+    FrameSampler sampler(plan, *writer, progress);
+    FilmCost cost = sampler.measure();
+    cost.format = format.name;
+    cost.seconds = prepared_seconds + sampler.played_seconds() + cost.seconds / options.threads;
+    cost.memory =
+        static_cast<double>(memory_of_film(scene, format, plan.particles.count(), options.threads));
+    return cost;
+}
+
+}  // namespace carom

@@ -1,0 +1,139 @@
+// What carom check --measure says of films, against the films; and films that are to fit.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "e2e/program.h"
+#include "support/process.h"
+
+using namespace carom::test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+double bytes_below(const fs::path& folder) {
+    double bytes = 0.0;
+    for (const auto& file : fs::recursive_directory_iterator(folder))
+        if (file.is_regular_file()) bytes += static_cast<double>(file.file_size());
+    return bytes;
+}
+
+json film_of(const std::string& options, const fs::path& folder) {
+    const Outcome outcome = shell("'" + program + "' check --quiet --json " + options, folder);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return json::parse(outcome.out).at(0).at("film");
+}
+
+// The size that was measured, as a share of that of the film.
+double share(const std::string& options) {
+    const TemporaryFolder folder;
+    const json measured = film_of("--measure " + options, folder.path()).at("measured");
+    CHECK(folder.names().empty());
+    const Outcome outcome = shell("'" + program + "' render --quiet " + options, folder.path());
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(measured.at("seconds") > 0.0);
+    return measured.at("bytes").get<double>() / bytes_below(folder.path());
+}
+
+std::vector<std::string> library() {
+    std::vector<std::string> scenes;
+    for (const auto& file : fs::directory_iterator(root / "scenes"))
+        if (file.path().extension() == ".yaml") scenes.push_back(file.path().string());
+    std::ranges::sort(scenes);
+    return scenes;
+}
+
+}  // namespace
+
+TEST_CASE("the size of a film is measured within a third, for every scene and every color_by") {
+    const std::vector<std::string> colors{"speed",     "speed-class", "energy",
+                                          "direction", "species",     "mass"};
+    std::size_t k = 0;
+    for (const std::string& scene : library()) {
+        const std::string options =
+            fmt::format("'{}' --size 320x180 --seconds 5 --set film.color_by={}", scene,
+                        colors[k++ % colors.size()]);
+        CAPTURE(options);
+        CHECK(std::abs(std::log(share(options))) < std::log(4.0 / 3.0));
+    }
+    CHECK(k > 20);
+}
+
+TEST_CASE("the size of a film is measured in every format and quality") {
+    for (const char* more :
+         {"--format webm", "--format gif", "--format png", "--quality draft", "--quality final",
+          "--format webm --quality final", "--from 10 --to 20", "--fps 12"}) {
+        const std::string options =
+            fmt::format("'{}' --size 480x270 --seconds 6 {}", library_scene("mixed-masses"), more);
+        CAPTURE(options);
+        CHECK(std::abs(std::log(share(options))) < std::log(4.0 / 3.0));
+    }
+}
+
+TEST_CASE("carom check takes what carom render takes of a film") {
+    const TemporaryFolder folder;
+    const std::string scene = "'" + library_scene("mixed-masses") + "' ";
+    const std::string span = scene + "--size 320x180 --fps 20 --seconds 6 --from 15 --to 30 ";
+    const json film = film_of(span + "--format webm", folder.path());
+    CHECK(film.at("fps") == 20);
+    REQUIRE(shell("'" + program + "' render --quiet -o frames/ " + span, folder.path()).exit_code ==
+            0);
+    const auto pictures =
+        std::distance(fs::directory_iterator(folder.path() / "frames"), fs::directory_iterator());
+    CHECK(film.at("frames") == pictures);
+    CHECK(film.at("rough").at("formats").size() == 1);
+    const auto rough = [&](const char* quality) {
+        return film_of(scene + "--quality " + quality, folder.path()).at("rough");
+    };
+    CHECK(rough("draft").at("bytes") > rough("standard").at("bytes"));
+    CHECK(rough("final").at("seconds") > rough("standard").at("seconds"));
+
+    const Outcome late = shell("'" + program + "' check --from 80 " + scene, folder.path());
+    CHECK(late.exit_code == 2);
+    CHECK(late.err.find("--from 80: the scene runs from 0 to 75") != std::string::npos);
+    const Outcome fast =
+        shell("'" + program + "' check --format gif --fps 60 " + scene, folder.path());
+    CHECK(fast.exit_code == 2);
+    CHECK(fast.err.find("a GIF cannot show 60 frames a second") != std::string::npos);
+}
+
+TEST_CASE("a film takes at most --max-size, and most of it") {
+    const TemporaryFolder folder;
+    const std::string scene = "'" + library_scene("mixed-masses") + "' --size 720p --seconds 2 ";
+    for (const auto& [file, size, most] :
+         {std::tuple{"a.mp4", "500kB", 5e5}, {"b.gif", "0.8MB", 8e5}, {"c.webm", "400000", 4e5}}) {
+        CAPTURE(file);
+        const Outcome outcome =
+            shell(fmt::format("'{}' render {} -o {} --max-size {}", program, scene, file, size),
+                  folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        const auto bytes = static_cast<double>(fs::file_size(folder.path() / file));
+        CHECK(bytes <= most);
+        CHECK(bytes >= 0.5 * most);
+        CHECK(outcome.out.find(std::string("for --max-size ") + size) != std::string::npos);
+    }
+    const Outcome streamed = shell(
+        fmt::format("'{}' render --quiet {} -o - --max-size 500kB | cmp - a.mp4", program, scene),
+        folder.path());
+    CHECK(streamed.exit_code == 0);
+
+    const Outcome none =
+        shell("'" + program + "' render --max-size 10kB -o d.mp4 " + scene, folder.path());
+    CHECK(none.exit_code == 2);
+    CHECK(none.err.find("--max-size 10kB: a film of 2 seconds takes more") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder.path() / "d.mp4"));
+    const Outcome wrong = shell("'" + program + "' render --max-size 5cm " + scene, folder.path());
+    CHECK(wrong.exit_code == 2);
+    CHECK(wrong.err.find("--max-size 5cm: expected a size") != std::string::npos);
+}

@@ -144,7 +144,7 @@ PlannedSweep::PlannedSweep(const PlanFolder& folder, const std::string& command)
 std::shared_ptr<const Scene> PlannedSweep::scene_at(std::int64_t point) const {
     const Json& request = folder_.request();
     auto scene = scene_at_point(swept_scene(request), sweep_, point);
-    if (fingerprint(scene->source.template_text) != request.at("template"))
+    if (fingerprint(scene->source.template_text) != request.at("template").get<std::string>())
         throw SystemError(
             fmt::format("{}: the template of {} was changed after it was planned; "
                         "plan again",

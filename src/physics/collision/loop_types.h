@@ -45,6 +45,12 @@ struct Prediction {
     void archive(Archive& archive) {
         std::uint32_t collisions = partner_collisions, side = border;
         archive(contact_time, partner, collisions, side);
+        set(collisions, side);
+    }
+
+  private:
+    // Not in the template, where GCC 14 takes the masked values for too large.
+    void set(std::uint32_t collisions, std::uint32_t side) {
         partner_collisions = collisions & ((1U << 29) - 1U);
         border = side & 7U;
     }

@@ -23,16 +23,6 @@ namespace fs = std::filesystem;
                        error);
 }
 
-// Names have room for 255 bytes: of a long one the beginning, as whole code points.
-std::string pattern_beside(const fs::path& path) {
-    std::string name = path.filename().string();
-    constexpr std::size_t enough = 200;
-    std::size_t length = std::min(name.size(), enough);
-    while (length > 0 && length < name.size() && (name[length] & 0xC0) == 0x80) --length;
-    name.resize(length);
-    return (folder_of(path) / ("." + name + ".XXXXXX")).string();
-}
-
 // A link stays one: what it leads to is written, which need not be there yet.
 fs::path behind_links(const fs::path& path) {
     constexpr int most = 40;  // as the system follows
@@ -52,15 +42,7 @@ void create_folder_of(const fs::path& path) {
     if (error) fail("create the folder", folder_of(path), error.value());
 }
 
-int create_beside(const fs::path& path, const fs::path& target, fs::path& temporary) {
-    std::string name = pattern_beside(target);
-    const int descriptor = mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor < 0) fail("write", path);
-    temporary = name;
-    return descriptor;
-}
-
-// mkstemp and mkdtemp make what is private; the finished one has the rights any new one would have.
+// A temporary file or folder is private; the finished one has the rights any new one would have.
 mode_t usual_rights(mode_t all) {
     const mode_t mask = umask(0);
     umask(mask);
@@ -78,7 +60,10 @@ void write_all(int descriptor, std::span<const std::uint8_t> bytes, const fs::pa
 
 // Some file systems cannot sync, which loses nothing but safety; an error of writing is one.
 void sync_file(int descriptor, const fs::path& path) {
-    if (fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) fail("write", path);
+    while (fsync(descriptor) != 0) {
+        if (errno == EINVAL || errno == EROFS) return;
+        if (errno != EINTR) fail("write", path);
+    }
 }
 
 void sync_folder(const fs::path& folder) {
@@ -91,25 +76,36 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-fs::path folder_of(const fs::path& path) {
-    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+void commit_together(const std::vector<PendingOutput*>& outputs) {
+    for (PendingOutput* output : outputs) output->settle();
+    std::string there;
+    for (PendingOutput* output : outputs) {
+        try {
+            output->commit();
+        } catch (const SystemError& error) {
+            if (there.empty()) throw;
+            throw SystemError(fmt::format("{}; already written: {}", error.what(), there));
+        }
+        there += (there.empty() ? "" : ", ") + output->name();
+    }
 }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
     std::error_code error;
     if (fs::is_directory(target_, error)) fail("write", path_, EISDIR);
     create_folder_of(target_);
-    descriptor_ = create_beside(path_, target_, temporary_);
-    fchmod(descriptor_, usual_rights(0666));
+    file_ = temporary_file(target_);
+    if (file_.descriptor < 0) fail("write", path_);
+    fchmod(file_.descriptor, usual_rights(0666));
 }
 
 AtomicFile::~AtomicFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
+    if (!file_.name.empty()) unlink(file_.name.c_str());
+    if (file_.descriptor >= 0) close(file_.descriptor);
 }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {
-    write_all(descriptor_, bytes, path_);
+    write_all(file_.descriptor, bytes, path_);
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -118,17 +114,42 @@ void AtomicFile::write(std::string_view text) {
 
 std::int64_t AtomicFile::size() const {
     struct stat status = {};
-    if (fstat(descriptor_, &status) != 0) fail("write", path_);
+    if (fstat(file_.descriptor, &status) != 0) fail("write", path_);
     return status.st_size;
 }
 
+fs::path AtomicFile::temporary() const {
+    return file_.name.empty() ? path_of_descriptor(file_.descriptor) : file_.name;
+}
+
+void AtomicFile::settle() {
+    if (!is_settled_) sync_file(file_.descriptor, path_);
+    is_settled_ = true;
+}
+
+// A new name is given in one step; an earlier file is replaced by way of a temporary name, for as
+// short as can be.
+bool AtomicFile::appears() {
+    if (file_.name.empty()) {
+        if (linkat(AT_FDCWD, temporary().c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) ==
+            0)
+            return true;
+        if (errno != EEXIST) return false;
+        file_.name = named_beside(target_, file_.descriptor);
+        if (file_.name.empty()) return false;
+    }
+    if (rename(file_.name.c_str(), target_.c_str()) != 0) return false;
+    file_.name.clear();
+    return true;
+}
+
+// Closed after it has its name, as the lock says until then that it is not abandoned; what close
+// could complain of, fsync has.
 void AtomicFile::commit() {
-    sync_file(descriptor_, path_);
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    if (close(descriptor) != 0) fail("write", path_);
-    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("write", path_);
-    temporary_.clear();
+    settle();
+    if (!appears()) fail("write", path_);
+    close(file_.descriptor);
+    file_.descriptor = -1;
     sync_folder(folder_of(target_));
 }
 
@@ -145,20 +166,20 @@ AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {
         fail("write", path_, ENOTDIR);
     }
     create_folder_of(path_);
-    std::string name = pattern_beside(path_);
-    if (mkdtemp(name.data()) == nullptr) fail("write", path_);
-    temporary_ = name;
+    folder_ = temporary_folder(path_);
+    if (folder_.descriptor < 0) fail("write", path_);
 }
 
 AtomicFolder::~AtomicFolder() {
     std::error_code error;
-    if (!temporary_.empty()) fs::remove_all(temporary_, error);
+    if (!folder_.name.empty()) fs::remove_all(folder_.name, error);
+    if (folder_.descriptor >= 0) close(folder_.descriptor);
 }
 
 void AtomicFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
     const fs::path shown = path_ / name;
     const int descriptor =
-        open((temporary_ / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        open((folder_.name / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) fail("write", shown);
     try {
         write_all(descriptor, bytes, shown);
@@ -170,12 +191,16 @@ void AtomicFolder::write(const std::string& name, std::span<const std::uint8_t> 
     if (close(descriptor) != 0) fail("write", shown);
 }
 
+void AtomicFolder::settle() {
+    if (chmod(folder_.name.c_str(), usual_rights(0777)) != 0) fail("write", path_);
+    sync_folder(folder_.name);
+}
+
 // The system renames a folder onto an empty one in a single step, and onto no other.
 void AtomicFolder::commit() {
-    if (chmod(temporary_.c_str(), usual_rights(0777)) != 0) fail("write", path_);
-    sync_folder(temporary_);
-    if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("write", path_);
-    temporary_.clear();
+    settle();
+    if (rename(folder_.name.c_str(), path_.c_str()) != 0) fail("write", path_);
+    folder_.name.clear();
     sync_folder(folder_of(path_));
 }
 

@@ -1,7 +1,10 @@
 #include "support/files.h"
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -65,10 +68,11 @@ TEST_CASE("a name may be as long as the system allows") {
     long_name += ".mp4";
     REQUIRE(long_name.size() == 255);
     AtomicFile file(folder.path() / long_name);
+    const AtomicFolder frames(folder.path() / long_name);
     CHECK(is_utf8(folder.names().front()));
     file.write("film");
     file.commit();
-    CHECK(folder.names() == std::vector<std::string>{long_name});
+    CHECK(folder.names().back() == long_name);
 }
 
 TEST_CASE("a folder in the place of the file is a clear error") {
@@ -134,4 +138,61 @@ TEST_CASE("a diagnostic shows the line with a caret under the value") {
           "    3 | radius: huge\n"
           "      |         ^^^^\n"
           "  hint: write 0.5");
+}
+
+namespace {
+
+// In another process, which is killed before it can clean up.
+template <class Work>
+void do_and_be_killed(const Work& work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        work();
+        raise(SIGKILL);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    REQUIRE(WIFSIGNALED(status));
+}
+
+}  // namespace
+
+TEST_CASE("a process that is killed leaves no file, and the next run removes its folder") {
+    const TemporaryFolder folder;
+    do_and_be_killed([&] {
+        auto* const file = new AtomicFile(folder.path() / "film.mp4");
+        file->write("half");
+    });
+    CHECK(folder.names().empty());
+    do_and_be_killed([&] {
+        auto* const frames = new AtomicFolder(folder.path() / "frames");
+        frames->write("a", {});
+    });
+    REQUIRE(folder.names().size() == 1);
+    const AtomicFolder alive(folder.path() / "own");  // this process removes the dead one
+    CHECK(folder.names().size() == 1);
+    CHECK(folder.names().front().starts_with(".own."));
+    do_and_be_killed([&] { const AtomicFile another(folder.path() / "film.mp4"); });
+    CHECK(folder.names().size() == 1);  // what is alive is left alone
+}
+
+TEST_CASE("files appear together, or none, or the message names those that have") {
+    const TemporaryFolder folder;
+    AtomicFile film(folder.path() / "film.mp4"), words(folder.path() / "film.txt");
+    film.write("film");
+    words.write("words");
+    fs::create_directory(folder.path() / "film.txt");
+    CHECK_THROWS_WITH_AS(commit_together({&film, &words}), doctest::Contains("already written: "),
+                         SystemError);
+    CHECK(contents(folder.path() / "film.mp4") == "film");
+    AtomicFile again(folder.path() / "film.mp4");
+    again.write("again");
+    struct Failing : PendingOutput {
+        void settle() override { throw SystemError("full"); }
+        void commit() override {}
+        std::string name() const override { return "it"; }
+    } failing;
+    CHECK_THROWS_WITH_AS(commit_together({&again, &failing}), "full", SystemError);
+    CHECK(contents(folder.path() / "film.mp4") == "film");
+    CHECK(fs::is_empty(folder.path() / "film.txt"));
 }

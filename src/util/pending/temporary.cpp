@@ -1,0 +1,162 @@
+#include "util/pending/temporary.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view unique = "XXXXXX";
+
+// Locks may be seen on one machine only, so that its name belongs to the pattern: a file that
+// another machine is writing looks abandoned here.
+std::string mark() {
+    std::array<char, 256> host = {};
+    gethostname(host.data(), host.size() - 1);
+    constexpr std::size_t enough = 20;
+    return fmt::format(".carom-{}.", std::string_view(host.data()).substr(0, enough));
+}
+
+// Names have room for 255 bytes: of a long one the beginning, as whole code points.
+std::string pattern_beside(const fs::path& path) {
+    std::string name = path.filename().string();
+    constexpr std::size_t enough = 200;
+    std::size_t length = std::min(name.size(), enough);
+    while (length > 0 && length < name.size() && (name[length] & 0xC0) == 0x80) --length;
+    name.resize(length);
+    return (folder_of(path) / ("." + name + mark() + std::string(unique))).string();
+}
+
+bool is_temporary(std::string_view name) {
+    const std::string middle = mark();
+    if (name.size() < 1 + middle.size() + unique.size() || name.front() != '.') return false;
+    name.remove_suffix(unique.size());
+    return name.ends_with(middle);
+}
+
+bool is_still_there(int descriptor, const std::string& name) {
+    struct stat open = {}, found = {};
+    return fstat(descriptor, &open) == 0 && lstat(name.c_str(), &found) == 0 &&
+           open.st_ino == found.st_ino && open.st_dev == found.st_dev;
+}
+
+// A lock ends with its process: what can be locked belongs to nobody.
+void remove_if_dead(const fs::path& path) {
+    const int descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    std::error_code error;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) fs::remove_all(path, error);
+    close(descriptor);
+}
+
+void remove_dead_of(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> done;
+    {
+        const std::lock_guard lock(mutex);
+        if (!done.insert(folder).second) return;
+    }
+    DIR* const entries = opendir(folder.c_str());
+    if (entries == nullptr) return;
+    while (const dirent* const entry = readdir(entries))
+        if (is_temporary(entry->d_name)) remove_if_dead(folder / entry->d_name);
+    closedir(entries);
+}
+
+// The lock is waited for: another process may be about to remove what it takes for abandoned, in
+// the moment between making and locking; then `make` makes the next.
+template <class Make>
+TemporaryFile locked(const fs::path& path, const Make& make) {
+    constexpr int most_tries = 100;
+    for (int i = 0; i < most_tries; ++i) {
+        std::string name = pattern_beside(path);
+        const int descriptor = make(name);
+        if (descriptor < 0) return {};
+        flock(descriptor, LOCK_EX);
+        if (is_still_there(descriptor, name)) return {descriptor, name};
+        close(descriptor);
+    }
+    errno = EEXIST;
+    return {};
+}
+
+int unnamed_file(const fs::path& folder) {
+#ifdef O_TMPFILE
+    int descriptor = -1;
+    do descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    while (descriptor < 0 && errno == EINTR);
+    if (descriptor < 0) return -1;
+    // Without /proc it could be neither opened by libraries nor given its name.
+    if (access(path_of_descriptor(descriptor).c_str(), F_OK) == 0) return descriptor;
+    close(descriptor);
+#endif
+    errno = EOPNOTSUPP;
+    return -1;
+}
+
+}  // namespace
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+fs::path path_of_descriptor(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+TemporaryFile temporary_file(const fs::path& path) {
+    remove_dead_of(folder_of(path));
+    const int unnamed = unnamed_file(folder_of(path));
+    if (unnamed >= 0) {
+        flock(unnamed, LOCK_EX);  // for the moment in which it has a temporary name
+        return {unnamed, {}};
+    }
+    return locked(path, [](std::string& name) { return mkostemp(name.data(), O_CLOEXEC); });
+}
+
+// A name that is not taken yet, made as mkostemp makes it: the empty file of that name is replaced
+// by a link of the same name when it is gone, which fails only if somebody else takes it.
+fs::path named_beside(const fs::path& path, int descriptor) {
+    constexpr int most_tries = 100;
+    for (int i = 0; i < most_tries; ++i) {
+        std::string name = pattern_beside(path);
+        const int placeholder = mkostemp(name.data(), O_CLOEXEC);
+        if (placeholder < 0) return {};
+        unlink(name.c_str());
+        close(placeholder);
+        if (linkat(AT_FDCWD, path_of_descriptor(descriptor).c_str(), AT_FDCWD, name.c_str(),
+                   AT_SYMLINK_FOLLOW) == 0)
+            return name;
+        if (errno != EEXIST && errno != EINTR) return {};
+    }
+    return {};
+}
+
+TemporaryFile temporary_folder(const fs::path& path) {
+    remove_dead_of(folder_of(path));
+    return locked(path, [](std::string& name) {
+        if (mkdtemp(name.data()) == nullptr) return -1;
+        const int descriptor = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (descriptor < 0) {
+            const int cause = errno;
+            rmdir(name.c_str());
+            errno = cause;
+        }
+        return descriptor;
+    });
+}
+
+}  // namespace carom

@@ -99,6 +99,10 @@ std::string Output::left_behind() const {
     return (is_standard_output(path_) ? "standard output" : path_) + " is incomplete";
 }
 
+void Output::settle() {
+    if (file_) file_->settle();
+}
+
 void Output::commit() {
     if (file_) file_->commit();
 }

@@ -12,17 +12,17 @@ namespace carom {
 
 /// `-` and `/dev/stdout` are standard output. A device, a pipe or a file that is open already
 /// (`/dev/fd/3`) is written as it stands, any other path as an AtomicFile.
-class Output {
+class Output : public PendingOutput {
   public:
     /// Throws SystemError when it cannot be written.
     explicit Output(std::string path);
-    ~Output();
-    Output(const Output&) = delete;
-    Output& operator=(const Output&) = delete;
+    ~Output() override;
 
     void write(std::string_view text);             ///< all of it, or SystemError
     void copy(const std::filesystem::path& file);  ///< all that is in it
-    void commit();  ///< a file gets its name; SystemError if it cannot
+    void settle() override;
+    void commit() override;  ///< a file gets its name; SystemError if it cannot
+    std::string name() const override { return path_; }
 
     /// What stands in a stream although the work was stopped; empty: nothing, or a file that will
     /// not appear.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "draw/canvas.h"
+#include "util/pending/pending_output.h"
 
 namespace carom {
 
@@ -57,21 +58,15 @@ class FilmSegment {
 std::string encoding_library();
 
 /// A film that is being written; it appears whole or not at all. All throw SystemError.
-class FilmWriter {
+class FilmWriter : public PendingOutput {
   public:
-    FilmWriter() = default;
-    virtual ~FilmWriter() = default;  ///< uncommitted: leaves nothing
-    FilmWriter(const FilmWriter&) = delete;
-    FilmWriter& operator=(const FilmWriter&) = delete;
-
     /// Colours for the whole film, 0xffRRGGBB, before the first segment: for a format that has few
     /// of them (OutputFormat::previews).
     virtual void use_colors(const std::vector<std::uint32_t>&) {}
 
     /// The segment that begins with frame number `first`, from 0. From any thread.
     virtual std::unique_ptr<FilmSegment> segment(int first) = 0;
-    virtual void commit() = 0;
-    virtual std::int64_t bytes() const = 0;  ///< of all that was written, after commit
+    virtual std::int64_t bytes() const = 0;  ///< of all that was written, after settle
 };
 
 /// H.264 in MP4, and VP9 in WebM: the index first, at a constant rate. Each segment is encoded by a

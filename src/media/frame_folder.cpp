@@ -19,7 +19,9 @@ class FrameFolder : public FilmWriter {
     std::unique_ptr<FilmSegment> segment(int first) override {
         return std::make_unique<Segment>(*this, first);
     }
+    void settle() override { folder_.settle(); }
     void commit() override { folder_.commit(); }
+    std::string name() const override { return folder_.name(); }
     std::int64_t bytes() const override { return bytes_; }
 
   private:

@@ -128,12 +128,20 @@ class GifFilm : public FilmWriter {
     // After use_colors(): segments share the palette.
     std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
 
-    void commit() override {
+    void settle() override {
+        if (bytes_ > 0) return;
         constexpr std::string_view end = ";";
         file_.write(end);
         bytes_ = file_.size();
+        file_.settle();
+    }
+
+    void commit() override {
+        settle();
         file_.commit();
     }
+
+    std::string name() const override { return file_.name(); }
 
     std::int64_t bytes() const override { return bytes_; }
 

@@ -148,7 +148,9 @@ class VideoFilm : public FilmWriter {
     }
 
     std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
+    void settle() override;
     void commit() override;
+    std::string name() const override { return file_.name(); }
     std::int64_t bytes() const override { return bytes_; }
 
   private:
@@ -339,12 +341,18 @@ void VideoFilm::append(Segment& segment) {
     frames_ = index;
 }
 
-void VideoFilm::commit() {
+void VideoFilm::settle() {
     assert(frames_ > 0);
+    if (bytes_ > 0) return;
     check(av_write_trailer(format_.get()));
     avio_flush(io_.get());
     check(0);
     bytes_ = file_.size();
+    file_.settle();
+}
+
+void VideoFilm::commit() {
+    settle();
     file_.commit();
 }
 

@@ -75,10 +75,13 @@ void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
             if (table) table->add(run, values);
         },
         arguments.allow_mixed));
-    write_file(summary_in(plan.path()), text);
+    AtomicFile summary(summary_in(plan.path()));
+    summary.write(text);
     if (json) json->write(text);
-    if (csv) csv->commit();
-    if (json) json->commit();
+    std::vector<PendingOutput*> outputs{&summary};
+    for (std::optional<Output>* const output : {&csv, &json})
+        if (*output) outputs.push_back(&**output);
+    commit_together(outputs);
     if (arguments.quiet || Output::is_standard_output(arguments.output) ||
         Output::is_standard_output(arguments.csv))
         return;

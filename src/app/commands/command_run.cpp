@@ -179,9 +179,10 @@ void run_scene(const RunArguments& arguments) {
         return whole;
     });
     if (json) json->write(run_json(scene, report));
-    if (csv) csv->commit();
-    if (surfaces) surfaces->commit();
-    if (json) json->commit();
+    std::vector<PendingOutput*> outputs;
+    for (std::optional<Output>* const output : {&csv, &surfaces, &json})
+        if (*output) outputs.push_back(&**output);
+    commit_together(outputs);
     print(arguments, report_text(arguments, scene, report));
 }
 

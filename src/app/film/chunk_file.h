@@ -31,7 +31,9 @@ class ChunkWriter : public FilmWriter {
   public:
     ChunkWriter(const std::filesystem::path& path, ChunkIdentity identity, FilmWriter& encoder);
     std::unique_ptr<FilmSegment> segment(int first) override;
+    void settle() override { file_.settle(); }
     void commit() override;
+    std::string name() const override { return file_.name(); }
     std::int64_t bytes() const override { return bytes_; }
 
   private:

@@ -326,8 +326,7 @@ RenderReport join_film(const PlanFolder& folder, const JoinOptions& asked, Progr
     if (!plan.colors.empty()) writer->use_colors(plan.colors);
     join_chunks(folder, plan, *writer, progress);
     if (asked.poster) write_poster(folder, plan, poster_path(asked.output), progress);
-    writer->commit();
-    if (asked.text) write_text(plan.text, asked.output);
+    commit_with_text(*writer, asked.text ? &plan.text : nullptr, asked.output);
     report.frames = plan.frames();
     report.bytes = writer->bytes();
     report.wall_seconds = watch.wall();

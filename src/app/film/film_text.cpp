@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -343,22 +344,26 @@ bool has_captions(const Scene& scene) {
     return !caption_schedule(scene).empty() || !scene.film.end_card.empty();
 }
 
-void write_text(const FilmText& film, const std::filesystem::path& path) {
+void commit_with_text(PendingOutput& film, const FilmText* text,
+                      const std::filesystem::path& path) {
+    std::vector<PendingOutput*> outputs{&film};
+    if (text == nullptr) return commit_together(outputs);
     std::filesystem::path stem = path;
     if (!stem.has_filename())
         stem = stem.parent_path();  // frames/
     else
         stem.replace_extension();
-    for (const auto& [what, text] : {std::pair{"captions", &film.captions},
-                                     {"chapters", &film.chapters},
-                                     {"descriptions", &film.descriptions},
-                                     {"transcript", &film.transcript}}) {
+    std::vector<std::unique_ptr<AtomicFile>> files;
+    for (const auto& [what, words] : {std::pair{"captions", &text->captions},
+                                      {"chapters", &text->chapters},
+                                      {"descriptions", &text->descriptions},
+                                      {"transcript", &text->transcript}}) {
         const std::string file = stem.string() + text_endings.at(what);
-        if (!text->empty())
-            write_file(file, *text);
-        else if (std::filesystem::exists(file))  // of an earlier film
-            write_file(file, webvtt({}));
+        if (words->empty() && !std::filesystem::exists(file)) continue;  // none of an earlier film
+        outputs.push_back(files.emplace_back(std::make_unique<AtomicFile>(file)).get());
+        files.back()->write(words->empty() ? webvtt({}) : *words);
     }
+    commit_together(outputs);
 }
 
 }  // namespace carom

@@ -14,6 +14,7 @@
 #include "physics/advance_result.h"
 #include "physics/particles.h"
 #include "scene/scene.h"
+#include "util/pending/pending_output.h"
 
 namespace carom {
 
@@ -92,10 +93,10 @@ inline const std::map<std::string, std::string> text_endings = {
 /// Whether the film of a scene has captions.
 bool has_captions(const Scene& scene);
 
-/// Writes them beside the film at `path`, as film.captions.vtt, film.chapters.vtt,
-/// film.descriptions.vtt and film.transcript.txt (beside a folder of frames, with its name), each
-/// whole or not at all. A film without captions has no file of them, but an earlier one is emptied.
-/// Throws SystemError.
-void write_text(const FilmText& text, const std::filesystem::path& path);
+/// Gives the film at `path` its name, together with the files of its text, if there is one, beside
+/// it: film.captions.vtt, film.chapters.vtt, film.descriptions.vtt and film.transcript.txt (beside
+/// a folder of frames, with its name). All or none appear. A film without captions has no file of
+/// them, but an earlier one is emptied. Throws SystemError.
+void commit_with_text(PendingOutput& film, const FilmText* text, const std::filesystem::path& path);
 
 }  // namespace carom

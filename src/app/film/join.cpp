@@ -50,7 +50,9 @@ class PartWriter : public FilmWriter {
     std::unique_ptr<FilmSegment> segment(int first) override {
         return std::make_unique<FadingSegment>(whole_.segment(part_.first + first), part_, first);
     }
+    void settle() override {}
     void commit() override {}
+    std::string name() const override { return whole_.name(); }
     std::int64_t bytes() const override { return 0; }
 
   private:
@@ -224,8 +226,7 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
     throw_if_interrupted();
     report.path = options.output;
     report.simulate_seconds = watch.cpu();
-    writer->commit();
-    if (options.text) write_text(text, options.output);
+    commit_with_text(*writer, options.text ? &text : nullptr, options.output);
     report.bytes = writer->bytes();
     report.wall_seconds = watch.wall();
     return report;

@@ -39,8 +39,7 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     draw_frames(plan, options.threads, writer, progress, report);
     throw_if_interrupted();
     report.simulate_seconds = watch.cpu();
-    writer.commit();
-    if (options.text) write_text(plan.text, options.output);
+    commit_with_text(writer, options.text ? &plan.text : nullptr, options.output);
     report.bytes = writer.bytes();
     report.wall_seconds = watch.wall();
     return report;

@@ -36,7 +36,9 @@ class GreyWriter : public FilmWriter {
     std::unique_ptr<FilmSegment> segment(int first) override {
         return std::make_unique<Segment>(*this, first);
     }
+    void settle() override {}
     void commit() override {}
+    std::string name() const override { return "greys"; }
     std::int64_t bytes() const override { return 0; }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "scene/color_chart.h"
 #include "scene/keys/key_text.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
@@ -68,7 +69,10 @@ std::string default_of(const Section& section, const Key& key) {
 std::string row(const Section& section, const Key& key) {
     std::string meaning = key.meaning;
     if (!key.kinds.empty()) meaning += " Applies to " + listed(key.kinds, "and", "`") + ".";
-    return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(forms_text(key)),
+    std::string values = forms_text(key);
+    if (std::ranges::find(key.forms, Shape::color, &Form::shape) != key.forms.end())
+        values += ", see [Colours](#colours)";
+    return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(values),
                        cell(default_of(section, key)));
 }
 
@@ -149,6 +153,7 @@ std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& fo
         "together ([figures.md](figures.md)):\n\n");
     const Section set = set_table(kinds, formats).section();
     page.add(set, set);
+    page.add(color_section());
     page.add(
         "## Limits\n\nWhat exceeds a limit is refused before memory is taken: "
         "[limits.md](limits.md) lists all limits.\n");

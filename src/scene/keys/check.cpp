@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/keys/colors.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
 
@@ -143,7 +144,7 @@ std::string word_hint(const Node& node, const std::vector<Form>& forms) {
     const auto near = nearest_spelling(node.text, words);
     if (near) return fmt::format("did you mean `{}`?", *near);
     constexpr std::size_t few = 12;  // all stand in the message
-    if (words.size() <= few || form_of(forms, Shape::color) != nullptr) return "";
+    if (words.size() <= few) return "";
     std::vector<std::string> alike;
     for (const std::string& word : words)
         if (has_word_of(node.text, word)) alike.push_back(word);
@@ -155,12 +156,11 @@ bool is_vector(const Form& list) {
 }
 
 std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
+    if (form_of(forms, Shape::color) != nullptr) return color_hint(node.text);
     if (const std::string hint = word_hint(node, forms); !hint.empty()) return hint;
     const bool numbers = form_of(forms, Shape::number) || form_of(forms, Shape::integer);
     if (numbers) return number_hint(node);
     if (form_of(forms, Shape::flag)) return flag_hint(node);
-    if (form_of(forms, Shape::color) != nullptr)
-        return "names are those of CSS: red, darkblue, orange, teal and others";
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     const Form* list = form_of(forms, Shape::list);
     if (list != nullptr && is_vector(*list) && number_in(node))

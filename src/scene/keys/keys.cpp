@@ -7,7 +7,6 @@
 #include <cassert>
 #include <utility>
 
-#include "scene/keys/css_colors.h"
 #include "util/text.h"
 
 namespace carom {
@@ -22,10 +21,6 @@ std::string range_phrase(std::string_view what, const Range& range) {
     if (open_above) return fmt::format("a {} of at least {}", what, number_text(range.low));
     return fmt::format("a {} from {} to {}", what, number_text(range.low),
                        number_text(range.most.value));
-}
-
-bool is_hex(char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
 }  // namespace
@@ -76,20 +71,6 @@ std::string phrase(const Form& form) {
             return "a mapping";
     }
     return "a value";
-}
-
-std::vector<std::string> color_names() {
-    std::vector<std::string> names;
-    for (const auto& [name, hex] : css_colors) names.emplace_back(name);
-    return names;
-}
-
-std::string color_hex(std::string_view name) {
-    for (const auto& [word, hex] : css_colors)
-        if (word == name) return fmt::format("#{:06x}", hex);
-    const bool hex =
-        name.size() == 7 && name[0] == '#' && std::all_of(name.begin() + 1, name.end(), is_hex);
-    return hex ? std::string{name} : std::string{};
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/keys/binding.h"
+#include "scene/keys/colors.h"
 #include "scene/yaml/scalar.h"
 #include "util/formula/formula.h"
 

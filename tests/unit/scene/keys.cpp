@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "panels/registry.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/check.h"
+#include "scene/keys/colors.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"
@@ -130,6 +132,47 @@ TEST_CASE("colours by name are those of CSS") {
     CHECK(color_hex("rebeccapurple") == "#663399");
     CHECK(color_hex("gray") == "#808080");  // not the lighter one of X11
     CHECK(color_names().size() == 148);
+}
+
+TEST_CASE("colours are in groups of like hues, from dark to light") {
+    std::map<std::string, std::vector<std::string>> names;
+    for (const ColorGroup& group : color_groups()) {
+        CHECK(!group.colors.empty());
+        for (const NamedColor& color : group.colors)
+            names[group.name].insert(names[group.name].end(), color.names.begin(),
+                                     color.names.end());
+    }
+    CHECK(names.at("yellows") == std::vector<std::string>{"olive", "darkkhaki", "gold", "khaki",
+                                                          "palegoldenrod", "yellow"});
+    CHECK(names.at("black to white").front() == "black");
+    CHECK(names.at("black to white").back() == "white");
+    const auto has = [&](const char* group, const char* name) {
+        return std::ranges::find(names.at(group), name) != names.at(group).end();
+    };
+    CHECK(has("reds and pinks", "crimson"));
+    CHECK(has("reds and pinks", "brown"));
+    CHECK(has("oranges and browns", "chocolate"));
+    CHECK(has("greens", "lime"));
+    CHECK(has("cyans", "teal"));
+    CHECK(has("blues", "darkslateblue"));
+    CHECK(has("purples", "indigo"));
+    CHECK(has("almost white", "ivory"));
+}
+
+TEST_CASE("a text that is no colour is told the nearest names") {
+    CHECK(color_hint("rde") == "did you mean `red`?");
+    CHECK(color_hint("Dark Blue") == "did you mean `darkblue`?");
+    CHECK(color_hint("RED") == "did you mean `red`?");
+    CHECK(color_hint("blood-red") ==
+          "names are `red`, `darkred`, `indianred`, `mediumvioletred` and others; "
+          "docs/scene-reference.md lists all");
+    CHECK(color_hint("blau").starts_with("names are `black`, `blue`, "));
+    CHECK(color_hint("gelb").starts_with("names are `gold`, "));
+    CHECK(color_hint("ffb000") == "write `#` before the digits, in quotes: \"#ffb000\"");
+    CHECK(color_hint("#fb0") == "write it with six digits: \"#ffbb00\"");
+    CHECK(color_hint("#12345").starts_with("after `#` stand six digits"));
+    CHECK(color_hint("0.5").starts_with("names are `red`, "));
+    CHECK(color_hint(std::string(100000, 'x')).size() < 200);
 }
 
 namespace {

@@ -6,13 +6,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "media/formats.h"
 #include "panels/registry.h"
+#include "scene/color_chart.h"
+#include "scene/keys/colors.h"
 #include "scene/keys/key_text.h"
 #include "scene/load.h"
 #include "scene/reading/scene_reading.h"
@@ -64,12 +68,40 @@ bool is_key(const std::string& name) {
 
 TEST_CASE("the reference page is current") {
     fs::current_path(carom::test::checkout());
-    const fs::path page = "docs/scene-reference.md";
-    if (std::getenv("CAROM_UPDATE_DOCS") != nullptr)
-        std::ofstream(page) << scene_reference(panel_kinds(), figure_formats());
-    const bool current = contents(page) == scene_reference(panel_kinds(), figure_formats());
-    INFO("make it anew with ./dev docs");
-    CHECK(current);
+    const std::map<fs::path, std::string> files{
+        {"docs/scene-reference.md", scene_reference(panel_kinds(), figure_formats())},
+        {"docs/colors.svg", color_chart()}};
+    for (const auto& [file, text] : files) {
+        if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(file) << text;
+        CAPTURE(file);
+        const bool current = contents(file) == text;
+        INFO("make it anew with ./dev docs");
+        CHECK(current);
+    }
+}
+
+TEST_CASE("the page lists every colour that a scene can name, once, with its picture") {
+    const std::string page = scene_reference(panel_kinds(), figure_formats());
+    const std::size_t begin = page.find("\n## Colours\n");
+    REQUIRE(begin != std::string::npos);
+    const std::string rows = page.substr(page.find("| group |", begin));
+    const std::string chart = color_chart();
+    std::set<std::string> seen;
+    for (const ColorGroup& group : color_groups())
+        for (const NamedColor& color : group.colors) {
+            CAPTURE(color.hex);
+            CHECK(chart.find("fill=\"" + color.hex + "\"") != std::string::npos);
+            for (const std::string& name : color.names) {
+                CAPTURE(name);
+                CHECK(seen.insert(name).second);
+                CHECK(color_hex(name) == color.hex);
+                const std::size_t place = rows.find("`" + name + "`");
+                REQUIRE(place != std::string::npos);
+                CHECK(rows.find("`" + name + "`", place + 1) == std::string::npos);
+            }
+        }
+    CHECK(seen.size() == color_names().size());
+    CHECK(page.find("see [Colours](#colours) | chosen by the film |") != std::string::npos);
 }
 
 TEST_CASE("the reference page tells every key, and its example is valid") {

@@ -8,6 +8,7 @@
 #include "panels/correlations/correlation_keys.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/gas_panel.h"
+#include "panels/instruments/instrument_keys.h"
 #include "panels/line/line_panel.h"
 #include "panels/sweep/sweep_keys.h"
 #include "physics/theory/error_growth.h"
@@ -74,79 +75,8 @@ std::vector<Binding<PanelSpec>> entropy_keys() {
             cells_key()};
 }
 
-std::vector<Binding<PanelSpec>> surfaces_key() {
-    return {bind_key("surfaces", &PanelSpec::surfaces, surfaces_notation(),
-                     "The walls or partitions that it measures at: `left`, `right`, `bottom`, "
-                     "`top` or the names of partitions.")
-                .default_text("all walls together for a pressure; else what moves, or the only "
-                              "partition")};
-}
-
-std::vector<Binding<PanelSpec>> gauge_key() {
-    return {bind_key("gauge", &PanelSpec::gauge, flag(),
-                     "Whether a round gauge for each surface, or one for all walls, shows the mean "
-                     "over a time before the present.")};
-}
-
 std::unique_ptr<Panel> make_pressure_or_gauge(const PanelContext& context, const PanelSpec& spec) {
     return spec.gauge ? make_pressure_gauge(context, spec) : make_pressure(context, spec);
-}
-
-std::vector<Binding<PanelSpec>> line_keys() {
-    return joined<PanelSpec>(
-        surfaces_key(), std::vector{bind_key("line", &PanelSpec::line, counting_line_notation(),
-                                             "A line that particles cross, instead of a partition.")
-                                        .default_text("none")});
-}
-
-std::vector<Binding<PanelSpec>> flux_keys() {
-    return joined<PanelSpec>(
-        line_keys(),
-        std::vector{bind_key("carried", &PanelSpec::carried,
-                             one_of<Carried>({{"particles", Carried::particles},
-                                              {"energy", Carried::energy},
-                                              {"mean-energy", Carried::mean_energy}}),
-                             "What it shows of those that cross: their number in a time, their "
-                             "energy in a time, or the mean energy of one.")});
-}
-
-std::vector<Binding<PanelSpec>> counter_keys() {
-    return joined<PanelSpec>(
-        line_keys(),
-        std::vector{
-            bind_key("count", &PanelSpec::counted,
-                     one_of<Counted>({{"hits", Counted::hits}, {"crossings", Counted::crossings}}),
-                     "What it counts: collisions with walls and partitions, or what goes "
-                     "over partitions, each way.")
-                .default_text("crossings of partitions that let particles through, else "
-                              "hits")});
-}
-
-std::vector<Binding<PanelSpec>> since_key() {
-    return {bind_key("since", &PanelSpec::since, watch_start_notation(),
-                     "When it starts: a time, or the first event of the run that is called so: "
-                     "`reversal`, `heat`, or the wall or partition that it acts on.")
-                .default_text("start")};
-}
-
-Binding<PanelSpec> regions_key() {
-    return bind_key("regions", &PanelSpec::regions, regions_notation(),
-                    "Parts of the box, instead of the two sides of a partition, or of particles by "
-                    "`of`.")
-        .default_text("none");
-}
-
-std::vector<Binding<PanelSpec>> sides_keys() {
-    std::vector<Binding<PanelSpec>> keys = surfaces_key();
-    keys.push_back(regions_key());
-    keys.push_back(bind_key("measure", &PanelSpec::measure,
-                            one_of<PartMeasure>({{"count", PartMeasure::count},
-                                                 {"temperature", PartMeasure::temperature},
-                                                 {"mean-energy", PartMeasure::mean_energy},
-                                                 {"center", PartMeasure::center}}),
-                            "What it shows of the particles in each part: their number, "
-                            "temperature, mean energy, or centre of mass along `component`."));
-    return keys;
 }
 
 std::vector<Binding<PanelSpec>> view_key() {
@@ -214,65 +144,85 @@ std::vector<PanelKind> all_kinds() {
     return {
         {.name = "speed-histogram",
          .words = Phrase{"speed histogram"},
+         .shows = "How many particles have which speed, now or averaged over a time (`over`), "
+                  "beside the distribution in equilibrium.",
          .make = make_speed_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
          .suits = speeds_spread},
         {.name = "energy-histogram",
          .words = Phrase{"energy histogram"},
+         .shows = "How many particles have which kinetic energy, beside the distribution in "
+                  "equilibrium.",
          .make = make_energy_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
          .suits = speeds_spread},
         {.name = "velocity-histogram",
          .words = Phrase{"velocity histogram"},
+         .shows = "How many particles have which velocity along an axis, or along either, beside "
+                  "the distribution in equilibrium.",
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
          .suits = speeds_spread},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},
+         .shows = "How many particles are where along an axis.",
          .make = make_position_histogram,
          .abilities = {bars, of, over, component, means, comparison}},
         {.name = "energy-by-species",
          .words = Phrase{"energy by species"},
+         .shows = "The mean kinetic energy of each species against time.",
          .make = make_energy_by_species,
          .abilities = {means},
          .suits = has_several_species},
         {.name = "speed-classes",
          .words = Phrase{"speed classes"},
+         .shows = "The shares of slow, medium and fast particles against time: below half of the "
+                  "mean speed, and above one and a half times it.",
          .make = make_speed_classes,
          .abilities = {means},
          .keys = reference_key(),
          .suits = speeds_spread},
         {.name = "temperature",
          .words = Phrase{"temperature"},
+         .shows = "The temperature against time, of all particles or of those that `of` names.",
          .make = make_temperature,
          .abilities = {of, means, comparison},
          .suits = acts_on_gas},
         {.name = "entropy",
          .words = Phrase{"entropy"},
+         .shows = "The entropy of the velocities against time; with `space` that of the positions, "
+                  "or both.",
          .make = make_entropy,
          .abilities = {means, comparison},
          .keys = entropy_keys()},
         {.name = "pressure",
          .words = Phrase{"pressure"},
+         .shows = "The pressure on all walls, or on single `surfaces`, against time; with `gauge: "
+                  "true` on round gauges.",
          .make = make_pressure_or_gauge,
          .abilities = {over, means, comparison},
-         .keys = joined<PanelSpec>(surfaces_key(), gauge_key()),
+         .keys = pressure_keys(),
          .rule = check_pressure},
         {.name = "thermometer",
          .words = Phrase{"thermometer"},
+         .shows = "The temperature of all particles, of those that `of` names, or of those in "
+                  "`regions` of the box, as columns with one scale.",
          .make = make_thermometer,
          .abilities = {of, over, means, comparison},
-         .keys = {regions_key()},
+         .keys = regions_key(),
          .rule = check_thermometer,
          .has_plot = false},
         {.name = "stopwatch",
          .words = Phrase{"stopwatch"},
+         .shows = "The time since the start, since a time, or since an event.",
          .make = make_stopwatch,
          .abilities = {comparison},
-         .keys = since_key(),
+         .keys = stopwatch_key(),
          .has_plot = false},
         {.name = "counter",
          .words = Phrase{"counter"},
+         .shows = "Hits of walls and partitions in large figures, or what has gone through a "
+                  "partition or over a `line`, each way.",
          .make = make_counter,
          .abilities = {of, means, comparison},
          .keys = counter_keys(),
@@ -280,75 +230,104 @@ std::vector<PanelKind> all_kinds() {
          .has_plot = false},
         {.name = "pressure-volume",
          .words = Phrase{"pressure and volume"},
+         .shows = "The path of the pressure on a wall that moves against the area, with the "
+                  "isotherm and the adiabat of an ideal gas from the start.",
          .make = make_pressure_volume,
          .abilities = {over, theory, comparison},
          .keys = surfaces_key(),
          .rule = check_pressure_volume},
         {.name = "piston",
          .words = Phrase{"piston"},
+         .shows = "The place of walls and partitions that move, with the mean place of a free "
+                  "piston over an ideal gas, its standard deviation as a band, and the period of "
+                  "its slow oscillations.",
          .make = make_piston,
          .abilities = {theory, means, comparison},
          .keys = surfaces_key(),
          .rule = check_piston},
         {.name = "piston-histogram",
          .words = Phrase{"piston histogram"},
+         .shows = "The share of the time that a wall or a partition has been at each place, with "
+                  "the exact distribution over an ideal gas.",
          .make = make_piston_histogram,
          .abilities = {theory, means, comparison},
          .keys = surfaces_key(),
          .rule = check_piston_histogram},
         {.name = "sides",
          .words = Phrase{"sides"},
+         .shows = "How many particles are on either side of a partition, or in `regions` of the "
+                  "box; their temperature, mean energy or centre of mass (`measure`).",
          .make = make_sides,
          .abilities = {component, means, comparison},
          .keys = sides_keys(),
          .rule = check_sides},
         {.name = "flux",
          .words = Phrase{"flux"},
+         .shows = "Crossings of a partition or a `line` in a unit of time, each way, the energy "
+                  "that they carry in that time, or their mean energy (`carried`), with what "
+                  "kinetic theory says.",
          .make = make_flux,
          .abilities = {of, over, theory, means, comparison},
          .keys = flux_keys(),
          .rule = check_flux},
         {.name = "energy-account",
          .words = Phrase{"energy account"},
+         .shows =
+             "Kinetic energy, potential energy and the energy of pistons as a stack against time.",
          .make = make_energy_account,
          .abilities = {means, comparison}},
         {.name = "mean-squared-displacement",
          .words = Phrase{"mean squared displacement"},
+         .shows = "How far particles have come, on through periodic sides, with the line 2*dDt* "
+                  "that fits it, the diffusion coefficient *D* with its error, and the parabola of "
+                  "free flight; with `origins: all` as the mean over all starting times.",
          .make = make_mean_squared_displacement,
          .abilities = {of, theory, means, comparison},
          .keys = displacement_keys(),
          .rule = check_displacements},
         {.name = "velocity-autocorrelation",
          .words = Phrase{"velocity autocorrelation"},
+         .shows = "The mean of **v**(0)·**v**(*t*) over that of *v*², over all starting times, "
+                  "with the slope that collisions give it at 0 in equilibrium.",
          .make = make_velocity_autocorrelation,
          .abilities = {of, theory, means, comparison},
          .keys = autocorrelation_keys(),
          .rule = check_autocorrelation},
         {.name = "pair-correlation",
          .words = Phrase{"pair correlation"},
+         .shows = "*g*(*r*): how many pairs are at a distance, over the number that points would "
+                  "have in the same box, with Henderson's value for equal disks at contact.",
          .make = make_pair_correlation,
          .abilities = {of, over, theory, means, comparison},
          .keys = pair_correlation_keys(),
          .rule = check_pair_correlation},
         {.name = "free-path",
          .words = Phrase{"free path"},
+         .shows = "How far particles fly from one collision to the next, beside the exponential "
+                  "law of a flight without memory.",
          .make = make_free_path,
          .abilities = {of, over, theory, means, comparison},
          .keys = free_flight_keys(),
          .rule = check_free_flights},
         {.name = "free-time",
          .words = Phrase{"free time"},
+         .shows = "How long particles fly from one collision to the next, beside the exponential "
+                  "law of a flight without memory.",
          .make = make_free_time,
          .abilities = {of, over, theory, means, comparison},
          .keys = free_flight_keys(),
          .rule = check_free_flights},
         {.name = "orientational-order",
          .words = Phrase{"hexagonal order"},
+         .shows =
+             "How hexagonal the order of disks is, of the neighbours of each and of the whole gas.",
          .make = make_orientational_order,
          .abilities = {means, comparison},
          .rule = check_orientational_order},
         {.name = "return-distance",
          .words = Phrase{"return distance"},
+         .shows =
+             "The distance from the exact return after a reversal, against time or collisions.",
          .make = make_return_distance,
          .abilities = {theory, comparison},
          .keys = against_key(),
@@ -356,46 +335,62 @@ std::vector<PanelKind> all_kinds() {
          .suits = returns},
         {.name = "profile",
          .words = Phrase{"profile"},
+         .shows = "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "
+                  "with height up along y; "
+                  "in gravity the density with that of an ideal gas of as many particles, which "
+                  "share a fixed energy.",
          .make = make_profile,
          .abilities = {of, over, component, theory, means, comparison},
          .keys = profile_keys()},
         {.name = "phase",
          .words = Phrase{"phase"},
+         .shows = "Position and velocity along one axis, a point for each particle; the path of a "
+                  "single one fades with its age.",
          .make = make_phase,
          .abilities = {of, component},
          .suits = is_line},
         {.name = "positions",
          .words = Phrase{"positions"},
+         .shows = "The position of one particle against that of another, with its path.",
          .make = make_positions,
          .abilities = {of, two, component}},
         {.name = "monitors",
          .words = Phrase{"monitors"},
+         .shows = "Numbers: time, collisions, mean speed and others.",
          .make = make_monitors,
          .keys = numbers_key(),
          .has_plot = false},
         {.name = "single-collision",
          .words = Phrase{"single collision"},
+         .shows = "One collision in a plane: the velocities before, at and after contact.",
          .make = make_single_collision,
          .abilities = {of, pair},
          .has_plot = false},
         {.name = "contact-time",
          .words = Phrase{"contact time"},
+         .shows = "The squared distance of two particles against time, and the contact that "
+                  "follows from it.",
          .make = make_contact_time,
          .abilities = {of, pair}},
         {.name = "collision-map",
          .words = Phrase{"collision map"},
+         .shows = "Collisions of two beads on a line in the plane of their velocities: see "
+                  "[Figures](figures.md#collision-maps).",
          .make = make_collision_map,
          .abilities = {of, pair},
          .keys = collision_map_keys(),
          .rule = check_collision_map},
         {.name = "text",
          .words = Phrase{"text"},
+         .shows = "Words of your own, with formulae.",
          .make = make_text,
          .keys = words_key(),
          .rule = check_words,
          .has_plot = false},
         {.name = "sweep",
          .words = Phrase{"sweep"},
+         .shows = "A number of many runs against a key that is varied, with its standard error and "
+                  "theory: see [Figures](figures.md#sweeps).",
          .make = make_sweep,
          .abilities = {theory, means},
          .keys = sweep_keys(),
@@ -403,6 +398,8 @@ std::vector<PanelKind> all_kinds() {
          .in_films_instead = "a sweep is of many runs; it is a kind of figure"},
         {.name = "gas",
          .words = Phrase{"gas"},
+         .shows =
+             "The box with all that is in it, at one moment or at several side by side (`strip`).",
          .make = make_gas,
          .abilities = {strip},
          .keys = view_key(),

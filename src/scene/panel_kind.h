@@ -40,8 +40,9 @@ enum class Ability {
 
 /// One kind of panel.
 struct PanelKind {
-    std::string name;  ///< as scenes write it
-    Phrase words;      ///< as captions and transcripts do
+    std::string name;   ///< as scenes write it
+    Phrase words;       ///< as captions and transcripts do
+    std::string shows;  ///< a sentence for the reference page, in Markdown
     std::unique_ptr<Panel> (*make)(const PanelContext&, const PanelSpec&) = nullptr;
     std::set<Ability> abilities = {};
 

@@ -1,0 +1,82 @@
+#include "panels/instruments/instrument_keys.h"
+
+#include "scene/instruments/instrument_reading.h"
+
+namespace carom {
+namespace {
+
+std::vector<Binding<PanelSpec>> line_keys() {
+    return joined<PanelSpec>(
+        surfaces_key(), std::vector{bind_key("line", &PanelSpec::line, counting_line_notation(),
+                                             "A line that particles cross, instead of a partition.")
+                                        .default_text("none")});
+}
+
+}  // namespace
+
+std::vector<Binding<PanelSpec>> surfaces_key() {
+    return {bind_key("surfaces", &PanelSpec::surfaces, surfaces_notation(),
+                     "The walls or partitions that it measures at: `left`, `right`, `bottom`, "
+                     "`top` or the names of partitions.")
+                .default_text("all walls together for a pressure; else what moves, or the only "
+                              "partition")};
+}
+
+std::vector<Binding<PanelSpec>> pressure_keys() {
+    return joined<PanelSpec>(
+        surfaces_key(),
+        std::vector{bind_key("gauge", &PanelSpec::gauge, flag(),
+                             "Whether a round gauge for each surface, or one for all walls, shows "
+                             "the mean over a time before the present.")});
+}
+
+std::vector<Binding<PanelSpec>> flux_keys() {
+    return joined<PanelSpec>(
+        line_keys(),
+        std::vector{bind_key("carried", &PanelSpec::carried,
+                             one_of<Carried>({{"particles", Carried::particles},
+                                              {"energy", Carried::energy},
+                                              {"mean-energy", Carried::mean_energy}}),
+                             "What it shows of those that cross: their number in a time, their "
+                             "energy in a time, or the mean energy of one.")});
+}
+
+std::vector<Binding<PanelSpec>> counter_keys() {
+    return joined<PanelSpec>(
+        line_keys(),
+        std::vector{
+            bind_key("count", &PanelSpec::counted,
+                     one_of<Counted>({{"hits", Counted::hits}, {"crossings", Counted::crossings}}),
+                     "What it counts: collisions with walls and partitions, or what goes "
+                     "over partitions, each way.")
+                .default_text("crossings of partitions that let particles through, else "
+                              "hits")});
+}
+
+std::vector<Binding<PanelSpec>> stopwatch_key() {
+    return {bind_key("since", &PanelSpec::since, watch_start_notation(),
+                     "When it starts: a time, or the first event of the run that is called so: "
+                     "`reversal`, `heat`, or the wall or partition that it acts on.")
+                .default_text("start")};
+}
+
+std::vector<Binding<PanelSpec>> regions_key() {
+    return {bind_key("regions", &PanelSpec::regions, regions_notation(),
+                     "Parts of the box, instead of the two sides of a partition, or of particles "
+                     "by `of`.")
+                .default_text("none")};
+}
+
+std::vector<Binding<PanelSpec>> sides_keys() {
+    return joined<PanelSpec>(
+        surfaces_key(), regions_key(),
+        std::vector{bind_key("measure", &PanelSpec::measure,
+                             one_of<PartMeasure>({{"count", PartMeasure::count},
+                                                  {"temperature", PartMeasure::temperature},
+                                                  {"mean-energy", PartMeasure::mean_energy},
+                                                  {"center", PartMeasure::center}}),
+                             "What it shows of the particles in each part: their number, "
+                             "temperature, mean energy, or centre of mass along `component`.")});
+}
+
+}  // namespace carom

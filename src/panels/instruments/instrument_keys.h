@@ -1,0 +1,19 @@
+// The keys that panels of instruments take, dials among them.
+#pragma once
+
+#include <vector>
+
+#include "scene/keys/binding.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+std::vector<Binding<PanelSpec>> surfaces_key();
+std::vector<Binding<PanelSpec>> pressure_keys();
+std::vector<Binding<PanelSpec>> flux_keys();
+std::vector<Binding<PanelSpec>> counter_keys();
+std::vector<Binding<PanelSpec>> stopwatch_key();
+std::vector<Binding<PanelSpec>> regions_key();
+std::vector<Binding<PanelSpec>> sides_keys();
+
+}  // namespace carom

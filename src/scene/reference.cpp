@@ -17,9 +17,9 @@ namespace {
 
 constexpr const char* opening = R"(# The scene language
 
-<!-- Made by `./dev docs` from the bindings of the keys, src/scene/reading/ and src/panels/registry.cpp: change these, not this. -->
+<!-- Made by `./dev docs` from the bindings of the keys, src/scene/reading/ and src/panels/registry.cpp, and from the scenes in panels/: change these, not this. -->
 
-A scene is one YAML file: what is in the box, what happens to it, what the viewer sees. Every key, with its values and its default.
+A scene is one YAML file: what is in the box, what happens to it, what the viewer sees. This page has a picture of every [panel](#panels) with the lines that make it, and [every key](#a-scene) with its values and its default.
 
 )";
 
@@ -139,8 +139,10 @@ class Page {
 
 std::string reference_example() { return example; }
 
-std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& formats) {
-    Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules);
+std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& formats,
+                            const std::map<std::string, PanelExample>& panels) {
+    Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules +
+              panel_gallery(kinds, panels));
     page.add(scene_table(kinds, 2).section(), scene_table(kinds, 1).section());
     page.add(
         "A film template, a file in `templates/films/` or beside the scene, has the keys of "

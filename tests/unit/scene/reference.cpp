@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -53,6 +54,25 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
+// What is in docs/panels/.
+std::map<std::string, PanelExample> panel_examples() {
+    const fs::path folder = carom::test::checkout() / "docs/panels";
+    std::map<std::string, PanelExample> examples;
+    for (const PanelKind& kind : panel_kinds()) {
+        CAPTURE(kind.name);
+        CHECK(fs::exists(folder / (kind.name + ".yaml")));
+        examples[kind.name].scene = contents(folder / (kind.name + ".yaml"));
+    }
+    const auto captions = nlohmann::json::parse(contents(folder / "captions.json"));
+    for (const auto& figure : captions.at("figures"))
+        examples[figure.at("name")].alt = figure.at("alt");
+    return examples;
+}
+
+std::string reference_page() {
+    return scene_reference(panel_kinds(), figure_formats(), panel_examples());
+}
+
 // A key behind a #, as the starter writes it: `    # label: words`.
 const std::regex hidden_key(R"(( *)# ([a-z_]+): ([^ ].*))");
 
@@ -68,9 +88,8 @@ bool is_key(const std::string& name) {
 
 TEST_CASE("the reference page is current") {
     fs::current_path(carom::test::checkout());
-    const std::map<fs::path, std::string> files{
-        {"docs/scene-reference.md", scene_reference(panel_kinds(), figure_formats())},
-        {"docs/colors.svg", color_chart()}};
+    const std::map<fs::path, std::string> files{{"docs/scene-reference.md", reference_page()},
+                                                {"docs/colors.svg", color_chart()}};
     for (const auto& [file, text] : files) {
         if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(file) << text;
         CAPTURE(file);
@@ -80,8 +99,53 @@ TEST_CASE("the reference page is current") {
     }
 }
 
+TEST_CASE("the set of all panels is current") {
+    const fs::path file = carom::test::checkout() / "docs/panels/panels.yaml";
+    if (std::getenv("CAROM_UPDATE_DOCS") != nullptr)
+        std::ofstream(file) << panel_set(panel_kinds());
+    const bool current = contents(file) == panel_set(panel_kinds());
+    INFO("make it anew with ./dev docs");
+    CHECK(current);
+}
+
+TEST_CASE("every kind of panel has a valid scene of a few lines that shows it") {
+    const std::map<std::string, PanelExample> examples = panel_examples();
+    CHECK(examples.size() == panel_kinds().size());
+    for (const PanelKind& kind : panel_kinds()) {
+        CAPTURE(kind.name);
+        CHECK(kind.shows.ends_with("."));
+        const PanelExample& example = examples.at(kind.name);
+        CHECK(!example.alt.empty());
+        const Scene scene = loaded(example.scene);
+        REQUIRE(scene.figures.size() == 1);
+        CHECK(scene.figures.front().name == kind.name);
+        CHECK(scene.figures.front().panel.kind == kind.name);
+        const std::vector<std::string> lines = lines_of(example.scene);
+        CHECK(lines.size() <= 12);
+        for (const std::string& line : lines) {
+            CAPTURE(line);
+            CHECK(line.size() <= 100);
+        }
+    }
+}
+
+TEST_CASE("the page shows every kind of panel, with a picture and its scene") {
+    const std::string page = reference_page();
+    const std::string gallery = page.substr(0, page.find("\n## A scene\n"));
+    for (const auto& [kind, example] : panel_examples()) {
+        CAPTURE(kind);
+        const std::size_t begin = gallery.find("\n### `" + kind + "`\n");
+        REQUIRE(begin != std::string::npos);
+        const std::size_t end = gallery.find("\n### ", begin + 1);
+        const std::string entry = gallery.substr(begin, end - begin);
+        CHECK(entry.find("<img src=\"panels/" + kind + ".png\"") != std::string::npos);
+        CHECK(entry.find("```yaml\n" + example.scene + "```") != std::string::npos);
+        CHECK(gallery.find("[`" + kind + "`](#" + kind + ")") != std::string::npos);
+    }
+}
+
 TEST_CASE("the page lists every colour that a scene can name, once, with its picture") {
-    const std::string page = scene_reference(panel_kinds(), figure_formats());
+    const std::string page = reference_page();
     const std::size_t begin = page.find("\n## Colours\n");
     REQUIRE(begin != std::string::npos);
     const std::string rows = page.substr(page.find("| group |", begin));
@@ -105,7 +169,7 @@ TEST_CASE("the page lists every colour that a scene can name, once, with its pic
 }
 
 TEST_CASE("the reference page tells every key, and its example is valid") {
-    const std::string page = scene_reference(panel_kinds(), figure_formats());
+    const std::string page = reference_page();
     for (const int dimension : {1, 2}) {
         const Section scene = scene_table(panel_kinds(), dimension).section();
         for (const char* name : {"box", "gas", "run", "film"})
@@ -120,7 +184,7 @@ TEST_CASE("the reference page tells every key, and its example is valid") {
 }
 
 TEST_CASE("the page tells what a wire has otherwise") {
-    const std::string page = scene_reference(panel_kinds(), figure_formats());
+    const std::string page = reference_page();
     const std::size_t species = page.find("## An item of `gas`");
     REQUIRE(species != std::string::npos);
     const std::string part = page.substr(species, page.find("\n## ", species) - species);

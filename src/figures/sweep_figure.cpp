@@ -228,8 +228,7 @@ class SweptFigure {
                 all.push_back(are_whole ? std::round(key) : key);
             }
         all.push_back(keys.back());
-        const auto [first, last] = std::ranges::unique(all);
-        all.erase(first, last);
+        all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
 

@@ -93,7 +93,7 @@ class SurfaceWatch {
         std::vector<SurfaceReport> reports;
         for (std::size_t k = 0; k < states.size(); ++k) {
             if (!box_.has_surface(k)) continue;
-            SurfaceReport& report = reports.emplace_back(names_[k], states[k]);
+            SurfaceReport& report = reports.emplace_back(SurfaceReport{names_[k], states[k]});
             if (states[k].motion)
                 report.position = {
                     sums_[k].mean,

@@ -31,8 +31,9 @@ std::filesystem::path still_path(const StillArguments& arguments) {
     if (Output::is_standard_output(output)) return "still." + (format.empty() ? "png" : format);
     std::vector<std::string> extensions;
     for (const std::string& name : still_formats()) extensions.push_back("." + name);
-    std::ranges::rotate(extensions,
-                        std::ranges::find(extensions, "." + (format.empty() ? "png" : format)));
+    std::rotate(extensions.begin(),
+                std::ranges::find(extensions, "." + (format.empty() ? "png" : format)),
+                extensions.end());
     const std::filesystem::path path = output_path(output, false, arguments.scene, extensions);
     if (!output.empty() && !names_folder(output)) refuse_other_format(output, format);
     return path;

@@ -154,7 +154,7 @@ void PressureVolumePanel::make_axes() {
 }
 
 void PressureVolumePanel::add_curves() {
-    const auto [work, area] = std::pair{record_.runs.front().work, record_.runs.front().start};
+    const double work = record_.runs.front().work, area = record_.runs.front().start;
     const double exponent = (box().dimension + 2.0) / box().dimension;
     const Language language = context_.language();
     whole_.layers.emplace_back(

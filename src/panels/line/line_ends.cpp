@@ -28,7 +28,8 @@ std::vector<LineEnds::End> LineEnds::see(const FrameInput& input, double memory)
     const std::vector<SurfaceState>& states = input.advanced.surfaces;
     std::vector<End> ends;
     for (std::size_t side = 0; side < 2 && states.size() > 1 && !is_plain(); ++side) {
-        End& end = ends.emplace_back(states[side], place_of_surface(scene_.gas.box, states, side));
+        End& end =
+            ends.emplace_back(End{states[side], place_of_surface(scene_.gas.box, states, side)});
         if (!end.state.motion) continue;
         std::deque<Point>& path = paths_[side];
         path.push_back({input.tick.time, end.place});

@@ -160,28 +160,32 @@ void EventLoop<Dimension, Scalar, has_surfaces>::stop_later(std::int32_t surface
 template <int Dimension, typename Scalar, bool has_surfaces>
 std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
     const SurfaceAction& action, bool is_mirrored, double time) requires has_surfaces {
-    move_epoch_to(clock_.local(time));
-    auto& surfaces = geometry_.surfaces();
-    const std::int32_t surface = surface_of(action);
-    const auto before = surfaces.control(surface, now_);
-    const auto after = control_after(before, action, time);
-    surfaces.set_control(surface, after, now_);
-    // Disks that it let through may be in it.
-    const bool opens = std::holds_alternative<SetOpen>(action);
-    const bool let_through =
-        before.is_open || (!opens && std::holds_alternative<Membrane>(before.behaviour));
-    if (const auto one = let_through && !after.is_open ? first_in(surface) : std::nullopt) {
-        surfaces.set_control(surface, before, now_);
-        return one;
+    if constexpr (has_surfaces) {  // Clang before 16 instantiates it without, too
+        move_epoch_to(clock_.local(time));
+        auto& surfaces = geometry_.surfaces();
+        const std::int32_t surface = surface_of(action);
+        const auto before = surfaces.control(surface, now_);
+        const auto after = control_after(before, action, time);
+        surfaces.set_control(surface, after, now_);
+        // Disks that it let through may be in it.
+        const bool opens = std::holds_alternative<SetOpen>(action);
+        const bool let_through =
+            before.is_open || (!opens && std::holds_alternative<Membrane>(before.behaviour));
+        if (const auto one = let_through && !after.is_open ? first_in(surface) : std::nullopt) {
+            surfaces.set_control(surface, before, now_);
+            return one;
+        }
+        using Part = typename SurfaceChange<Scalar>::Part;
+        const Part part = opens ? Part::opening : Part::motion;
+        if (is_mirrored)
+            changes_.add_behind({now_, SurfaceChange<Scalar>{surface, part, before, after}});
+        if (!opens) stop_later(surface);
+        geometry_.resettle(bodies_);
+        predict_all();
+        return std::nullopt;
+    } else {
+        return {};
     }
-    using Part = typename SurfaceChange<Scalar>::Part;
-    const Part part = opens ? Part::opening : Part::motion;
-    if (is_mirrored)
-        changes_.add_behind({now_, SurfaceChange<Scalar>{surface, part, before, after}});
-    if (!opens) stop_later(surface);
-    geometry_.resettle(bodies_);
-    predict_all();
-    return std::nullopt;
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
@@ -242,37 +246,42 @@ void EventLoop<Dimension, Scalar, has_surfaces>::scale(const Scaling<Scalar>& sc
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_mirrored,
                                                       double time) requires has_surfaces {
-    using std::sqrt;
-    move_epoch_to(clock_.local(time));
-    Scalar mass = with_bits(0.0), energy = with_bits(0.0);
-    std::array<Scalar, 2> mean{with_bits(0.0), with_bits(0.0)};
-    double count = 0.0;
-    for (const Body& b : bodies_) {
-        if (!counts_for(b, heat.species)) continue;
-        count += 1.0;
-        const Scalar its = with_bits(1.0) / b.inverse_mass;
-        mass += its;
-        for (std::size_t a = 0; a < Dimension; ++a) mean[a] += its * b.v[a];
-    }
-    if (count < 2.0) return false;
-    for (Scalar& v : mean) v = v / mass;
-    for (const Body& b : bodies_) {
-        if (!counts_for(b, heat.species)) continue;
-        for (std::size_t a = 0; a < Dimension; ++a) {
-            const Scalar v = b.v[a] - mean[a];
-            energy += 0.5 * v * v / b.inverse_mass;
+    if constexpr (has_surfaces) {  // Clang before 16 instantiates it without, too
+        using std::sqrt;
+        move_epoch_to(clock_.local(time));
+        Scalar mass = with_bits(0.0), energy = with_bits(0.0);
+        std::array<Scalar, 2> mean{with_bits(0.0), with_bits(0.0)};
+        double count = 0.0;
+        for (const Body& b : bodies_) {
+            if (!counts_for(b, heat.species)) continue;
+            count += 1.0;
+            const Scalar its = with_bits(1.0) / b.inverse_mass;
+            mass += its;
+            for (std::size_t a = 0; a < Dimension; ++a) mean[a] += its * b.v[a];
         }
+        if (count < 2.0) return false;
+        for (Scalar& v : mean) v = v / mass;
+        for (const Body& b : bodies_) {
+            if (!counts_for(b, heat.species)) continue;
+            for (std::size_t a = 0; a < Dimension; ++a) {
+                const Scalar v = b.v[a] - mean[a];
+                energy += 0.5 * v * v / b.inverse_mass;
+            }
+        }
+        const auto* to = std::get_if<Temperature>(&heat.amount);
+        const Scalar wanted = to != nullptr ? Scalar(0.5 * Dimension * (count - 1.0) * to->value)
+                                            : energy + std::get<double>(heat.amount);
+        if (!(energy > 0.0) || !(wanted > 0.0)) return false;
+        const Change<Scalar> change{now_,
+                                    Scaling<Scalar>{heat.species, sqrt(wanted / energy), mean}};
+        carry_out(change);
+        if (is_mirrored) changes_.add_behind(change);
+        geometry_.resettle(bodies_);
+        predict_all();
+        return true;
+    } else {
+        return {};
     }
-    const auto* to = std::get_if<Temperature>(&heat.amount);
-    const Scalar wanted = to != nullptr ? Scalar(0.5 * Dimension * (count - 1.0) * to->value)
-                                        : energy + std::get<double>(heat.amount);
-    if (!(energy > 0.0) || !(wanted > 0.0)) return false;
-    const Change<Scalar> change{now_, Scaling<Scalar>{heat.species, sqrt(wanted / energy), mean}};
-    carry_out(change);
-    if (is_mirrored) changes_.add_behind(change);
-    geometry_.resettle(bodies_);
-    predict_all();
-    return true;
 }
 
 }  // namespace carom

@@ -53,7 +53,8 @@ KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
     for (const auto& [name, hint] :
          {std::pair{"partitions", "a bead of mass `infinite` divides it"},
           {"obstacles", "a bead of mass `infinite` stands still"}}) {
-        std::erase_if(table.keys, [&](const auto& one) { return one.key.name == name; });
+        std::erase_if(table.keys,
+                      [refused = name](const auto& one) { return one.key.name == refused; });
         table.refused.push_back({name, fmt::format("a wire has no `{}`", name), hint});
     }
     return table;

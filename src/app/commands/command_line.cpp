@@ -65,8 +65,9 @@ void add_command(CLI::App& app, const Command& command) {
         if (!option.choices.empty()) its.check(CLI::IsMember(option.choices));
     }
     declared.callback(command.run);
-    declared.formatter_fn([help = text_of(help_of(command))](const CLI::App*, const std::string&,
-                                                             CLI::AppFormatMode) { return help; });
+    declared.formatter_fn([&command](const CLI::App*, const std::string&, CLI::AppFormatMode) {
+        return text_of(help_of(command));
+    });
 }
 
 void refuse_unknown_command(const CLI::App& app, int argc, const char* const* argv) {
@@ -187,8 +188,9 @@ int parse_and_run(int argc, const char* const* argv, const std::vector<Command>&
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
     for (const Command& command : commands) add_command(app, command);
-    app.formatter_fn([help = text_of(help_of(commands))](const CLI::App*, const std::string&,
-                                                         CLI::AppFormatMode) { return help; });
+    app.formatter_fn([&commands](const CLI::App*, const std::string&, CLI::AppFormatMode) {
+        return text_of(help_of(commands));
+    });
     refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);
     try {

@@ -109,8 +109,8 @@ class PistonMeter : public CurveMeter {
     void follow(const FrameInput& input, double place) {
         constexpr double near = 1e-6;  // of the box
         const SurfaceState& state = input.advanced.surfaces[static_cast<std::size_t>(surface_)];
-        std::vector<Stretch> stretches;
-        Stretch now{last_->place, last_->velocity, last_->acceleration, 0.0};
+        std::vector<MotionStretch> stretches;
+        MotionStretch now{last_->place, last_->velocity, last_->acceleration, 0.0};
         double since = last_->time;
         const auto go_on_to = [&](double time) {
             now.duration = std::max(0.0, time - since);
@@ -130,7 +130,7 @@ class PistonMeter : public CurveMeter {
             if (time > 0.0) times_.add({last_->place, (place - last_->place) / time, 0.0, time});
             return;
         }
-        for (const Stretch& stretch : stretches) times_.add(stretch);
+        for (const MotionStretch& stretch : stretches) times_.add(stretch);
     }
 
     PanelContext context_;

@@ -6,11 +6,11 @@
 
 namespace carom {
 
-void Residence::add(const Stretch& stretch) {
+void Residence::add(const MotionStretch& stretch) {
     const double turn =
         stretch.acceleration != 0.0 ? -stretch.velocity / stretch.acceleration : 0.0;
     if (!(turn > 0.0 && turn < stretch.duration)) return add_monotone(stretch);
-    Stretch before = stretch, after = stretch;
+    MotionStretch before = stretch, after = stretch;
     before.duration = turn;
     after.place = stretch.place_after(turn);
     after.velocity = 0.0;
@@ -20,7 +20,7 @@ void Residence::add(const Stretch& stretch) {
 }
 
 // Edges that it passes part it; the time to one is 2 s / (v0 + v), where both speeds have one sign.
-void Residence::add_monotone(const Stretch& stretch) {
+void Residence::add_monotone(const MotionStretch& stretch) {
     const double end = stretch.place_after(stretch.duration);
     const double direction = end >= stretch.place ? 1.0 : -1.0;
     double last = stretch.place, reached = 0.0;

@@ -6,7 +6,7 @@
 namespace carom {
 
 /// A stretch of motion with constant acceleration.
-struct Stretch {
+struct MotionStretch {
     double place = 0.0, velocity = 0.0, acceleration = 0.0;
     double duration = 0.0;
 
@@ -20,7 +20,7 @@ class Residence {
   public:
     explicit Residence(double width) : width_(width) {}
 
-    void add(const Stretch& stretch);
+    void add(const MotionStretch& stretch);
 
     double width() const { return width_; }
     /// Of each bin, up to the last that was reached.
@@ -30,7 +30,7 @@ class Residence {
     void archive(auto& archive) { archive(times_); }
 
   private:
-    void add_monotone(const Stretch& stretch);
+    void add_monotone(const MotionStretch& stretch);
     void add(double place, double time);
 
     double width_;

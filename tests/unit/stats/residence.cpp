@@ -22,8 +22,8 @@ TEST_CASE("a place at constant velocity is in each bin as long as the bin is wid
 TEST_CASE("a thrown ball is in each bin as long as its height by steps says") {
     Random random(5, "stretches");
     for (int trial = 0; trial < 200; ++trial) {
-        const Stretch stretch{random.uniform(0.0, 3.0), random.uniform(0.0, 4.0),
-                              random.uniform(-2.0, 1.0), random.uniform(0.1, 1.2)};
+        const MotionStretch stretch{random.uniform(0.0, 3.0), random.uniform(0.0, 4.0),
+                                    random.uniform(-2.0, 1.0), random.uniform(0.1, 1.2)};
         constexpr double width = 0.3;
         constexpr int steps = 20'000;
         Residence exact(width);

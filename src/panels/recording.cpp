@@ -1,10 +1,12 @@
 #include "panels/recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "panels/archived.h"
+#include "scene/limits.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -118,23 +120,53 @@ bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) 
     return frames * (bytes_of_sample(particles, dimension) + sizeof(Frame)) <= most_bytes;
 }
 
+// What panels look up by the numbers of samples, particles and surfaces is there.
+bool Recording::fits(const Frame& frame, const Box& box, Eigen::Index particles) const {
+    const auto is_there = [&](const Collision& its) {
+        const bool is_pair = its.second.is_particle();
+        return its.first >= 0 && its.first < particles &&
+               (is_pair ? its.second.particle() < particles
+                        : its.second.surface() < box.surfaces.count());
+    };
+    const std::size_t surfaces = frame.advanced.surfaces.size();
+    return frame.sample < samples_.size() && std::ranges::all_of(frame.collisions, is_there) &&
+           (std::cmp_equal(surfaces, box.surfaces.count()) ||
+            (surfaces == 0 && box.surfaces.are_plain()));
+}
+
+// Of a recording that was read.
+bool Recording::fits_together(const Box& box, Eigen::Index particles) const {
+    const auto is_next = [](const Tick& before, const Tick& tick) {
+        return tick.frame - 1 == before.frame && tick.time >= before.time;
+    };
+    const auto is_tick = [](const Tick& tick) {
+        return tick.frame >= 0 && tick.frame < static_cast<int>(most_frames.value) &&
+               std::isfinite(tick.time) && tick.phase >= Phase::title_card &&
+               tick.phase <= Phase::end_card;
+    };
+    if (ticks_.empty() || !std::ranges::all_of(ticks_, is_tick) ||
+        !std::equal(ticks_.begin(), ticks_.end() - 1, ticks_.begin() + 1, is_next))
+        return false;
+    if (!is_kept()) return true;
+    return frames_.size() == ticks_.size() &&
+           std::ranges::all_of(samples_,
+                               [&](const Sample& its) { return is_of(its, box, particles); }) &&
+           std::ranges::all_of(frames_,
+                               [&](const Frame& its) { return fits(its, box, particles); });
+}
+
 void Recording::archive(Archive& archive, const Box& box, const Particles& particles,
                         const Run& run) {
     bool kept = is_kept();
-    archive(kept, with_collisions_, ticks_, samples_);
-    auto count = static_cast<std::int64_t>(frames_.size());
-    archive(count);
-    if (archive.is_reading()) frames_.resize(static_cast<std::size_t>(count));
-    for (Frame& frame : frames_) {
-        auto sample = static_cast<std::int64_t>(frame.sample);
-        archive(sample, frame.advanced, frame.collisions);
-        frame.sample = static_cast<std::size_t>(sample);
-    }
-    if (kept) return start_.reset();
-    if (archive.is_reading())
-        start_.emplace(box, particles, run, archive);
-    else
+    archive(kept, with_collisions_, ticks_, samples_, frames_);
+    if (archive.is_reading()) {
+        start_.reset();
+        if (!kept) start_.emplace(box, particles, run, archive);
+        if (!fits_together(box, particles.count()))
+            archive.refuse("its frames do not fit together");
+    } else if (!kept) {
         start_->archive(archive);
+    }
 }
 
 }  // namespace carom

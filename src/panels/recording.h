@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -92,7 +93,16 @@ class Recording {
         std::size_t sample = 0;  ///< frames that show one time share one
         AdvanceResult advanced;  ///< without collisions
         std::vector<Collision> collisions;
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            auto its = static_cast<std::int64_t>(sample);
+            archive(its, advanced, collisions);
+            sample = static_cast<std::size_t>(its);
+        }
     };
+    bool fits(const Frame& frame, const Box& box, Eigen::Index particles) const;
+    bool fits_together(const Box& box, Eigen::Index particles) const;
     bool keep(const Sample& sample, const AdvanceResult& advanced, std::size_t most);
     void simulate(Simulation simulation, const Viewer& see) const;
     void keep_part(const Recording& whole, std::size_t first, std::size_t end);

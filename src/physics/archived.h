@@ -75,6 +75,18 @@ inline void archive_parts(Archive& archive, Sample& its) {
     archive(its.time, its.position, its.velocity);
 }
 
+/// Whether a sample that was read is of so many particles in this box.
+inline bool is_of(const Sample& its, const Box& box, Eigen::Index particles) {
+    return its.position.rows() == particles && its.position.cols() == box.dimension &&
+           its.velocity.rows() == particles && its.velocity.cols() == box.dimension;
+}
+
+/// Whether particles that were read are of so many species.
+inline bool are_of(const Particles& its, std::size_t species) {
+    return its.inverse_mass.size() == its.count() && its.species.size() == its.count() &&
+           (its.species >= 0).all() && (its.species < static_cast<int>(species)).all();
+}
+
 // ------------------------------------------------------------------------------- events of a run
 
 inline void archive_parts(Archive&, ReverseVelocities&) {}

@@ -2,17 +2,15 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "runs/json.h"
 #include "runs/sweep_summary.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "carom-sweep-summary";
 constexpr int format_version = 1;
@@ -30,8 +28,7 @@ std::string name_of_share(double share) { return fmt::format("{}", share); }
 
 // 0.15 is a number for readers; what is none stays text.
 Json value_of(const std::string& text) {
-    constexpr bool may_throw = false;
-    const Json json = Json::parse(text, nullptr, may_throw);
+    const Json json = json_in(text);
     return json.is_number() ? json : Json(text);
 }
 
@@ -49,7 +46,7 @@ Json to_json(const NumberStatistics& its) {
 }
 
 NumberStatistics statistics_from(const Json& json) {
-    NumberStatistics its{.count = json.at("n"),
+    NumberStatistics its{.count = whole_in<std::int64_t>(json.at("n")),
                          .mean = number_of(json.at("mean")),
                          .error = number_of(json.at("standard_error")),
                          .deviation = number_of(json.at("standard_deviation")),
@@ -103,7 +100,7 @@ Json to_json(const SweepSummary& summary) {
 }
 
 PointSummary point_from(const Json& json, const std::vector<RunNumber>& numbers) {
-    PointSummary point{.runs = json.at("runs")};
+    PointSummary point{.runs = whole_in<std::int64_t>(json.at("runs"))};
     for (const RunNumber& number : numbers)
         point.numbers.push_back(statistics_from(json.at("numbers").at(number.name)));
     return point;
@@ -117,7 +114,9 @@ SweepSummary summary_from(const Json& json) {
                          .physics = json.at("physics")};
     for (const auto& [name, value] : json.at("build").items())
         summary.build.emplace_back(name, value.get<std::string>());
-    summary.sweep.seeds = {json.at("seeds").at("first"), json.at("seeds").at("last")};
+    const Json& seeds = json.at("seeds");
+    summary.sweep.seeds = {whole_in<std::uint64_t>(seeds.at("first")),
+                           whole_in<std::uint64_t>(seeds.at("last"))};
     for (const Json& axis : json.at("axes"))
         summary.sweep.axes.push_back({axis.at("key"), axis.at("values")});
     check_sweep(summary.sweep);
@@ -130,15 +129,10 @@ SweepSummary summary_from(const Json& json) {
 
 }  // namespace
 
-std::string text_of(const SweepSummary& summary) {
-    constexpr bool ascii_only = false;
-    return to_json(summary).dump(1, ' ', ascii_only, Json::error_handler_t::replace) + "\n";
-}
+std::string text_of(const SweepSummary& summary) { return text_of(to_json(summary), 1) + "\n"; }
 
 SweepSummary sweep_summary(std::string_view text, const std::string& name) {
-    constexpr bool may_throw = false;
-    constexpr int deepest = 32;  // of what carom writes, and more
-    const Json json = nests_deeper(text, deepest) ? Json() : Json::parse(text, nullptr, may_throw);
+    const Json json = json_in(text);
     const auto refuse = [&](const std::string& cause) {
         throw SystemError(fmt::format("cannot read {}: {}", name, cause));
     };

@@ -160,10 +160,14 @@ SweepAxis sweep_axis(const std::string& text) {
 
 void check_sweep(const Sweep& sweep) {
     if (sweep.seeds.first > sweep.seeds.last) throw SweepError("the last seed is before the first");
+    if (sweep.seeds.last > static_cast<std::uint64_t>(largest_seed.value))
+        throw SweepError(fmt::format("the last seed is {}", sweep.seeds.last),
+                         to_text(largest_seed));
     std::set<std::string> keys;
     for (const SweepAxis& axis : sweep.axes) {
         if (axis.key == "seed")
             throw SweepError("seed is no key to vary", "give the seeds by themselves");
+        if (axis.values.empty()) throw SweepError(fmt::format("{} has no values", axis.key));
         if (!keys.insert(axis.key).second)
             throw SweepError(fmt::format("{} is varied twice", axis.key));
     }

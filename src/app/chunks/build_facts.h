@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/json.h"
 #include "media/formats.h"
+#include "runs/json.h"
 
 namespace carom {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "app/chunks/build_facts.h"
@@ -42,15 +43,42 @@ Json to_json(const PlannedChunk& chunk, PlanKind kind) {
     return json;
 }
 
+std::string start_of(int chunk) { return fmt::format("starts/{:04}.start", chunk); }
+
+// Throws Json::exception where it is no chunk.
 PlannedChunk chunk_of(const Json& json, PlanKind kind) {
     const std::string unit = unit_of(kind);
-    return {.number = json.at("chunk"),
-            .first = json.at("first_" + unit),
-            .end = json.at("last_" + unit).get<std::int64_t>() + 1,
+    return {.number = whole_in<int>(json.at("chunk")),
+            .first = whole_in<std::int64_t>(json.at("first_" + unit)),
+            .end = std::int64_t{whole_in<std::int32_t>(json.at("last_" + unit))} + 1,
             .seconds = json.at("seconds"),
-            .memory_bytes = json.at("memory_bytes"),
-            .memory_bytes_per_thread = json.at("memory_bytes_per_thread"),
+            .memory_bytes = whole_in<std::int64_t>(json.at("memory_bytes")),
+            .memory_bytes_per_thread = whole_in<std::int64_t>(json.at("memory_bytes_per_thread")),
             .start = json.value("start", "")};
+}
+
+// The numbers of chunks name files, and what they begin from is named by them.
+bool is_chunk(const PlannedChunk& its, int number) {
+    return its.number == number && its.first >= 0 && its.first < its.end &&
+           (its.start.empty() || its.start == start_of(number));
+}
+
+// The chunks of a plan whose other parts are what they have to be; nothing where they are not.
+// Throws Json::exception too.
+std::optional<std::vector<PlannedChunk>> chunks_in(const Json& contents, PlanKind kind) {
+    const Json &request = contents.at("request"), &files = contents.at("files");
+    if (!request.is_object() || !request.at("build").is_object() || !files.is_object())
+        return std::nullopt;
+    if (contents.at("chunks").empty()) return std::nullopt;
+    std::vector<PlannedChunk> chunks;
+    for (const Json& chunk : contents.at("chunks")) {
+        chunks.push_back(chunk_of(chunk, kind));
+        const std::size_t count = chunks.size();
+        if (!is_chunk(chunks.back(), static_cast<int>(count)) ||
+            (count > 1 && chunks.back().first != chunks[count - 2].end))
+            return std::nullopt;
+    }
+    return chunks;
 }
 
 // Of all but the fingerprint itself.
@@ -90,10 +118,6 @@ std::string shortened(std::vector<std::string> numbers) {
     const std::size_t rest = numbers.size() - most;
     numbers.resize(most);
     return fmt::format("{} and {} more", fmt::join(numbers, ", "), rest);
-}
-
-[[noreturn]] void refuse(const fs::path& folder, const std::string& cause) {
-    throw UsageError(fmt::format("{}: {}; plan again", (folder / "plan.json").string(), cause));
 }
 
 }  // namespace
@@ -137,17 +161,24 @@ PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
                         folder_.string(), folder_.string()));
     contents_ = json_in(read_file(folder_ / "plan.json", most_json_bytes));
     if (!contents_.is_object() || contents_.value("format", Json()) != format_name)
-        refuse(folder_, "this is not a plan of carom");
+        refuse("this is not a plan of carom");
     if (const Json version = contents_.value("format_version", Json()); version != format_version)
-        refuse(folder_, fmt::format("its format has version {}, and this program reads version {}",
-                                    text_of(version), format_version));
+        refuse(fmt::format("its format has version {}, and this program reads version {}",
+                           text_of(version), format_version));
     if (contents_.value("fingerprint", Json()) != fingerprint_of(contents_))
-        refuse(folder_, "it was changed after it was written");
-    for (const Json& chunk : contents_.at("chunks")) chunks_.push_back(chunk_of(chunk, kind()));
+        refuse("it was changed after it was written");
+    auto chunks = read_contents([&](const Json& contents) { return chunks_in(contents, kind()); });
+    if (!chunks) refuse("its parts do not fit together");
+    chunks_ = std::move(*chunks);
+}
+
+void PlanFolder::refuse(const std::string& cause) const {
+    throw UsageError(fmt::format("{}: {}; plan again", (folder_ / "plan.json").string(), cause));
 }
 
 PlanKind PlanFolder::kind() const {
-    return contents_.at("kind") == name_of(PlanKind::film) ? PlanKind::film : PlanKind::sweep;
+    return contents_.value("kind", Json()) == name_of(PlanKind::film) ? PlanKind::film
+                                                                      : PlanKind::sweep;
 }
 
 std::string PlanFolder::fingerprint() const { return contents_.at("fingerprint"); }
@@ -167,7 +198,7 @@ const PlannedChunk& PlanFolder::chunk(int number) const {
 
 std::string PlanFolder::read(const std::string& name) const {
     std::string bytes = read_file(folder_ / name, most_file_bytes);
-    if (contents_.at("files").value(name, Json()) != carom::fingerprint(bytes))
+    if (files().value(name, Json()) != carom::fingerprint(bytes))
         throw SystemError(fmt::format("cannot read {}: it was changed after it was written",
                                       (folder_ / name).string()));
     return bytes;
@@ -268,8 +299,8 @@ bool is_planned(const fs::path& folder, const Json& request) {
     try {
         const PlanFolder plan(folder);
         if (plan.request() != request) return false;
-        for (const auto& [name, content] : plan.contents().at("files").items())
-            if (fingerprint_of_file(folder / name) != content.get<std::string>()) return false;
+        for (const auto& [name, content] : plan.files().items())
+            if (content != Json(fingerprint_of_file(folder / name).value_or(""))) return false;
         return true;
     } catch (const UsageError&) {
         return false;

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/json.h"
+#include "runs/json.h"
 
 namespace carom {
 
@@ -65,9 +65,23 @@ class PlanFolder {
 
     const std::filesystem::path& path() const { return folder_; }
     PlanKind kind() const;
-    const Json& contents() const { return contents_; }
     const Json& request() const { return contents_.at("request"); }
+
+    /// What `read` makes of the contents of plan.json. Throws UsageError where they are not as it
+    /// reads them.
+    template <class Read>
+    auto read_contents(const Read& read) const {
+        try {
+            return read(contents_);
+        } catch (const Json::exception& error) {
+            refuse(error.what());
+        }
+    }
+
     const std::vector<PlannedChunk>& chunks() const { return chunks_; }
+
+    /// Fingerprints of the other files of the plan, by their names.
+    const Json& files() const { return contents_.at("files"); }
 
     /// Identifies the plan: a fingerprint of plan.json.
     std::string fingerprint() const;
@@ -101,6 +115,7 @@ class PlanFolder {
     void require_same_build(const Json& build) const;
 
   private:
+    [[noreturn]] void refuse(const std::string& cause) const;
     std::filesystem::path manifest(const PlannedChunk& chunk) const;
     Json read_manifest(const PlannedChunk& chunk) const;
 

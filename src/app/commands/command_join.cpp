@@ -32,12 +32,11 @@ struct JoinArguments {
 // A row for each run.
 class RunsCsv {
   public:
-    RunsCsv(const PlanFolder& plan, const Sweep& sweep, Output& output)
-        : sweep_(sweep), output_(output) {
+    RunsCsv(const PlannedSweep& planned, Output& output)
+        : sweep_(planned.sweep()), output_(output) {
         std::string header = "run,seed";
-        for (const SweepAxis& axis : sweep.axes) header += "," + csv_field(axis.key);
-        for (const Json& number : plan.contents().at("sweep").at("numbers"))
-            header += "," + csv_field(number.at("name"));
+        for (const SweepAxis& axis : sweep_.axes) header += "," + csv_field(axis.key);
+        for (const RunNumber& number : planned.numbers()) header += "," + csv_field(number.name);
         output_.write(header + "\n");
     }
 
@@ -69,7 +68,7 @@ void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
     std::optional<Output> json, csv;
     std::optional<RunsCsv> table;
     if (!arguments.output.empty()) json.emplace(arguments.output);
-    if (!arguments.csv.empty()) table.emplace(plan, sweep.sweep(), csv.emplace(arguments.csv));
+    if (!arguments.csv.empty()) table.emplace(sweep, csv.emplace(arguments.csv));
     const std::string text = text_of(sweep.summary(
         [&](std::int64_t run, const std::vector<double>& values) {
             if (table) table->add(run, values);

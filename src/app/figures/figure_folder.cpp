@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/json.h"
+#include "runs/json.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
@@ -45,7 +45,7 @@ std::string manifest_json(const Manifest& manifest) {
 // Nothing if it is no such text.
 std::optional<Manifest> read_manifest(std::string_view text) {
     try {
-        const Json json = json_in(std::string(text));
+        const Json json = json_in(text);
         Manifest manifest{json.at("of").get<std::string>(), {}, {}};
         for (const auto& [name, file] : json.at("files").items())
             manifest.files[name] = {

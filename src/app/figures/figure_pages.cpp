@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "app/json.h"
 #include "app/resources.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/base64.h"
 #include "media/formats.h"
+#include "runs/json.h"
 #include "scene/limits.h"
 #include "scene/words.h"
 #include "scene/yaml/file_text.h"

@@ -207,8 +207,15 @@ FilmPlan read_plan(const PlanFolder& folder, FilmOptions& options) {
 // As a plan of its own.
 FilmPlan plan_of_chunk(const PlanFolder& folder, const FilmPlan& whole, const PlannedChunk& chunk) {
     FilmPlan plan = whole;
-    read_run(plan, folder.read(chunk.start), (folder.path() / chunk.start).string());
+    const fs::path start = folder.path() / chunk.start;
+    read_run(plan, folder.read(chunk.start), start.string());
     plan.segments = segments_of(whole, chunk);
+    const std::vector<Tick>& ticks = plan.run.ticks();
+    if (plan.segments.size() < 2 || whole.span.first + plan.segments.front() != chunk.first ||
+        whole.span.first + plan.segments.back() != chunk.end || ticks.front().frame > chunk.first ||
+        ticks.back().frame + 1 < chunk.end)
+        throw SystemError(fmt::format("cannot read {}: it has not the frames of the chunk {}",
+                                      start.string(), chunk.number));
     plan.span = {static_cast<int>(chunk.first), static_cast<int>(chunk.end)};
     return plan;
 }
@@ -268,7 +275,8 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
         const PlanFolder planned(folder);
         report.is_new = false;
         report.chunks = static_cast<int>(planned.chunks().size());
-        report.frames = planned.contents().at("film").at("frames");
+        report.frames = planned.read_contents(
+            [](const Json& contents) { return whole_in<int>(contents.at("film").at("frames")); });
         return report;
     }
     FilmOptions options = asked;
@@ -334,11 +342,19 @@ RenderReport join_film(const PlanFolder& folder, const JoinOptions& asked, Progr
 }
 
 std::string format_of_plan(const PlanFolder& folder) {
-    return folder.contents().at("film").at("format");
+    auto format = folder.read_contents(
+        [](const Json& contents) { return contents.at("film").at("format").get<std::string>(); });
+    const std::vector<std::string> formats = film_formats();
+    if (std::ranges::find(formats, format) == formats.end())
+        throw UsageError(fmt::format("{}: no film has the format of this plan; plan again",
+                                     folder.path().string()));
+    return format;
 }
 
 std::string scene_of_plan(const PlanFolder& folder) {
-    return folder.request().at("scene").at("path");
+    return folder.read_contents([](const Json& contents) {
+        return contents.at("request").at("scene").at("path").get<std::string>();
+    });
 }
 
 }  // namespace carom

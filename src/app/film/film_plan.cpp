@@ -17,6 +17,8 @@
 namespace carom {
 namespace {
 
+namespace fs = std::filesystem;
+
 // Of frames of the whole film, evenly spread.
 std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Progress& progress) {
     progress.begin("choosing colours", static_cast<double>(plan.span.end));
@@ -98,7 +100,13 @@ Scene scene_of(const SceneRecord& record, const Archive& archive) {
 void archive_options(Archive& archive, FilmOptions& options) {
     std::string output = options.output.string();
     archive(output, options.quality, options.from, options.to);
-    options.output = output;
+    if (!archive.is_reading()) return;
+    // Of what is read only the format counts: it leads nowhere.
+    options.output = fs::path(output).has_filename()
+                         ? fs::path("film").replace_extension(fs::path(output).extension())
+                         : fs::path("film/");
+    if (options.quality < Quality::draft || options.quality > Quality::final_)
+        archive.refuse("it is of an unknown quality");
 }
 
 void archive_shared(Archive& archive, FilmPlan& plan) {
@@ -107,6 +115,21 @@ void archive_shared(Archive& archive, FilmPlan& plan) {
     if (!plan.scene.film.beside) return;
     if (archive.is_reading()) plan.beside.emplace();
     archive(plan.beside->start);
+}
+
+bool fits_together(const FilmPlan& plan) {
+    const auto is_start = [](const Scene& scene, const Particles& particles, const Sample& start) {
+        return are_of(particles, scene.gas.species.size()) &&
+               is_of(start, scene.gas.box, particles.count());
+    };
+    const std::vector<int>& segments = plan.segments;
+    if (plan.span.first < 0 || plan.span.end > frame_count(plan.scene.film) || plan.frames() <= 0 ||
+        segments.size() < 2 || segments.front() != 0 || segments.back() != plan.frames() ||
+        std::ranges::adjacent_find(segments, std::ranges::greater_equal{}) != segments.end())
+        return false;
+    return is_start(plan.scene, plan.particles, plan.start) &&
+           (!plan.beside || is_start(*plan.scene.film.beside->scene, plan.beside->start.particles,
+                                     plan.beside->start.sample));
 }
 
 // As a simulation of the gas has it: heat baths draw velocities by the seed of the gas.
@@ -240,6 +263,7 @@ FilmPlan read_shared(std::string bytes, const std::string& name, FilmOptions& op
     archive_options(archive, options);
     archive_shared(archive, plan);
     archive.expect_end();
+    if (!fits_together(plan)) archive.refuse("its parts do not fit together");
     return plan;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/json.h"
+#include "runs/json.h"
 
 namespace carom {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <map>
 
-#include "app/json.h"
 #include "media/formats.h"
 #include "panels/registry.h"
+#include "runs/json.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"
 #include "scene/yaml/scalar.h"

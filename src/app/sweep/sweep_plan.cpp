@@ -34,10 +34,27 @@ Json axes_to_json(const Sweep& sweep) {
 
 Sweep sweep_from(const Json& json) {
     Sweep sweep;
-    sweep.seeds = {json.at("seeds").at(0), json.at("seeds").at(1)};
+    sweep.seeds = {whole_in<std::uint64_t>(json.at("seeds").at(0)),
+                   whole_in<std::uint64_t>(json.at("seeds").at(1))};
     for (const Json& axis : json.at("axes"))
         sweep.axes.push_back({axis.at("key"), axis.at("values")});
     return sweep;
+}
+
+// What plan.json says of the summary.
+SweepSummary outcome_in(const Json& contents) {
+    const Json& request = contents.at("request");
+    SweepSummary outcome{.carom = request.at("build").at("carom"),
+                         .scene = request.at("scene"),
+                         .title = request.at("title"),
+                         .overrides = request.at("overrides"),
+                         .physics = request.at("physics"),
+                         .sweep = sweep_from(request)};
+    for (const auto& [name, value] : request.at("build").items())
+        if (name != "carom") outcome.build.emplace_back(name, value.get<std::string>());
+    for (const Json& number : contents.at("sweep").at("numbers"))
+        outcome.numbers.push_back({number.at("name"), number.at("unit")});
+    return outcome;
 }
 
 // With the scene as it is without the values of a point.
@@ -138,13 +155,26 @@ bool plan_sweep(const SweepRequest& request, const fs::path& folder, bool again,
 
 PlannedSweep::PlannedSweep(const PlanFolder& folder, const std::string& command) : folder_(folder) {
     folder.require(PlanKind::sweep, command);
-    sweep_ = sweep_from(folder.request());
+    folder.read_contents([&](const Json& contents) {
+        const Json& request = contents.at("request");
+        scene_ = swept_scene(request);
+        template_ = request.at("template").get<std::string>();
+        outcome_ = outcome_in(contents);
+    });
+    try {
+        check_sweep(outcome_.sweep);
+    } catch (const SweepError& error) {
+        throw UsageError(fmt::format("{}: {}; plan again", folder.path().string(), error.what()));
+    }
+    for (const PlannedChunk& chunk : folder.chunks())
+        if (chunk.end > sweep().runs())
+            throw UsageError(fmt::format("{}: the sweep has no {} runs; plan again",
+                                         folder.path().string(), chunk.end));
 }
 
 std::shared_ptr<const Scene> PlannedSweep::scene_at(std::int64_t point) const {
-    const Json& request = folder_.request();
-    auto scene = scene_at_point(swept_scene(request), sweep_, point);
-    if (fingerprint(scene->source.template_text) != request.at("template").get<std::string>())
+    auto scene = scene_at_point(scene_, sweep(), point);
+    if (fingerprint(scene->source.template_text) != template_)
         throw SystemError(
             fmt::format("{}: the template of {} was changed after it was planned; "
                         "plan again",
@@ -157,7 +187,7 @@ void PlannedSweep::run_chunk(const PlannedChunk& chunk, int threads, Progress& p
     progress.begin(fmt::format("chunk {} of {}", chunk.number, folder_.chunks().size()),
                    static_cast<double>(chunk.count()), "runs");
     RunRows rows = run_part(
-        sweep_, chunk.first, chunk.end, threads,
+        sweep(), chunk.first, chunk.end, threads,
         [&](std::int64_t point) { return scene_at(point); }, [&] { progress.advance(); });
     std::string plan = folder_.fingerprint();
     std::int64_t first = chunk.first;
@@ -178,7 +208,7 @@ RunRows PlannedSweep::rows_of(const PlannedChunk& chunk) const {
     if (plan != folder_.fingerprint()) archive.refuse("it is a chunk of another plan");
     archive(rows);
     archive.expect_end();
-    const std::size_t numbers = folder_.contents().at("sweep").at("numbers").size();
+    const std::size_t numbers = outcome_.numbers.size();
     const auto is_short = [&](const std::vector<double>& row) { return row.size() != numbers; };
     if (first != chunk.first || std::ssize(rows) != chunk.count() ||
         std::ranges::any_of(rows, is_short))
@@ -188,17 +218,7 @@ RunRows PlannedSweep::rows_of(const PlannedChunk& chunk) const {
 
 SweepSummary PlannedSweep::summary(const RunTaker& take, bool allow_mixed) const {
     folder_.require_all_done(allow_mixed);
-    const Json& request = folder_.request();
-    SweepSummary summary{.carom = request.at("build").at("carom"),
-                         .scene = request.at("scene"),
-                         .title = request.at("title"),
-                         .overrides = request.at("overrides"),
-                         .physics = request.at("physics"),
-                         .sweep = sweep_};
-    for (const auto& [name, value] : request.at("build").items())
-        if (name != "carom") summary.build.emplace_back(name, value.get<std::string>());
-    for (const Json& number : folder_.contents().at("sweep").at("numbers"))
-        summary.numbers.push_back({number.at("name"), number.at("unit")});
+    SweepSummary summary = outcome_;
     RunRows point;  // of its runs so far
     for (const PlannedChunk& chunk : folder_.chunks()) {
         throw_if_interrupted();
@@ -206,7 +226,7 @@ SweepSummary PlannedSweep::summary(const RunTaker& take, bool allow_mixed) const
         for (std::vector<double>& row : rows_of(chunk)) {
             if (take) take(run, row);
             point.push_back(std::move(row));
-            if (std::ssize(point) == sweep_.seeds.count())
+            if (std::ssize(point) == sweep().seeds.count())
                 summary.points.push_back(
                     {std::ssize(point), statistics_of(std::exchange(point, {}))});
             ++run;

@@ -11,6 +11,7 @@
 
 #include "app/chunks/plan_folder.h"
 #include "app/progress.h"
+#include "app/sweep/sweep_scenes.h"
 #include "runs/sweep_summary.h"
 #include "scene/load.h"
 #include "scene/sweep.h"
@@ -40,7 +41,10 @@ class PlannedSweep {
     /// asked for.
     PlannedSweep(const PlanFolder& folder, const std::string& command);
 
-    const Sweep& sweep() const { return sweep_; }
+    const Sweep& sweep() const { return outcome_.sweep; }
+
+    /// What each run gives.
+    const std::vector<RunNumber>& numbers() const { return outcome_.numbers; }
 
     /// Throws SceneError, and SystemError where the scene's template was changed.
     std::shared_ptr<const Scene> scene_at(std::int64_t point) const;
@@ -60,7 +64,9 @@ class PlannedSweep {
     RunRows rows_of(const PlannedChunk& chunk) const;
 
     const PlanFolder& folder_;
-    Sweep sweep_;
+    SweptScene scene_;
+    std::string template_;  ///< fingerprint of the template of its film
+    SweepSummary outcome_;  ///< without its points
 };
 
 /// Where join writes the summary in any case.

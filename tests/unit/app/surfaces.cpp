@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "app/film/film_text.h"
-#include "app/json.h"
 #include "app/report/run_facts.h"
 #include "app/report/surfaces_csv.h"
 #include "panels/recording.h"
+#include "runs/json.h"
 #include "runs/run.h"
 #include "scene/describe.h"
 #include "scene/time/timeline.h"

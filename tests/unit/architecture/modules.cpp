@@ -95,7 +95,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("lib(av|sw).*"),
      {"media/libav.h", "media/video_film.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
     {std::regex("CLI/.*"), {"app/commands/command_line.cpp"}},
-    {std::regex("nlohmann/.*"), {"app/json.h", "runs/summary_json.cpp"}},
+    {std::regex("nlohmann/.*"), {"runs/json.h"}},
     {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "runs/", "figures/"}},
     {std::regex("unsupported/Eigen/.*"), {"stats/goodness.cpp"}},
     {std::regex("fmt/.*"),

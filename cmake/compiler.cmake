@@ -9,11 +9,17 @@ target_compile_options(carom_rules INTERFACE
     # from a cache, not from the temporary text that they are asked for with.
     "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-maybe-uninitialized;-Wno-dangling-reference>"
     $<$<BOOL:${CAROM_WERROR}>:-Werror>)
-if(CAROM_SANITIZE)
+if(CAROM_FUZZ)
+    # UBSan knows conversions of numbers that are too large in Clang only.
+    set(carom_sanitizers fuzzer-no-link,address,undefined,float-cast-overflow)
+elseif(CAROM_SANITIZE)
+    set(carom_sanitizers address,undefined)
+endif()
+if(carom_sanitizers)
     target_compile_options(carom_rules INTERFACE
-        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+        -fsanitize=${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # false alarms of GCC 12 on variants
-    target_link_options(carom_rules INTERFACE -fsanitize=address,undefined)
+    target_link_options(carom_rules INTERFACE -fsanitize=${carom_sanitizers})
 endif()
 
 find_program(CCACHE ccache)

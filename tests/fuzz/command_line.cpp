@@ -1,0 +1,42 @@
+// The words behind `carom`, one on each line, which are read and not done; those that hold a `=`
+// also as values over a scene and as an axis of a sweep.
+#include "app/commands/command_line.h"
+
+#include "app/resources.h"
+#include "fuzz/fuzz.h"
+#include "scene/sweep.h"
+
+using namespace carom;
+
+namespace {
+
+constexpr const char* scene =
+    "title: T\nbox: {size: [20, 15], walls: {left: {temperature: 2}}}\n"
+    "partitions: [{name: p, x: 9}]\ngas: [{name: a, count: 4, radius: 0.3, speed: 1}]\n"
+    "run: {until: 2, events: [{at: 1, open: p}]}\nfilm: {seconds: 1, panels: [speed-histogram]}\n";
+
+// Its values, and its seeds behind the sign.
+void read_sweep(const std::string& word) {
+    try {
+        check_sweep(
+            {.axes = {sweep_axis(word)}, .seeds = seed_range(word.substr(word.find('=') + 1))});
+    } catch (const SweepError&) {
+    }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const SceneResources resources = scene_resources();
+    const std::vector<std::string> words = test::fuzz_lines(test::fuzz_text(data, size));
+    test::succeeds([&] { check_command_line(words); });
+    Overrides overrides;
+    for (const std::string& word : words) {
+        const std::size_t sign = word.find('=');
+        if (sign == std::string::npos || sign == 0) continue;
+        overrides.push_back(word);
+        read_sweep(word);
+    }
+    test::succeeds([&] { load_scene_text(scene, "scene.yaml", resources, overrides); });
+    return 0;
+}

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Prints the words of the scene language, of figure sets and of the command line as a dictionary of
+# libFuzzer: make_dictionary.sh CAROM.
+set -euo pipefail
+{
+    "$1" schema
+    "$1" schema --for set
+} | grep -oE '"[A-Za-z0-9_.#-]{1,40}"' | sort -u
+"$1" completions bash | grep -oE -- '--[a-z][a-z-]+' | sort -u | sed 's/.*/"&"/'
+printf '"%s"\n' ': ' ', ' '[' ']' '{' '}' '- ' '{{#' '{{^' '{{/' '}}' '$' '&a ' '*a' '.nan' '1e300' '-1'

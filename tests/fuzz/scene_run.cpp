@@ -1,0 +1,236 @@
+// A small scene of the library with other values, made from the input by the table of keys, so that
+// most of them are valid: its run, a frame of its film and a few figures. What takes long is cut
+// off.
+#include <fmt/format.h>
+#include <sys/time.h>
+
+#include <array>
+#include <csignal>
+#include <typeinfo>
+
+#include "app/film/render.h"
+#include "app/resources.h"
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
+#include "fuzz/fuzz.h"
+#include "panels/registry.h"
+#include "runs/run.h"
+#include "scene/reading/scene_reading.h"
+#include "scene/time/timeline.h"
+
+using namespace carom;
+using test::FuzzInput;
+
+namespace {
+
+struct Base {
+    const char* name;
+    Overrides smaller;  ///< so that it takes milliseconds
+};
+
+const std::vector<Base>& bases() {
+    static const std::vector<Base> all{
+        {"cradle",
+         {"film.panels=[entropy]", "film.beside={set: gas.0.mass=1, own_label: A, label: B}"}},
+        {"tonks-gas", {}},
+        {"pi-from-collisions", {}},
+        {"gaslab/single-collision", {}},
+        {"gaslab/second-law", {"gas.0.count=30"}},
+        {"gaslab/adiabatic-piston", {"gas.0.count=20"}},
+        {"gaslab/maxwells-demon", {"gas.0.count=30"}},
+        {"gaslab/gravity-box", {"gas.0.count=10"}},
+        {"heat-flow", {"gas.0.count=12"}},
+        {"periodic-gas", {"gas.0.count=20"}},
+        {"mixed-masses",
+         {"gas.0.count=10", "gas.1.count=5",
+          "run.events=[{at: 4, reverse: velocities}, {at: 5, caption: Back}]"}},
+        {"classics/sinai-billiard", {}}};
+    return all;
+}
+
+// A word of the scene language that fits a form, or one that almost does.
+std::string value_of(const std::vector<Form>& forms, FuzzInput& input, int depth);
+
+std::string number(const Form& form, FuzzInput& input) {
+    static const std::vector<std::string> any{"1",    "2",     "0.5",    "3",    "10",    "0.1",
+                                              "7.25", "0",     "-1",     "-0.5", "50",    "1e-3",
+                                              "1000", "1e-9",  "1e-12",  "1e12", "1e9",   "1e300",
+                                              "-0",   "4e-13", "123456", ".nan", "1e-300"};
+    const std::size_t which = input.below(any.size() + 2);
+    if (which < any.size()) return any[which];
+    return fmt::format("{}", which == any.size() ? form.range.low : form.range.most.value);
+}
+
+std::string list(const Form& form, FuzzInput& input, int depth) {
+    std::string items;
+    const std::size_t count = input.below(4);
+    for (std::size_t k = 0; k < count; ++k)
+        items += (k == 0 ? "" : ", ") + value_of(form.items, input, depth + 1);
+    return "[" + items + "]";
+}
+
+std::string mapping(const Section& section, FuzzInput& input, int depth) {
+    std::string text;
+    const auto add = [&](const Key& key) {
+        text +=
+            (text.empty() ? "" : ", ") + key.name + ": " + value_of(key.forms, input, depth + 1);
+    };
+    for (const Key& key : section.keys)
+        if (key.required) add(key);
+    const std::size_t more = section.keys.empty() ? 0 : input.below(4);
+    for (std::size_t k = 0; k < more; ++k)
+        if (const Key& key = input.one_of(section.keys); !key.required) add(key);
+    return "{" + text + "}";
+}
+
+std::string value_of(const std::vector<Form>& forms, FuzzInput& input, int depth) {
+    static const std::vector<std::string> texts{"a",     "gas", "wall", "left", "piston", "\"\"",
+                                                "$x^2$", "'$'", "ä→𝄞",  "~",    "now",    "0"};
+    static const std::vector<std::string> colors{"red", "'#12ab'", "'#0072b2'", "none"};
+    constexpr int deepest = 6;
+    if (forms.empty() || depth > deepest) return "1";
+    const Form& form = input.one_of(forms);
+    switch (form.shape) {
+        case Shape::number:
+        case Shape::integer:
+            return number(form, input);
+        case Shape::flag:
+            return input.below(2) == 0 ? "true" : "false";
+        case Shape::word:
+            return form.words.empty() ? "a" : input.one_of(form.words);
+        case Shape::color:
+            return input.one_of(colors);
+        case Shape::list:
+            return list(form, input, depth);
+        case Shape::mapping:
+            return form.section ? mapping(*form.section, input, depth) : "{}";
+        case Shape::text:
+            break;
+    }
+    return form.words.empty() || input.below(2) == 0 ? input.one_of(texts)
+                                                     : input.one_of(form.words);
+}
+
+// One key of the scene, or one inside it, with a value.
+std::string change_of(const Section& scene, FuzzInput& input) {
+    const Key* key = &input.one_of(scene.keys);
+    std::string path = key->name;
+    for (const Section* inner = section_in(key->forms); inner != nullptr && input.below(4) != 0;
+         inner = section_in(key->forms)) {
+        const bool is_list = key->forms.front().shape == Shape::list;
+        if (is_list) path += input.below(3) == 0 ? ".1" : ".0";
+        key = &input.one_of(inner->keys);
+        path += "." + key->name;
+    }
+    return path + "=" + value_of(key->forms, input, 0);
+}
+
+const Section& keys_of_scene() {
+    static const Section plane = scene_table(panel_kinds(), 2).section();
+    return plane;
+}
+
+// Figures of three kinds that follow one another in the list and show something of the scene.
+std::string figures_of(const Scene& scene, std::size_t first) {
+    std::string list;
+    const PanelKinds kinds = panel_kinds();
+    for (std::size_t k = 0, found = 0; k < kinds.size() && found < 3; ++k) {
+        const PanelKind& kind = kinds[(first + k) % kinds.size()];
+        const bool suits = !kind.suits || kind.suits(scene.gas, scene.run);
+        if (!suits || kind.can(Ability::two) || kind.name == "text" || kind.name == "sweep")
+            continue;
+        list += fmt::format("{}{{name: f{}, kind: {}, size: 3}}", found++ == 0 ? "" : ", ", k,
+                            kind.name);
+    }
+    return "figures=[" + list + "]";
+}
+
+bool is_small(const Scene& scene) {
+    std::int64_t particles = 0;
+    for (const Species& species : scene.gas.species) particles += species.count;
+    const PictureSize size = scene.film.size;
+    return particles <= 150 && size.width * size.height <= 500'000 &&
+           frame_count(scene.film) <= 120 && scene.run.bits.value_or(0) <= 256;
+}
+
+// Asks the work to stop after so much time of the processor.
+class TimeLimit {
+  public:
+    TimeLimit() {
+        constexpr int most_microseconds = 60'000;
+        std::signal(SIGVTALRM, [](int) { set_interrupted(true); });
+        start(most_microseconds);
+    }
+    ~TimeLimit() {
+        start(0);
+        set_interrupted(false);
+    }
+    TimeLimit(const TimeLimit&) = delete;
+    TimeLimit& operator=(const TimeLimit&) = delete;
+
+  private:
+    static void start(int microseconds) {
+        const itimerval timer{.it_interval = {}, .it_value = {0, microseconds}};
+        setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+    }
+};
+
+// Simulation::advance_to() ends so where collisions have no end.
+template <class Work>
+void run_for_a_while(const Work& work) {
+    test::succeeds([&] {
+        const TimeLimit limit;
+        try {
+            work();
+        } catch (const std::runtime_error& error) {
+            if (typeid(error) != typeid(std::runtime_error)) throw;
+        }
+    });
+}
+
+void draw_frame(const Scene& scene, double at) {
+    Progress progress(Progress::Form::silent, "");
+    const FilmPlan plan = prepare(scene, {}, progress);
+    for (const char* format : {"png", "svg"})
+        draw_still(plan, at, output_format(format), progress).file();
+}
+
+void draw_figures(const Scene& scene) {
+    const FigureRun run(scene);
+    for (const Figure& figure : run.figures()) {
+        const FigureWords words = words_of(run, figure);
+        draw_figure(run, figure, VectorFormat::svg, {scene.title, words.alt}).file();
+        csv(table_of(figure));
+    }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    constexpr std::size_t most = 12;
+    FuzzInput input(data, size);
+    const Base& base = input.one_of(bases());
+    const std::size_t kind = input.byte();
+    const double at = input.byte() / 255.0;
+    Overrides changes{"run={until: 8}", "film={size: [160, 120], fps: 3, seconds: 4}",
+                      "figures=[]"};
+    changes.insert(changes.end(), base.smaller.begin(), base.smaller.end());
+    static const SceneResources resources = scene_resources();
+    const std::filesystem::path path = library_folder() / (std::string(base.name) + ".yaml");
+    Scene scene;
+    const bool is_whole = input.is_at_end();
+    for (std::size_t k = 0; k < most && !input.is_at_end(); ++k)
+        changes.push_back(change_of(keys_of_scene(), input));
+    if (!test::succeeds([&] { scene = load_scene(path, resources, changes); })) {
+        if (is_whole) std::abort();
+        return 0;
+    }
+    if (!is_small(scene)) return 0;
+    run_for_a_while([&] { run_physics(scene); });
+    run_for_a_while([&] { draw_frame(scene, at * scene.run.until); });
+    run_for_a_while([&] {
+        changes.push_back(figures_of(scene, kind));
+        draw_figures(load_scene(path, resources, changes));
+    });
+    return 0;
+}

@@ -1,0 +1,34 @@
+// The text of a scene, as `carom check` takes it: it is loaded, described and estimated, or
+// refused.
+#include "app/film/letters.h"
+#include "app/report/check_facts.h"
+#include "app/resources.h"
+#include "fuzz/fuzz.h"
+#include "panels/words/text_panel.h"
+#include "scene/describe.h"
+
+using namespace carom;
+
+namespace {
+
+void check(const std::string& text, Wanted wanted) {
+    static const SceneResources resources = scene_resources();
+    const Scene scene = load_scene_text(text, "scene.yaml", resources, {}, wanted);
+    if (describe(scene).empty()) std::abort();
+    if (wanted == Wanted::film) refuse_long_words(scene);
+    require_letters(scene);
+    const CheckedFile file{
+        .path = "scene.yaml",
+        .facts =
+            facts_of(scene, wanted == Wanted::film ? std::optional(CheckedFilm{}) : std::nullopt)};
+    if (check_table({&file, 1}).empty() || check_json({&file, 1}).empty()) std::abort();
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text = test::fuzz_text(data, size);
+    for (const Wanted wanted : {Wanted::film, Wanted::physics})
+        test::succeeds([&] { check(text, wanted); });
+    return 0;
+}

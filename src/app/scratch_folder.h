@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "util/interrupt.h"
+
 namespace carom {
 
 class ScratchFolder {
@@ -21,6 +23,7 @@ class ScratchFolder {
   private:
     void clear() const;
 
+    MustCleanUp exists_;
     std::filesystem::path path_;
 };
 

@@ -23,6 +23,7 @@
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/scalar.h"
 #include "scene/yaml/yaml.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -376,6 +377,7 @@ Scene load_file(const fs::path& path, const SceneResources& resources, const Ove
 
 Scene load(Source file, const fs::path& path, const SceneResources& resources,
            const Overrides& overrides, Wanted wanted, const Part& part = {}) {
+    const EndsAtOnce whole;
     Sources sources{std::move(file)};
     const Source& source = sources.front();
     Errors errors;

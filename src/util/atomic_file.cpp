@@ -78,6 +78,7 @@ void sync_folder(const fs::path& folder) {
 
 void commit_together(const std::vector<PendingOutput*>& outputs) {
     for (PendingOutput* output : outputs) output->settle();
+    const MustCleanUp together;
     std::string there;
     for (PendingOutput* output : outputs) {
         try {
@@ -94,7 +95,9 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_l
     std::error_code error;
     if (fs::is_directory(target_, error)) fail("write", path_, EISDIR);
     create_folder_of(target_);
+    named_.emplace();
     file_ = temporary_file(target_);
+    if (file_.name.empty()) named_.reset();
     if (file_.descriptor < 0) fail("write", path_);
     fchmod(file_.descriptor, usual_rights(0666));
 }
@@ -135,11 +138,13 @@ bool AtomicFile::appears() {
             0)
             return true;
         if (errno != EEXIST) return false;
+        named_.emplace();
         file_.name = named_beside(target_, file_.descriptor);
         if (file_.name.empty()) return false;
     }
     if (rename(file_.name.c_str(), target_.c_str()) != 0) return false;
     file_.name.clear();
+    named_.reset();
     return true;
 }
 

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "util/interrupt.h"
 #include "util/pending/pending_output.h"
 #include "util/pending/temporary.h"
 
@@ -41,6 +43,7 @@ class AtomicFile : public PendingOutput {
     std::filesystem::path path_;
     std::filesystem::path target_;  ///< behind links
     TemporaryFile file_;
+    std::optional<MustCleanUp> named_;  ///< while it has a temporary name
     bool is_settled_ = false;
 };
 
@@ -62,6 +65,7 @@ class AtomicFolder : public PendingOutput {
   private:
     std::filesystem::path path_;
     TemporaryFile folder_;
+    MustCleanUp named_;
 };
 
 /// Writes a file, whole or not at all. Throws as AtomicFile does.

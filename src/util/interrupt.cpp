@@ -1,15 +1,30 @@
 #include "util/interrupt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
+#include <string_view>
 
 namespace carom {
 namespace {
 
 std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // hence safe in a signal handler
+std::atomic<int> ending_at_once{0}, to_clean_up{0};
+static_assert(std::atomic<bool>::is_always_lock_free &&
+              std::atomic<int>::is_always_lock_free);  // hence safe in a signal handler
 
-void on_signal(int) { interrupted.store(true, std::memory_order_relaxed); }
+void on_signal(int) {
+    interrupted.store(true);
+    if (ending_at_once.load() == 0 || to_clean_up.load() > 0) return;
+    constexpr std::string_view message = "carom: interrupted; nothing more was written\n";
+    constexpr std::string_view on_terminal = "\r\033[K";  // in place of a line of progress
+    if (isatty(STDERR_FILENO) != 0) [[maybe_unused]]
+        const ssize_t cleared = write(STDERR_FILENO, on_terminal.data(), on_terminal.size());
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+    constexpr int code = 130;
+    _exit(code);
+}
 
 // A terminal that closes; nohup has asked to outlive it.
 void stop_at_hangup(const struct sigaction& action) {
@@ -34,6 +49,20 @@ void install_signal_handlers() {
 void throw_if_interrupted() {
     if (interrupted.load(std::memory_order_relaxed)) throw Interrupted();
 }
+
+// A signal that comes before the count is seen by the flag, one that comes after it by the handler.
+EndsAtOnce::EndsAtOnce() {
+    ++ending_at_once;
+    if (!interrupted.load()) return;
+    --ending_at_once;
+    throw Interrupted();
+}
+
+EndsAtOnce::~EndsAtOnce() { --ending_at_once; }
+
+MustCleanUp::MustCleanUp() { ++to_clean_up; }
+
+MustCleanUp::~MustCleanUp() { --to_clean_up; }
 
 void set_interrupted(bool value) { interrupted.store(value, std::memory_order_relaxed); }
 

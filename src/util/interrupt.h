@@ -1,5 +1,5 @@
 // Ctrl-C: a flag that long work asks for, so that everything it holds is released and no
-// half-written file is left.
+// half-written file is left; and work that is ended where it is.
 #pragma once
 
 #include <stdexcept>
@@ -20,6 +20,27 @@ void install_signal_handlers();
 
 /// Throws Interrupted if the user has asked to stop. Cheap: one relaxed atomic load.
 void throw_if_interrupted();
+
+/// While one exists, on any thread, a signal ends the program at once, with exit code 130 and one
+/// line on standard error: around work that asks for no flag. Throws Interrupted if the user has
+/// asked to stop before. Without the handlers above it does nothing.
+class EndsAtOnce {
+  public:
+    EndsAtOnce();
+    ~EndsAtOnce();
+    EndsAtOnce(const EndsAtOnce&) = delete;
+    EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+};
+
+/// While one exists, on any thread, a signal sets the flag only, also within EndsAtOnce: something
+/// must be removed, or several steps belong together.
+class MustCleanUp {
+  public:
+    MustCleanUp();
+    ~MustCleanUp();
+    MustCleanUp(const MustCleanUp&) = delete;
+    MustCleanUp& operator=(const MustCleanUp&) = delete;
+};
 
 /// For tests: sets or clears the flag.
 void set_interrupted(bool value);

@@ -185,7 +185,7 @@ TEST_CASE("Ctrl-C ends the wait for a scene that does not come, or for a reader 
                                          "break; sleep 0.1; done 2>gone; wait $p",
                                      folder.path());
         CHECK(stopped.exit_code == 130);
-        CHECK(stopped.err.find("carom: interrupted; nothing was written") != std::string::npos);
+        CHECK(has(stopped.err, "carom: interrupted; nothing "));  // more, while it reads a scene
     }
 }
 

@@ -14,6 +14,7 @@
 #include "app/resources.h"
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -51,6 +52,7 @@ void make_still(const StillArguments& arguments) {
     const OutputFormat& format = output_format(output.extension().string().substr(1));
     std::optional<Output> stream;  // before the work
     if (Output::is_standard_output(arguments.output)) stream.emplace("-");
+    const EndsAtOnce whole;
     Canvas picture = draw_still(prepare(scene, {}, progress), arguments.at, format, progress);
     const std::vector<std::uint8_t> bytes = picture.file();
     if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});

@@ -18,6 +18,7 @@
 #include "util/atomic_file.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -62,6 +63,7 @@ std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
 std::vector<std::uint8_t> bytes_of(const FigureRun& run, const Figure& figure,
                                    const FigureWords& words, const std::string& origin,
                                    const std::filesystem::path& file) {
+    const EndsAtOnce whole;
     const OutputFormat& its = output_format(file.extension().string().substr(1));
     if (its.stills)
         return draw_figure(run, figure, its.vector, {run.scene().title, words.alt, origin}).file();

@@ -13,6 +13,7 @@
 #include "panels/registry.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -137,6 +138,7 @@ std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
 
 FigureSet load_set(const std::string& path, const Overrides& overrides,
                    const std::vector<std::string>& formats, const std::vector<std::string>& pages) {
+    const EndsAtOnce whole;
     const bool is_stream = path == standard_input;
     FigureSet set{.of = is_stream ? "stdin" : std::filesystem::path(path).filename().string(),
                   .stem = scene_stem(path)};

@@ -95,7 +95,6 @@ class Placement {
             const std::size_t s = species_of(i);
             if (!place_somewhere(i, random[s])) throw PlacementError(no_place(s, found[s]), gas_);
             ++found[s];
-            if (found[s] % 1024 == 0) throw_if_interrupted();
         }
     }
 
@@ -147,6 +146,7 @@ class Placement {
 }  // namespace
 
 std::pair<Particles, Sample> place(const Gas& gas) {
+    const EndsAtOnce whole;
     auto [particles, start] = draw_gas(gas);
     if (const auto problems = placement_problems(gas, particles); !problems.empty())
         throw PlacementError(problems.front(), gas);

@@ -13,6 +13,7 @@
 #include "scene/limits.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml_text.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -300,6 +301,7 @@ Node parse(const Source& source, Errors& errors, std::size_t begin) {
 }  // namespace
 
 std::optional<Node> read_yaml(const Source& source, Errors& errors, std::size_t begin) {
+    const EndsAtOnce whole;
     if (std::string_view{source.text}.substr(begin).starts_with("\xEF\xBB\xBF")) begin += 3;
     try {
         if (source.text.size() > most_file_bytes.count()) {

@@ -24,10 +24,11 @@ string html(string_view letter) {
     return letter == "'" ? "&#39;" : string(letter);
 }
 
-// What begins a heading, a list or a quotation does so at the start of a line only.
+// What begins a heading, a list or a quotation does so at the start of a line only. Braces are for
+// programs that look for {{ or {% before Markdown is read, such as Jekyll.
 string markdown(string_view letter, string_view before) {
     const bool number = before.find_first_not_of("0123456789") == string_view::npos;
-    if (string_view("\\`*_[]<>&|$~").find(letter) != string_view::npos ||
+    if (string_view("\\`*_[]<>&|$~{").find(letter) != string_view::npos ||
         (before.empty() && string_view("#+-=!:").find(letter) != string_view::npos) ||
         (!before.empty() && number && (letter == "." || letter == ")")))
         return "\\" + string(letter);
@@ -212,6 +213,16 @@ string plain_tex(string_view tex) {
     return plain;
 }
 
+// In TeX a blank between braces changes nothing, and {{ means something to Jekyll.
+string with_braces_apart(string_view tex) {
+    string apart;
+    for (const char c : tex) {
+        if ((c == '{' || c == '%' || c == '#') && apart.ends_with('{')) apart += ' ';
+        apart += c;
+    }
+    return apart;
+}
+
 }  // namespace
 
 string escaped(string_view text, PageKind kind) {
@@ -243,7 +254,7 @@ string escaped_with_formulas(string_view text, PageKind kind) {
             line += formula::mathml(formula::parsed(span.text));
         else if (span.is_formula)
             line += kind == PageKind::latex ? "\\(" + plain_tex(span.text) + "\\)"
-                                            : "$" + span.text + "$";
+                                            : "$" + with_braces_apart(span.text) + "$";
         else
             line += with_blanks(span.text, escaped(span.text, kind));
     }

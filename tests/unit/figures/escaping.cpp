@@ -19,6 +19,8 @@ TEST_CASE("words are escaped as the kind of page asks") {
           "a \\*b\\* \\[c\\](d) \\<e\\> \\`f\\` a\\_b");
     CHECK(escaped("# no heading - 1. x", PageKind::markdown) == "\\# no heading - 1. x");
     CHECK(escaped("12. May", PageKind::markdown) == "12\\. May");
+    // Jekyll's tags are read before Markdown is.
+    CHECK(escaped("{{ site.x }} {% raw %}", PageKind::markdown) == "\\{\\{ site.x }} \\{% raw %}");
     for (const PageKind kind : {PageKind::html, PageKind::latex, PageKind::markdown})
         CHECK(escaped(" two\n\nparagraphs ", kind) == "two paragraphs");
 }
@@ -33,6 +35,7 @@ TEST_CASE("letters that pdfLaTeX cannot set are named, each once") {
 
 TEST_CASE("captions have formulae in the way of each page") {
     CHECK(escaped_with_formulas("a_b $x_1$ c", PageKind::markdown) == "a\\_b $x_1$ c");
+    CHECK(escaped_with_formulas("$x^{{{2}}}$", PageKind::markdown) == "$x^{ { {2}}}$");
     CHECK(escaped_with_formulas("$\\frac{a}{b}\\text{ of }π$, & 5", PageKind::latex) ==
           "\\(\\frac{a}{b}\\mbox{ of }\\pi \\), \\& 5");
     CHECK(escaped_with_formulas("$x$ < \\$2", PageKind::html) ==

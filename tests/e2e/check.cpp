@@ -198,6 +198,8 @@ TEST_CASE("all scenes are looked at, and one that is not valid gives exit code 2
     const Outcome machine = run({program, "check", scenes[0], scenes[1], scenes[2], "--json"});
     CHECK(machine.exit_code == 2);
     CHECK(machine.err == "carom: 2 of 3 scenes are not valid\n");
+    CHECK(run({program, "check", scenes[0], good, "--json"}).err ==
+          "carom: 1 of 2 scenes is not valid\n");
     const json list = json::parse(machine.out);
     CHECK(list.size() == 3);
     CHECK(list.at(0).at("valid") == false);

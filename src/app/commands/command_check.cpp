@@ -113,8 +113,9 @@ void refuse_invalid(const std::vector<CheckedFile>& files, bool json) {
     if (invalid == 0) return;
     if (!json) throw SceneError(std::move(errors));
     const bool any_set = std::ranges::any_of(files, &CheckedFile::is_set);
-    throw UsageError(fmt::format("{} of {} {}{} not valid", invalid, files.size(),
-                                 any_set ? "file" : "scene", files.size() == 1 ? " is" : "s are"));
+    throw UsageError(fmt::format("{} of {} {}{} {} not valid", invalid, files.size(),
+                                 any_set ? "file" : "scene", files.size() == 1 ? "" : "s",
+                                 invalid == 1 ? "is" : "are"));
 }
 
 void check_scenes(const CheckArguments& arguments) {

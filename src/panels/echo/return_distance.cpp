@@ -113,8 +113,9 @@ Steps ReturnDistancePanel::law(const Echo& run, std::size_t reversal) const {
     Steps points;
     if (!spec_.theory || !run.bits) return points;
     const double end = std::log10(run.radius);
-    for (const Step& step : std::ranges::equal_range(run.steps, reversal, {}, &Step::reversal)) {
-        if (!step.is_known) break;
+    auto next = std::ranges::lower_bound(run.steps, reversal, {}, &Step::reversal);
+    for (; next != run.steps.end() && next->reversal == reversal && next->is_known; ++next) {
+        const Step& step = *next;
         points.push_back(step);
         if (step.log10_law < end) continue;
         if (points.size() == 1) return {};

@@ -258,11 +258,10 @@ void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
 
 template <typename Scalar>
 std::optional<std::int32_t> SurfaceSet<Scalar>::hardest_worker() const {
-    const auto movers =
-        std::ranges::subrange(totals_.begin(), totals_.begin() + std::ssize(movers_));
-    const auto most = std::ranges::max_element(movers, {}, &SurfaceTotals::work);
-    if (most == movers.end() || !(most->work > 0.0)) return std::nullopt;
-    return static_cast<std::int32_t>(most - movers.begin());
+    const auto begin = totals_.begin(), end = begin + std::ssize(movers_);
+    const auto most = std::ranges::max_element(begin, end, {}, &SurfaceTotals::work);
+    if (most == end || !(most->work > 0.0)) return std::nullopt;
+    return static_cast<std::int32_t>(most - begin);
 }
 
 template <typename Scalar>

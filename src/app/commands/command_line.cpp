@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -230,6 +232,19 @@ int complain_of_memory() noexcept {
     return 1;
 }
 
+// Libraries promise in places not to throw where they ask for memory: CLI11 in comparing names,
+// nlohmann-json in destroying lists.
+[[noreturn]] void end_without_memory() {
+    try {
+        if (const std::exception_ptr error = std::current_exception())
+            std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        _exit(complain_of_memory());
+    } catch (...) {
+    }
+    std::abort();
+}
+
 // Throws std::bad_alloc, of the command or of what is said about its error.
 int run_and_complain(int argc, const char* const* argv) {
     try {
@@ -255,6 +270,7 @@ int run_and_complain(int argc, const char* const* argv) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv) {
+    std::set_terminate(end_without_memory);
     try {
         return run_and_complain(argc, argv);
     } catch (const std::bad_alloc&) {

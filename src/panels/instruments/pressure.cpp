@@ -104,11 +104,13 @@ std::vector<plot::Text> titles(Language language, bool has_walls) {
     const plot::Text walls =
         plot::named(say(language, "on the walls"), of_walls, plot::Sample::line, 0);
     if (!has_walls) return {plot::text_of(language, Phrase{"Pressure {}"}, {virial})};
+    const auto short_title = [&](const std::string& collisions) {
+        return plot::text_of(language, Phrase{"Pressure: {}, {}"},
+                             {plot::named(say(language, "walls"), of_walls, plot::Sample::line, 0),
+                              plot::named(collisions, of_virial, plot::Sample::line, 1)});
+    };
     return {plot::text_of(language, Phrase{"Pressure {} and {}"}, {walls, virial}),
-            plot::text_of(
-                language, Phrase{"Pressure: {}, {}"},
-                {plot::named(say(language, "walls"), of_walls, plot::Sample::line, 0),
-                 plot::named(say(language, "collisions"), of_virial, plot::Sample::line, 1)})};
+            short_title(say(language, "collisions")), short_title(say(language, "virial"))};
 }
 
 }  // namespace

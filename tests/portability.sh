@@ -7,13 +7,22 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 readonly film='./carom render scenes/one-hot-particle.yaml'
 readonly small='render scenes/one-hot-particle.yaml --quality draft --size 640x360 --seconds 4 --quiet'
 
+# A root folder, which other users of that system can enter.
+fresh_folder() {
+    local folder
+    folder=$(mktemp -d "${TMPDIR:-/var/tmp}/carom-$1.XXXXXX")
+    chmod 755 "$folder"
+    echo "$folder"
+}
+
 # row SUITE WHAT COMMAND: runs it in the fresh Debian at $root, in /carom
 row() {
     local begun=$SECONDS result=passed
     printf '%-10s %-34s' "$1" "$2"
     echo "== $2" >>"$log"
     unshare --mount env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root chroot "$root" \
-        bash -c "mount -t proc proc /proc; mount -t tmpfs tmpfs /dev/shm; cd /carom && $3" >>"$log" 2>&1 || result=FAILED
+        bash -c "mount -t proc proc /proc; mount -t tmpfs tmpfs /dev/shm; mkdir -p /dev/pts \
+            && mount -t devpts -o newinstance,ptmxmode=666 devpts /dev/pts && ln -sf pts/ptmx /dev/ptmx; cd /carom && $3" >>"$log" 2>&1 || result=FAILED
     [ "$result" = passed ] || failed=1
     printf ' %3d:%02d %s' $(((SECONDS - begun) / 60)) $(((SECONDS - begun) % 60)) "$result"
     [ "$2" != tests ] || sed -n '/tests FAILED:$/,/^Errors while/p' "$log" | grep -o ' - [^ ]*' | tr -d '\n-'
@@ -42,11 +51,25 @@ rows() {
         && su lecturer -c 'cd ~ && carom/carom render carom/${small#render } -o again.mp4' && cmp ~lecturer/again.mp4 out/gcc.mp4"
 }
 
+# The simulation for arm64, by QEMU on this machine: its tests, the states of docs/portability.md, and a film, which has the
+# same bytes as this machine's.
+arm64_row() {
+    local libraries
+    libraries=$(awk -F'|' '/^[^#]/ {gsub(/ /, "", $1); if ($1 ~ /-dev$/ && !seen[$1]++) print $1}' dependencies.txt | paste -sd,)
+    row "$1" 'arm64, by QEMU' "dpkg --add-architecture arm64 && apt-get update -qq \
+        && apt-get install -y -qq --no-install-recommends g++-aarch64-linux-gnu qemu-user \
+        && apt-get satisfy -y -qq --no-install-recommends -a arm64 '$libraries' \
+        && cmake --preset arm64 -DCAROM_TESTS=ON \
+        && cmake --build build/arm64 --target carom unit_util unit_physics property_physics portability \
+        && ctest --test-dir build/arm64 --output-on-failure -j2 -R '^(unit_util|unit_physics|property_physics|portability)$' \
+        && build/arm64/emulated-carom $small -o out/arm64.mp4 && cmp out/gcc.mp4 out/arm64.mp4"
+}
+
 # Packages that were built there, in another fresh Debian where nothing is installed; and removed without a trace.
 package_rows() {
     local built=$root/carom/build/package
     row "$1" './dev package' './dev package'
-    root=$(mktemp -d "${TMPDIR:-/var/tmp}/carom-$1-clean.XXXXXX")
+    root=$(fresh_folder "$1-clean")
     if debootstrap --variant=minbase "$1" "$root" >>"$log" 2>&1 && mkdir "$root/carom" && cp "$built"/*.deb "$root/carom"; then
         row "$1" 'the package on a clean machine' "apt-get update -qq; apt-get install -y -qq man-db; find / -xdev -name '*carom*' | sort >before \
             && apt-get install -y -qq --no-install-recommends ./carom_*.deb \
@@ -64,7 +87,7 @@ mkdir -p build
 failed=0
 for suite; do
     log=$PWD/build/portability-$suite.log
-    root=$(mktemp -d "${TMPDIR:-/var/tmp}/carom-$suite.XXXXXX")
+    root=$(fresh_folder "$suite")
     if debootstrap --variant=minbase "$suite" "$root" >"$log" 2>&1; then
         # As from a tarball: without git and without what was built.
         mkdir "$root/carom" && tar --exclude=./build --exclude=./out --exclude=./.git -c . | tar -x -C "$root/carom"
@@ -72,6 +95,7 @@ for suite; do
         fresh=$root
         package_rows "$suite"
         root=$fresh
+        arm64_row "$suite"  # the last: some libraries replace those of this machine's kind
     else
         printf '%-10s not reached: debootstrap failed, %s\n' "$suite" "$log"
         failed=1

@@ -73,7 +73,8 @@ bool holds(const Words& all, const Words& some) { return std::ranges::includes(a
 void check_words(const Complete& complete) {
     CHECK(complete("carom re") == Words{"render"});
     CHECK(holds(complete("carom "), {"render", "still", "help", "completions"}));
-    CHECK(complete("carom render --fo") == Words{"--force", "--format"});
+    // fish 4 adds words that have the letters with others between them, as --from for --fo.
+    CHECK(complete("carom render --for") == Words{"--force", "--format"});
     CHECK(complete("carom render --format ") == Words{"gif", "mp4", "png", "webm"});
     CHECK(complete("carom render --quality ") == Words{"draft", "final", "standard"});
     CHECK(complete("carom still a.yaml --theme ") == Words{"dark", "light", "print"});

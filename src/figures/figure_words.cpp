@@ -1,6 +1,7 @@
 #include "figures/figure_words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

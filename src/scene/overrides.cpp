@@ -1,6 +1,7 @@
 #include "scene/overrides.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <optional>

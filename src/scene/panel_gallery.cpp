@@ -1,6 +1,7 @@
 #include "scene/panel_gallery.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <vector>
 

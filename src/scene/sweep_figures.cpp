@@ -1,6 +1,7 @@
 #include "scene/sweep_figures.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace carom {
 namespace {

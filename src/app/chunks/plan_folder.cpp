@@ -1,6 +1,7 @@
 #include "app/chunks/plan_folder.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>

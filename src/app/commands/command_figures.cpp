@@ -1,5 +1,6 @@
 // carom figures: the figures of scenes and of sets, those of each in a folder.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,6 @@
 // carom new: a scene to start from, commented or made from another.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <cstdio>

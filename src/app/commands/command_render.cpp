@@ -1,5 +1,6 @@
 // carom render: the films of scenes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

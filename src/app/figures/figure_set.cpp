@@ -1,6 +1,7 @@
 #include "app/figures/figure_set.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,7 @@
 #include "app/film/letters.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "app/report/run_facts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

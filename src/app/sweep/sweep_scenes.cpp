@@ -1,6 +1,7 @@
 #include "app/sweep/sweep_scenes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // energy, a line of constant momentum, and the two points where they cross, before and after. Or
 // all collisions of the two as a walk on the ellipse.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>

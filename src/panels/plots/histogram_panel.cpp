@@ -26,7 +26,7 @@ double finite_mean(const Eigen::ArrayXd& values) {
 }
 
 Eigen::ArrayXd values_of(const std::vector<Eigen::Index>& members, const Eigen::ArrayXXd& all) {
-    const Eigen::ArrayXXd rows = all(members, Eigen::all);
+    const Eigen::ArrayXXd rows = all(members, Eigen::seqN(0, all.cols()));
     return rows.reshaped();
 }
 

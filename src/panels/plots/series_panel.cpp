@@ -1,6 +1,7 @@
 #include "panels/plots/series_panel.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -216,7 +216,7 @@ class MotionCheck {
         Particles some{particles_.radius(known.numbers), particles_.inverse_mass(known.numbers),
                        particles_.species(known.numbers)};
         Sample start{0.0, Eigen::ArrayXXd(some.count(), box_.dimension),
-                     drawn_.velocity(known.numbers, Eigen::all)};
+                     drawn_.velocity(known.numbers, Eigen::seqN(0, drawn_.velocity.cols()))};
         for (Index k = 0; k < some.count(); ++k)
             start.position.row(k) =
                 known.places[static_cast<std::size_t>(k)].head(box_.dimension).transpose();

@@ -1,6 +1,7 @@
 #include "scene/reading/template.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>

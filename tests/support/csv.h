@@ -48,4 +48,28 @@ inline double fraction(const std::string& text) {
     return std::stod(text.substr(0, slash)) / std::stod(text.substr(slash + 1));
 }
 
+/// The rows of a text as RFC 4180 writes them, with quoted fields. Throws where a quote is open, or
+/// the last line has no end.
+inline std::vector<std::vector<std::string>> quoted_rows(const std::string& text) {
+    std::vector<std::vector<std::string>> rows(1, {""});
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
+            rows.back().back() += text[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            rows.back().emplace_back();
+        else if (c == '\n' && !quoted)
+            rows.push_back({""});
+        else
+            rows.back().back() += c;
+    }
+    if (quoted || rows.back() != std::vector<std::string>{""})
+        throw std::runtime_error("a table ends inside of a row");
+    rows.pop_back();
+    return rows;
+}
+
 }  // namespace carom::test

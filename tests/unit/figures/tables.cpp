@@ -8,42 +8,21 @@
 #include "draw/color.h"
 #include "figures/figure_drawing.h"
 #include "panels/plots/histogram_panel.h"
+#include "support/csv.h"
 #include "support/figure_run.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
 
 using namespace carom;
+using test::quoted_rows;
 using test::run_of;
 
 namespace {
 
 using Row = std::map<std::string, std::string>;
 
-// RFC 4180, the slow way: character by character.
-std::vector<std::vector<std::string>> fields_of(const std::string& text) {
-    std::vector<std::vector<std::string>> lines(1, {""});
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"' && quoted && i + 1 < text.size() && text[i + 1] == '"')
-            lines.back().back() += text[++i];
-        else if (c == '"')
-            quoted = !quoted;
-        else if (c == ',' && !quoted)
-            lines.back().emplace_back();
-        else if (c == '\n' && !quoted)
-            lines.push_back({""});
-        else
-            lines.back().back() += c;
-    }
-    REQUIRE(!quoted);
-    REQUIRE(lines.back() == std::vector<std::string>{""});  // the last line ends too
-    lines.pop_back();
-    return lines;
-}
-
 std::vector<Row> rows_of(const std::string& text) {
-    const auto lines = fields_of(text);
+    const auto lines = quoted_rows(text);
     std::vector<Row> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         REQUIRE(lines[i].size() == lines[0].size());
@@ -84,7 +63,7 @@ TEST_CASE("fields are quoted as RFC 4180 wants them, numbers keep every bit") {
                       {{0.1, "plain"}, {{}, "a \"b\", c\nd"}, {std::int64_t{-7}, 0.1F}}};
     CHECK(csv(table) ==
           "a (1),b\n0.10000000000000001,plain\n,\"a \"\"b\"\", c\nd\"\n-7,0.100000001\n");
-    CHECK(fields_of(csv(table))[2][1] == "a \"b\", c\nd");
+    CHECK(quoted_rows(csv(table))[2][1] == "a \"b\", c\nd");
 }
 
 TEST_CASE("a histogram's bars are redrawn from its table") {

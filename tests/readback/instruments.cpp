@@ -1,0 +1,385 @@
+// Panels that are no plots: dials, numbers, words, one collision, boxes of disks and lines of
+// beads.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "readback/checks.h"
+
+namespace carom::test {
+namespace {
+
+double distance(Spot a, Spot b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+std::string off_by(const std::string& what, double pixels) {
+    return what + " is " + std::to_string(pixels) + " pixels off";
+}
+
+template <class Wanted>
+std::vector<Edges> rectangles(const DrawnFigure& figure, const Wanted& is_wanted) {
+    std::vector<Edges> all;
+    for (const Shape& shape : figure.picture.shapes)
+        if (const auto edges = shape.is_stroke ? std::nullopt : shape.rectangle();
+            edges && is_wanted(*edges, shape))
+            all.push_back(*edges);
+    return all;
+}
+
+// Circles about one middle: the radius of the largest, the colour of the last.
+struct Disk {
+    Spot middle;
+    double radius;
+    Paint paint;
+};
+
+std::vector<Disk> disks_of(const DrawnFigure& figure) {
+    constexpr double same = 0.02;  // pixels
+    std::vector<Disk> disks;
+    for (const Shape& shape : figure.picture.shapes) {
+        const auto circle = shape.is_stroke ? std::nullopt : shape.circle();
+        if (!circle) continue;
+        const auto known = std::ranges::find_if(
+            disks, [&](const Disk& disk) { return distance(disk.middle, circle->middle) < same; });
+        if (known == disks.end()) {
+            disks.push_back({circle->middle, circle->radius, shape.paint});
+            continue;
+        }
+        known->radius = std::max(known->radius, circle->radius);
+        known->paint = shape.paint;
+    }
+    return disks;
+}
+
+const Disk& nearest(const std::vector<Disk>& disks, Spot to) {
+    return *std::ranges::min_element(disks, {},
+                                     [&](const Disk& disk) { return distance(disk.middle, to); });
+}
+
+std::vector<Tick> level_ticks(const DrawnFigure& figure, double from, double to) {
+    constexpr double longest = 8.0, near = 3.0, beside = 25.0;  // pixels
+    std::vector<Tick> ticks;
+    for (const Shape& shape : figure.picture.shapes) {
+        const std::vector<Spot> ends = shape.is_stroke ? shape.corners() : std::vector<Spot>{};
+        if (ends.size() != 2 || ends[0].y != ends[1].y || ends[0].x < from || ends[1].x > to ||
+            ends[1].x - ends[0].x > longest)
+            continue;
+        for (const Said& text : texts_of(figure.picture))
+            if (const auto value = number_in(text.words);
+                value && std::abs(text.ink.middle().y - ends[0].y) < near &&
+                text.ink.right < ends[0].x && text.ink.right > ends[0].x - beside)
+                ticks.push_back({ends[0].y, *value});
+    }
+    return ticks;
+}
+
+}  // namespace
+
+Problems thermometer_problems(const DrawnFigure& figure) {
+    Problems problems;
+    const std::vector<Disk> disks = disks_of(figure);
+    const std::vector<Edges> columns = rectangles(figure, [&](const Edges& edges, const Shape&) {
+        return std::ranges::any_of(disks, [&](const Disk& bulb) {
+            return distance(bulb.middle, {edges.middle().x, edges.bottom}) < 0.1;
+        });
+    });
+    const std::vector<Row> rows = rows_of(figure, "thermometer");
+    if (columns.size() != rows.size()) return {"not as many columns as numbers"};
+    double left = 0.0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const std::vector<Tick> ticks = level_ticks(figure, left, columns[k].left);
+        if (ticks.size() < 2) return {"a scale without numbers"};
+        const LinearMap up = fitted(ticks);
+        for (const Tick& tick : ticks)
+            if (std::abs(up(tick.value) - tick.at) > half_a_pixel)
+                problems.push_back(off_by("a tick", up(tick.value) - tick.at));
+        const double off = columns[k].top - up(number(rows[k], "value"));
+        if (!(std::abs(off) <= half_a_pixel))
+            problems.push_back(off_by("the column of " + rows[k].at("of"), off));
+        left = columns[k].right;
+    }
+    return problems;
+}
+
+namespace {
+
+// Clockwise from the top, 0 to a whole turn.
+double angle_of(Spot from, Spot to) {
+    const double angle = std::atan2(to.x - from.x, from.y - to.y);
+    return angle < -1e-6 ? angle + 2.0 * std::numbers::pi : angle;
+}
+
+// The long ticks of a dial, each with the number that stands inside of it.
+std::vector<Tick> ticks_around(const DrawnFigure& figure, Spot middle, double radius) {
+    std::vector<std::pair<Spot, Spot>> marks;
+    double longest = 0.0;
+    for (const Shape& shape : figure.picture.shapes) {
+        const std::vector<Spot> ends = shape.is_stroke ? shape.corners() : std::vector<Spot>{};
+        if (ends.size() != 2 || distance(ends[0], middle) > 1.5 * radius) continue;
+        longest = std::max(longest, distance(ends[0], ends[1]));
+        marks.emplace_back(ends[0], ends[1]);
+    }
+    std::vector<Tick> ticks;
+    for (const auto& [outer, inner] : marks) {
+        if (distance(outer, inner) < 0.9 * longest) continue;
+        double least = 0.5 * radius;
+        std::optional<double> value;
+        for (const Said& text : texts_of(figure.picture)) {
+            const double apart = distance(text.ink.middle(), inner);
+            if (!number_in(text.words) || apart > least ||
+                distance(text.ink.middle(), middle) > radius)
+                continue;
+            least = apart;
+            value = number_in(text.words);
+        }
+        if (value) ticks.push_back({angle_of(middle, outer), *value});
+    }
+    // From the least number on, so that angles grow through the top.
+    std::ranges::sort(ticks, {}, &Tick::value);
+    for (std::size_t i = 1; i < ticks.size(); ++i)
+        while (ticks[i].at < ticks[i - 1].at) ticks[i].at += 2.0 * std::numbers::pi;
+    return ticks;
+}
+
+}  // namespace
+
+Problems needle_problems(const DrawnFigure& figure) {
+    Problems problems;
+    std::size_t needles = 0;
+    const std::vector<Disk> disks = disks_of(figure);
+    for (const Shape& shape : figure.picture.shapes) {
+        const std::vector<Spot> corners = shape.is_stroke ? std::vector<Spot>{} : shape.corners();
+        if (corners.size() != 3 || needles == figure.table.size()) continue;
+        const Row& row = figure.table[needles++];
+        const Spot foot{0.5 * (corners[0].x + corners[2].x), 0.5 * (corners[0].y + corners[2].y)};
+        const Disk& hub = nearest(disks, foot);
+        const double length = distance(hub.middle, corners[1]);
+        const std::vector<Tick> ticks = ticks_around(figure, hub.middle, length);
+        if (ticks.size() < 2) return {"a dial without numbers"};
+        const LinearMap around = fitted(ticks);
+        for (const Tick& tick : ticks)
+            if (std::abs(around(tick.value) - tick.at) * length > half_a_pixel)
+                problems.push_back(off_by("a tick", (around(tick.value) - tick.at) * length));
+        const double turned = angle_of(hub.middle, corners[1]) - around(number(row, "value"));
+        const double off = length * std::remainder(turned, 2.0 * std::numbers::pi);
+        if (!(std::abs(off) <= half_a_pixel))
+            problems.push_back(off_by("the needle of " + row.at("of"), off));
+    }
+    if (needles != figure.table.size() || needles == 0)
+        problems.push_back("not as many needles as numbers");
+    return problems;
+}
+
+Problems counter_problems(const DrawnFigure& figure) {
+    Problems problems;
+    const std::vector<Edges> plates = rectangles(figure, [&](const Edges& edges, const Shape&) {
+        return edges.width() > 20.0 && edges.height() > 9.0 &&
+               edges.width() < figure.picture.width - 1.0;
+    });
+    if (plates.size() != figure.table.size()) return {"not as many plates as numbers"};
+    for (std::size_t k = 0; k < plates.size(); ++k) {
+        std::string shown;
+        for (const Said& text : texts_of(figure.picture)) {
+            const Spot at = text.ink.middle();
+            if (at.x > plates[k].left && at.x < plates[k].right && at.y > plates[k].top &&
+                at.y < plates[k].bottom)
+                shown += text.words;
+        }
+        if (number_in(shown) != number(figure.table[k], "value"))
+            problems.push_back(figure.table[k].at("of") + " reads " + shown);
+    }
+    return problems;
+}
+
+Problems monitor_problems(const DrawnFigure& figure) {
+    Problems problems;
+    std::vector<std::string> shown;
+    for (const Said& text : texts_of(figure.picture))
+        if (number_in(text.words)) shown.push_back(text.words);
+    if (shown.size() != figure.table.size()) return {"not as many numbers as in the table"};
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        const double off = std::abs(*number_in(shown[k]) - number(figure.table[k], "value"));
+        if (!(off <= rounding_of(shown[k]) * (1.0 + 1e-9)))
+            problems.push_back(figure.table[k].at("of") + " reads " + shown[k]);
+    }
+    return problems;
+}
+
+Problems text_problems(const DrawnFigure& figure, const std::string& words) {
+    std::string all;
+    for (const Said& text : texts_of(figure.picture)) all += text.words + " ";
+    if (all.find(words) == std::string::npos) return {"the words read: " + all};
+    if (!figure.table.empty()) return {"words have a table"};
+    return {};
+}
+
+namespace {
+
+struct DrawnArrow {
+    Spot from, tip;
+};
+
+std::vector<DrawnArrow> arrows_of(const DrawnFigure& figure) {
+    std::vector<DrawnArrow> arrows;
+    for (const Shape& shape : figure.picture.shapes) {
+        const std::vector<Spot> c = shape.is_stroke ? std::vector<Spot>{} : shape.corners();
+        if (c.size() == 7)
+            arrows.push_back({{0.5 * (c[0].x + c[6].x), 0.5 * (c[0].y + c[6].y)}, c[3]});
+    }
+    return arrows;
+}
+
+// Three pictures side by side, each about its centre of mass.
+struct Stages {
+    std::vector<Disk> particles, centers;
+    double scale = 0.0;
+
+    Spot place(std::size_t stage, const Row& row) const {
+        const Spot& middle = centers[stage].middle;
+        return {middle.x + scale * number(row, "x (length)"),
+                middle.y - scale * number(row, "y (length)")};
+    }
+};
+
+Stages stages_of(const DrawnFigure& figure) {
+    Stages stages;
+    const std::vector<Disk> disks = disks_of(figure);
+    const double largest = std::ranges::max_element(disks, {}, &Disk::radius)->radius;
+    for (const Disk& disk : disks)
+        (disk.radius > 0.3 * largest ? stages.particles : stages.centers).push_back(disk);
+    std::ranges::sort(stages.centers, {}, [](const Disk& disk) { return disk.middle.x; });
+    double radius = 0.0;
+    for (const Row& row : rows_of(figure, "particle"))
+        radius = std::max(radius, number(row, "radius (length)"));
+    stages.scale = largest / radius;
+    return stages;
+}
+
+}  // namespace
+
+Problems collision_problems(const DrawnFigure& figure) {
+    const Stages stages = stages_of(figure);
+    if (stages.particles.size() != 6 || stages.centers.size() != 3)
+        return {"not three pictures of two particles"};
+    Problems problems;
+    const std::vector<DrawnArrow> arrows = arrows_of(figure);
+    double reach = 0.0;  // pixels of a unit of speed
+    for (std::size_t i = 0; i < figure.table.size(); ++i) {
+        const Row& row = figure.table[i];
+        const std::string name = row.at("part") + " " + row.at("of") + " " + row.at("stage");
+        const Spot place = stages.place(i / 3, row);
+        if (row.at("part") == "particle") {
+            const Disk& disk = nearest(stages.particles, place);
+            const double off = distance(disk.middle, place);
+            if (!(off <= half_a_pixel)) problems.push_back(off_by(name, off));
+            const double radius = stages.scale * number(row, "radius (length)");
+            if (!(std::abs(disk.radius - radius) <= half_a_pixel))
+                problems.push_back(off_by("the radius of " + name, disk.radius - radius));
+        }
+        const double x = number(row, "arrow x (length/time)"),
+                     y = number(row, "arrow y (length/time)"), speed = std::hypot(x, y);
+        if (speed == 0.0) continue;
+        const auto its = std::ranges::find_if(arrows, [&](const DrawnArrow& arrow) {
+            return distance(arrow.from, place) <= half_a_pixel;
+        });
+        if (its == arrows.end()) {
+            problems.push_back("no arrow begins at the " + name);
+            continue;
+        }
+        if (reach == 0.0) reach = distance(its->from, its->tip) / speed;
+        const double off = distance(its->tip, {place.x + reach * x, place.y - reach * y});
+        if (!(off <= half_a_pixel)) problems.push_back(off_by("the arrow of " + name, off));
+    }
+    return problems;
+}
+
+namespace {
+
+Paint paint_of(const std::string& hex) {
+    Paint paint{};
+    for (std::size_t i = 0; i < 3; ++i) paint[i] = std::stoi(hex.substr(1 + 2 * i, 2), nullptr, 16);
+    paint[3] = 1.0;
+    return paint;
+}
+
+bool is_same(const Paint& a, const Paint& b) {
+    constexpr double half_a_level = 0.5;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!(std::abs(a[i] - b[i]) <= half_a_level)) return false;
+    return true;
+}
+
+// The largest that is filled, but for the page.
+Edges ground_of(const DrawnFigure& figure) {
+    const std::vector<Edges> all = rectangles(figure, [&](const Edges& edges, const Shape&) {
+        return edges.width() < figure.picture.width - 1.0;
+    });
+    return *std::ranges::max_element(
+        all, {}, [](const Edges& edges) { return edges.width() * edges.height(); });
+}
+
+void compare_colors(Problems& problems, const Row& row, const Disk& disk) {
+    if (!is_same(disk.paint, paint_of(row.at("colour"))))
+        problems.push_back("particle " + row.at("particle") + " has another colour");
+}
+
+}  // namespace
+
+Problems gas_problems(const DrawnFigure& figure, double width, double height) {
+    constexpr double least_radius = 1.2;  // with which disks are drawn
+    Problems problems;
+    const Edges ground = ground_of(figure);
+    const double scale = ground.width() / width;
+    if (std::abs(ground.height() - scale * height) > half_a_pixel)
+        problems.push_back("the box has another shape");
+    std::vector<Disk> disks = disks_of(figure);
+    std::erase_if(disks, [&](const Disk& disk) { return disk.middle.x > ground.right; });  // key
+    const std::vector<Row> rows = rows_of(figure, "disk");
+    if (disks.size() != rows.size() || rows.empty()) return {"not as many disks as in the table"};
+    for (const Row& row : rows) {
+        const Spot place{ground.left + scale * number(row, "x (length)"),
+                         ground.bottom - scale * number(row, "y (length)")};
+        const Disk& disk = nearest(disks, place);
+        const double off = distance(disk.middle, place);
+        if (!(off <= half_a_pixel)) problems.push_back(off_by("disk " + row.at("particle"), off));
+        const double radius = std::max(least_radius, scale * number(row, "radius (length)"));
+        if (!(std::abs(disk.radius - radius) <= half_a_pixel))
+            problems.push_back(off_by("the radius of disk " + row.at("particle"), radius));
+        compare_colors(problems, row, disk);
+    }
+    return problems;
+}
+
+Problems line_problems(const DrawnFigure& figure, double length) {
+    Problems problems;
+    const Edges ground = ground_of(figure);
+    const double scale = ground.width() / length;
+    const LinearMap up = fitted(ticks_up(figure.picture));
+    const auto across = [&](const Row& row) {
+        return ground.left + scale * number(row, "x as drawn (length)");
+    };
+    const std::vector<Disk> disks = disks_of(figure);
+    const std::vector<Row> beads = rows_of(figure, "bead");
+    if (beads.empty() || disks.size() < beads.size()) return {"not as many beads as in the table"};
+    for (const Row& bead : beads) {
+        const Disk& disk = nearest(disks, {across(bead), disks.front().middle.y});
+        const double off = disk.middle.x - across(bead);
+        if (!(std::abs(off) <= half_a_pixel))
+            problems.push_back(off_by("bead " + bead.at("particle"), off));
+        compare_colors(problems, bead, disk);
+    }
+    const double now = number(beads.front(), "time (time)");
+    for (const Row& bend : rows_of(figure, "world line")) {
+        const Spot place{across(bend), up(now - number(bend, "time (time)"))};
+        double off = INFINITY;  // to the nearest corner of a line
+        for (const Shape& shape : figure.picture.shapes)
+            if (shape.is_stroke)
+                for (const Spot& corner : shape.corners())
+                    off = std::min(
+                        off, std::max(std::abs(corner.x - place.x), std::abs(corner.y - place.y)));
+        if (!(off <= half_a_pixel))
+            problems.push_back(off_by("a bend of bead " + bend.at("particle"), off));
+    }
+    return problems;
+}
+
+}  // namespace carom::test

@@ -1,0 +1,367 @@
+// Plots: one check for all of them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "readback/checks.h"
+
+namespace carom::test {
+namespace {
+
+constexpr double on_whole_pixels = 0.5;  // by which ticks, and the sides of bars, are moved
+constexpr double precision = 0.15;       // of a map that is fitted to what is so moved
+constexpr double thinning = 0.75;        // pixels: of a curve's points that are nearer one is drawn
+
+struct Datum {
+    double x = 0, y = 0, to = 0;
+    bool has_y = false;
+};
+
+struct Group {
+    std::string part, of;
+    std::vector<Datum> data = {};
+    std::string name() const { return part + " of " + of; }
+};
+
+bool is_filled(const Row& row, const std::string& column) {
+    const auto found = row.find(column);
+    return found != row.end() && !found->second.empty();
+}
+
+// How far a point is from a straight line between two.
+double distance(Spot p, Spot a, Spot b) {
+    const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+    const double along = square > 0.0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0.0;
+    const double share = std::clamp(along, 0.0, 1.0);
+    return std::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
+}
+
+bool is_near(Spot a, Spot b, double most) {
+    return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most;
+}
+
+class PlotReading {
+  public:
+    PlotReading(const DrawnFigure& figure, const PlotColumns& columns)
+        : figure_(figure), columns_(columns), axes_(axes_of(figure.picture)) {
+        for (Tick& tick : axes_.up)
+            if (columns.is_logarithmic || columns.has_exponents)
+                tick.value = std::log10(tick.value);
+        across_ = fitted(axes_.across);
+        up_ = fitted(axes_.up);
+        group_rows();
+    }
+
+    Problems problems() {
+        // Ticks, which lie on whole pixels, give the axes roughly, the ends of lines better, and
+        // all of their corners as well as the picture has them.
+        for (const double tolerance : {3.0 * half_a_pixel, 2.0 * half_a_pixel, half_a_pixel}) {
+            read_all(tolerance);
+            is_rough_ = false;
+            if (tolerance == half_a_pixel) break;
+            across_ = fitted(axes_.across, x_pairs_);
+            up_ = fitted(axes_.up, y_pairs_);
+        }
+        check_ticks("across", axes_.across, across_);
+        check_ticks("up", axes_.up, up_);
+        return problems_;
+    }
+
+  private:
+    void group_rows() {
+        std::map<std::string, std::size_t> known;
+        for (const Row& row : figure_.table) {
+            const std::string& part = row.at("part");
+            if (part == "below" || part == "above") continue;  // beyond the axis
+            const auto piece = row.find("piece (number)");
+            const std::string key =
+                part + "/" + row.at("of") + "/" + (piece == row.end() ? "" : piece->second);
+            if (known.try_emplace(key, groups_.size()).second)
+                groups_.push_back({part, row.at("of")});
+            Datum datum{.has_y = is_filled(row, columns_.y)};
+            if (!is_filled(row, columns_.x)) continue;
+            datum.x = number(row, columns_.x);
+            if (datum.has_y) datum.y = number(row, columns_.y);
+            if (columns_.is_logarithmic) datum.y = std::log10(std::max(datum.y, 1e-300));
+            if (part == "bar") datum.to = number(row, columns_.to);
+            groups_[known[key]].data.push_back(datum);
+        }
+    }
+
+    void read_all(double tolerance) {
+        tolerance_ = tolerance;
+        x_pairs_.clear(), y_pairs_.clear(), problems_.clear(), used_.clear();
+        for (const Group& group : groups_) {
+            if (group.part == "bar")
+                read_bars(group);
+            else if (group.part == "deviation")
+                read_band(group);
+            else if (!group.data.front().has_y && group.data.size() == 1)
+                read_marker(group);
+            else if (group.part == "point" || group.part == "mean" || group.data.size() == 1)
+                read_points(group);
+            else
+                read_curve(group);
+        }
+        if (columns_.y.starts_with("virial")) read_errors();
+    }
+
+    void check_ticks(const std::string& axis, const std::vector<Tick>& ticks,
+                     const LinearMap& map) {
+        for (const Tick& tick : ticks)
+            if (std::abs(map(tick.value) - tick.at) > on_whole_pixels + precision)
+                complain(axis + ": the tick at " + std::to_string(tick.value) + " is " +
+                         std::to_string(map(tick.value) - tick.at) + " pixels off");
+    }
+
+    void complain(const std::string& words) { problems_.push_back(figure_.name + ": " + words); }
+
+    double within(double y) const { return std::clamp(y, axes_.lines.top, axes_.lines.bottom); }
+    Spot place(const Datum& datum) const { return {across_(datum.x), up_(datum.y)}; }
+
+    // At the place of a datum, or where the axis ends before it.
+    bool is_at(Spot spot, const Datum& datum) const {
+        const Spot its = place(datum);
+        if (is_near(spot, its, tolerance_)) return true;
+        return within(its.y) != its.y &&
+               is_near(spot, {its.x, within(its.y)}, tolerance_ + on_whole_pixels);
+    }
+
+    void keep(Spot spot, const Datum& datum) {
+        x_pairs_.push_back({spot.x, datum.x});
+        if (std::abs(spot.y - up_(datum.y)) <= tolerance_) y_pairs_.push_back({spot.y, datum.y});
+    }
+
+    // From where a datum is, or where the axis ends before it.
+    double off_by(Spot spot, const Datum& datum) const {
+        const Spot its = place(datum);
+        return std::min(std::hypot(its.x - spot.x, its.y - spot.y),
+                        std::hypot(its.x - spot.x, within(its.y) - spot.y));
+    }
+
+    // Near a corner, or on the way to the next.
+    bool is_left_out(const Datum& datum, Spot before, Spot corner) const {
+        const Spot its = place(datum);
+        return std::ranges::any_of(std::array{its.y, within(its.y)}, [&](double y) {
+            return is_near({its.x, y}, before, thinning + tolerance_) ||
+                   distance({its.x, y}, before, corner) <= tolerance_ + on_whole_pixels;
+        });
+    }
+
+    // The corner after another: of the data on the way to it, or near the one before, the first
+    // that is at it, else the nearest; of the last corner the last.
+    std::optional<std::size_t> next(const std::vector<Datum>& data, std::size_t from, Spot before,
+                                    Spot corner, bool is_last) const {
+        std::optional<std::size_t> found;
+        double least = INFINITY;
+        for (std::size_t i = from + 1; i < data.size(); ++i) {
+            const double off = off_by(corner, data[i]);
+            if (is_at(corner, data[i]) && (is_last || off < least)) found = i, least = off;
+            if (off < precision && !is_last) break;
+            const bool may_be_left_out = is_left_out(data[i], before, corner);
+            if (!may_be_left_out && found != i) break;
+        }
+        return found;
+    }
+
+    // How far data go along the corners of a line.
+    struct Match {
+        std::size_t end = 0;
+        std::vector<std::pair<Spot, std::size_t>> corners = {};
+    };
+    std::optional<Match> match_along(const std::vector<Spot>& corners,
+                                     const std::vector<Datum>& data, std::size_t from) const {
+        if (corners.size() < 2 || !is_at(corners.front(), data[from])) return {};
+        Match match{from, {{corners.front(), from}}};
+        std::size_t& i = match.end;
+        if (is_rough_ && is_at(corners.back(), data.back())) {
+            i = data.size() - 1;
+            match.corners.emplace_back(corners.back(), i);
+            return match;
+        }
+        for (std::size_t k = 1; k < corners.size(); ++k) {
+            constexpr double same = 0.01;
+            const bool is_last = k + 1 == corners.size();
+            if (is_near(corners[k], corners[k - 1], same)) {
+                if (is_last && i + 1 < data.size() && is_at(corners[k], data[i + 1])) ++i;
+                continue;
+            }
+            const auto found = next(data, i, corners[k - 1], corners[k], is_last);
+            if (!found) return {};
+            i = *found;
+            match.corners.emplace_back(corners[k], i);
+        }
+        return match;
+    }
+
+    // A line may be broken into several.
+    void read_curve(const Group& group) {
+        std::vector<Datum> data;
+        std::ranges::copy_if(group.data, std::back_inserter(data), &Datum::has_y);
+        for (std::size_t from = 0; from < data.size(); ++from) {
+            Match longest{from};
+            const Shape* shown_by = nullptr;
+            for (const Shape& shape : figure_.picture.shapes) {
+                if (!shape.is_stroke || used_.contains(&shape)) continue;
+                auto match = match_along(shape.corners(), data, from);
+                if (match && match->end > longest.end)
+                    longest = std::move(*match), shown_by = &shape;
+            }
+            if (shown_by == nullptr)
+                return complain("no line shows the " + group.name() + " from row " +
+                                std::to_string(from) + " of " + std::to_string(data.size()));
+            used_.insert(shown_by);
+            for (const auto& [corner, i] : longest.corners) keep(corner, data[i]);
+            from = longest.end;
+        }
+    }
+
+    void read_points(const Group& group) {
+        for (const Datum& datum : group.data) {
+            const auto shows = [&](const Shape& shape) {
+                const auto circle = shape.circle();
+                return circle && is_at(circle->middle, datum);
+            };
+            const auto found = std::ranges::find_if(figure_.picture.shapes, shows);
+            if (found == figure_.picture.shapes.end())
+                complain("no point shows the " + group.name());
+            else
+                keep(found->circle()->middle, datum);
+        }
+    }
+
+    void read_marker(const Group& group) {
+        const double x = across_(group.data.front().x);
+        for (const Shape& shape : figure_.picture.shapes) {
+            const std::vector<Spot> ends = shape.is_stroke ? shape.corners() : std::vector<Spot>{};
+            if (ends.size() != 2 || ends[0].x != ends[1].x || std::abs(ends[0].x - x) > tolerance_)
+                continue;
+            if (std::abs(ends[0].y - axes_.lines.bottom) > 1.0) continue;
+            return x_pairs_.push_back({ends[0].x, group.data.front().x});
+        }
+        complain("no line up shows the " + group.name());
+    }
+
+    void read_band(const Group& group) {
+        for (const Shape& shape : figure_.picture.shapes) {
+            const auto band = shape.is_stroke ? std::nullopt : shape.rectangle();
+            if (!band) continue;
+            const double y = band->middle().y;
+            if (is_at({band->left, y}, group.data.front()) &&
+                is_at({band->right, y}, group.data.back()))
+                return;
+        }
+        complain("no band shows the " + group.name());
+    }
+
+    // From the lower end of an error to the upper.
+    void read_errors() {
+        const std::string column = "standard error of " + columns_.y;
+        for (const Row& row : rows_of(figure_, "mean")) {
+            if (!is_filled(row, column)) continue;  // of a single run
+            const double x = across_(number(row, columns_.x)), y = number(row, columns_.y);
+            const double error = number(row, column);
+            const bool is_shown =
+                std::ranges::any_of(figure_.picture.shapes, [&](const Shape& shape) {
+                    const std::vector<Spot> ends =
+                        shape.is_stroke ? shape.corners() : std::vector<Spot>{};
+                    return ends.size() == 2 && is_near(ends[0], {x, up_(y - error)}, tolerance_) &&
+                           is_near(ends[1], {x, up_(y + error)}, tolerance_);
+                });
+            if (!is_shown) complain("no bar shows the error at " + row.at(columns_.x));
+        }
+    }
+
+    // Of an outline with level and upright sides: the highest level side at x.
+    static std::optional<double> top_at(const std::vector<Spot>& outline, double x) {
+        std::optional<double> top;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Spot &a = outline[i], &b = outline[(i + 1) % outline.size()];
+            if (a.y != b.y || x < std::min(a.x, b.x) || x > std::max(a.x, b.x)) continue;
+            top = top ? std::min(*top, a.y) : a.y;
+        }
+        return top;
+    }
+
+    static double nearest_side(const std::vector<Spot>& outline, double x) {
+        double nearest = INFINITY;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Spot &a = outline[i], &b = outline[(i + 1) % outline.size()];
+            if (a.x == b.x && std::abs(a.x - x) < std::abs(nearest - x)) nearest = a.x;
+        }
+        return nearest;
+    }
+
+    void read_bars(const Group& group) {
+        Problems fewest;
+        bool is_found = false;
+        const auto all_x = x_pairs_, all_y = y_pairs_;
+        auto best_x = all_x, best_y = all_y;
+        for (const Shape& shape : figure_.picture.shapes) {
+            const std::vector<Spot> outline =
+                shape.is_stroke ? std::vector<Spot>{} : shape.corners();
+            if (outline.size() < 4 ||
+                shape.pieces.front().edges().width() > figure_.picture.width - 2)
+                continue;
+            if (std::abs(shape.pieces.front().edges().bottom - axes_.lines.bottom) > 1.0) continue;
+            x_pairs_ = all_x, y_pairs_ = all_y;
+            Problems its = bar_problems(group, outline);
+            if (is_found && its.size() >= fewest.size()) continue;
+            is_found = true, fewest = std::move(its);
+            best_x = x_pairs_, best_y = y_pairs_;
+        }
+        x_pairs_ = best_x, y_pairs_ = best_y;
+        if (!is_found) complain("no bars");
+        for (const std::string& one : fewest) complain(one);
+    }
+
+    Problems bar_problems(const Group& group, const std::vector<Spot>& outline) {
+        Problems problems;
+        std::optional<double> before;
+        const std::string name = group.name() + " at ";
+        for (std::size_t i = 1; i < group.data.size(); ++i)
+            if (group.data[i].x != group.data[i - 1].to)
+                problems.push_back(name + std::to_string(group.data[i].x) + ": it begins too late");
+        for (const Datum& bar : group.data) {
+            const double left = across_(bar.x), right = across_(bar.to);
+            const double bottom = axes_.lines.bottom, expected = up_(bar.y);
+            const double top = top_at(outline, 0.5 * (left + right)).value_or(bottom);
+            const double most = tolerance_ + (within(expected) == expected ? 0.0 : on_whole_pixels);
+            if (std::abs(top - within(expected)) > most)
+                problems.push_back(name + std::to_string(bar.x) + ": its top is " +
+                                   std::to_string(top - expected) + " pixels off");
+            else if (within(expected) == expected)
+                y_pairs_.push_back({top, bar.y});
+            if (std::abs(top - before.value_or(bottom)) > 1.0) {
+                const double side = nearest_side(outline, left);
+                if (std::abs(side - left) > tolerance_ + precision)
+                    problems.push_back(name + std::to_string(bar.x) + ": its side is " +
+                                       std::to_string(side - left) + " pixels off");
+                else
+                    x_pairs_.push_back({side, bar.x});
+            }
+            before = top;
+        }
+        return problems;
+    }
+
+    const DrawnFigure& figure_;
+    PlotColumns columns_;
+    DrawnAxes axes_;
+    LinearMap across_, up_;
+    std::vector<Group> groups_;
+    double tolerance_ = 0.0;
+    bool is_rough_ = true;
+    std::vector<Pair> x_pairs_, y_pairs_;
+    std::set<const Shape*> used_;  ///< by lines
+    Problems problems_;
+};
+
+}  // namespace
+
+Problems plot_problems(const DrawnFigure& figure, const PlotColumns& columns) {
+    return PlotReading(figure, columns).problems();
+}
+
+}  // namespace carom::test

@@ -1,0 +1,128 @@
+// Scenes whose numbers anyone can work out: pictures and tables against these.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "readback/checks.h"
+#include "support/test_root.h"
+
+using namespace carom::test;
+
+namespace {
+
+constexpr double rounding = 1e-9;
+
+const DrawnFigure& drawn(const std::string& name) {
+    static const std::map<std::string, DrawnFigure> all =
+        figures_of(checkout() / "tests" / "readback" / "scenes" / "set.yaml");
+    return all.at(name);
+}
+
+void check_none(const Problems& problems) {
+    for (const std::string& problem : problems) {
+        MESSAGE(problem);
+        CHECK(problem.empty());
+    }
+}
+
+std::vector<double> column(const std::vector<Row>& rows, const std::string& name) {
+    std::vector<double> values;
+    for (const Row& row : rows) values.push_back(number(row, name));
+    return values;
+}
+
+void check_equal(const std::vector<double>& values, const std::vector<double>& expected) {
+    REQUIRE(values.size() == expected.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        CAPTURE(i);
+        CHECK(std::abs(values[i] - expected[i]) <= rounding);
+    }
+}
+
+}  // namespace
+
+// It flies at speed 2 from 3 to the wall, which its middle meets at 19, and is back at 15.
+TEST_CASE("a disk is drawn where it has come to") {
+    const DrawnFigure& figure = drawn("disk");
+    check_none(gas_problems(figure, 20.0, 10.0));
+    const std::vector<Row> rows = rows_of(figure, "disk");
+    check_equal(column(rows, "x (length)"), {15.0});
+    check_equal(column(rows, "y (length)"), {5.0});
+}
+
+// The right wall at 8, 26, ..., 98; the left one at 17, 35, ..., 89.
+TEST_CASE("counters show the hits of two walls") {
+    const DrawnFigure& figure = drawn("hits");
+    check_none(counter_problems(figure));
+    check_equal(column(figure.table, "value"), {5.0, 6.0});
+}
+
+TEST_CASE("numbers in words are those of one disk") {
+    const DrawnFigure& figure = drawn("numbers");
+    check_none(monitor_problems(figure));
+    check_equal(column(figure.table, "value"), {10.0, 1.0, 2.0, 2.0});
+}
+
+// Momentum 4 to each end, twice in the last 36.
+TEST_CASE("the needle of a gauge shows the mean force of one bead") {
+    const DrawnFigure& figure = drawn("gauge");
+    check_none(needle_problems(figure));
+    check_equal(column(figure.table, "value"), {2.0 * 4.0 / 36.0});
+}
+
+// They touch at time 5, the first at 8 and the second at 9.
+TEST_CASE("two equal beads exchange velocities, colours and energies") {
+    const DrawnFigure& beads = drawn("beads");
+    check_none(line_problems(beads, 20.0));
+    check_equal(column(rows_of(beads, "bead"), "x as drawn (length)"), {8.0, 12.0});
+    const std::vector<Row> bends = rows_of(beads, "world line");
+    check_equal(column(bends, "x as drawn (length)"), {3.0, 8.0, 8.0, 9.0, 9.0, 12.0});
+    check_equal(column(bends, "time (time)"), {0.0, 5.0, 8.0, 0.0, 5.0, 8.0});
+    CHECK(bends[1].at("colour") == bends[5].at("colour"));  // of the way that ends there
+    CHECK(bends[2].at("colour") == bends[4].at("colour"));
+
+    const DrawnFigure& energies = drawn("energies");
+    check_none(plot_problems(energies, {"time (time)", "mean energy (mass length^2/time^2)"}));
+    for (const Row& row : rows_of(energies, "line")) {
+        const bool moves = (number(row, "time (time)") < 5.0) == (row.at("of") == "first");
+        CHECK(number(row, "mean energy (mass length^2/time^2)") == (moves ? 0.5 : 0.0));
+    }
+
+    const DrawnFigure& states = drawn("states");
+    check_none(plot_problems(states, {"position (length)", "velocity (length/time)"}));
+    check_equal(column(states.table, "position (length)"), {8.0, 12.0});
+    check_equal(column(states.table, "velocity (length/time)"), {0.0, 1.0});
+
+    const DrawnFigure& path = drawn("path");
+    const PlotColumns columns{"position of particle 0 (length)", "position of particle 1 (length)"};
+    check_none(plot_problems(path, columns));
+    for (const Row& row : rows_of(path, "path"))  // one of them moves
+        CHECK((number(row, columns.x) == doctest::Approx(8.0) ||
+               number(row, columns.y) == doctest::Approx(9.0)));
+}
+
+TEST_CASE("bars, slabs and sides hold the disks that lie there") {
+    const DrawnFigure& places = drawn("places");
+    check_none(plot_problems(places, {"position along x from (length)", "value (count)",
+                                      "position along x to (length)"}));
+    check_equal(column(rows_of(places, "bar"), "value (count)"), {2, 0, 1, 0, 0, 0, 0, 1, 0, 0});
+
+    const DrawnFigure& density = drawn("density");
+    check_none(plot_problems(density, {"x (length)", "density (1/length^2)"}));
+    // Over the area of a slab, at both of its ends; what repeats the row before is not listed.
+    check_equal(column(rows_of(density, "profile"), "density (1/length^2)"),
+                {0.2, 0.2, 0, 0, 0.1, 0.1, 0, 0, 0, 0, 0, 0.1, 0.1, 0, 0, 0});
+
+    const DrawnFigure& halves = drawn("halves");
+    check_none(plot_problems(halves, {"time (time)", "particles (1)"}));
+    for (const Row& row : rows_of(halves, "line"))
+        CHECK(number(row, "particles (1)") == (row.at("of") == "left" ? 3.0 : 1.0));
+}
+
+TEST_CASE("a histogram of three speeds has its bars and its mean in place") {
+    const DrawnFigure& speeds = drawn("speeds");
+    check_none(plot_problems(
+        speeds, {"speed from (length/time)", "value (count)", "speed to (length/time)"}));
+    check_equal(column(rows_of(speeds, "bar"), "value (count)"), {0, 2, 1, 0});
+    check_equal(column(rows_of(speeds, "mean"), "speed from (length/time)"), {4.5 / 3.0});
+}

@@ -12,11 +12,11 @@ namespace {
 
 // Each is one outline. Where two look alike the first is read.
 constexpr std::array letters{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "−", ".", "×", "%",
-                             "≥", "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻", "–", ",",
-                             ":", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m",
-                             "n", "o", "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z", "A",
-                             "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N", "O",
-                             "P", "Q", "R", "S", "T", "U", "V", "W", "X", "Y", "Z"};
+                             "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻", "–", ",", ":",
+                             "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n",
+                             "o", "p", "q", "r", "s", "t", "u", "v", "w", "x", "y", "z", "A", "B",
+                             "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M", "N", "O", "P",
+                             "Q", "R", "S", "T", "U", "V", "W", "X", "Y", "Z"};
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 // How far two outlines are apart where the second is scaled to fit best; pixels.
@@ -74,7 +74,7 @@ std::string Alphabet::read(const Letters& text) const {
 }
 
 std::optional<double> number_in(const std::string& text) {
-    std::string plain = replaced(replaced(replaced(text, "−", "-"), " ", ""), "≥", "");
+    std::string plain = replaced(replaced(text, "−", "-"), " ", "");
     double factor = 1.0;
     std::size_t power = plain.find("×10");
     std::size_t digits = power + std::string("×10").size();

@@ -34,6 +34,21 @@ Problems text_problems(const DrawnFigure& figure, const std::string& words);
 /// A box of disks, which is so wide and high.
 Problems gas_problems(const DrawnFigure& figure, double width, double height);
 
+/// The colour of a number, by the key of colours in the picture.
+Paint key_color(const SvgPicture& picture, double value);
+
+/// Of "#rrggbb".
+Paint paint_of(const std::string& hex);
+
+/// Whether colours are the same but for a level: a key has 256 steps, and disks have as many.
+bool is_near_color(const Paint& a, const Paint& b);
+
+/// The cells of a square box, each in the colour that the key has for its number in a column.
+Problems field_problems(const DrawnFigure& figure, double side, const std::string& column);
+
+/// The areas of a stack, each between two lines of a plot.
+Problems stack_problems(const DrawnFigure& figure, const PlotColumns& columns);
+
 /// Beads between two ends, which are drawn as large as they are, and their world lines.
 Problems line_problems(const DrawnFigure& figure, double length);
 

@@ -10,10 +10,9 @@
 namespace carom::test {
 namespace {
 
-std::vector<Row> table_in(const std::filesystem::path& file) {
+std::vector<Row> table_of(const std::string& text) {
     std::vector<Row> rows;
-    if (!std::filesystem::exists(file)) return rows;
-    const auto lines = quoted_rows(contents(file));
+    const auto lines = quoted_rows(text);
     for (std::size_t i = 1; i < lines.size(); ++i) {
         Row& row = rows.emplace_back();
         for (std::size_t k = 0; k < lines[0].size(); ++k) row[lines[0][k]] = lines[i].at(k);
@@ -71,9 +70,19 @@ std::map<std::string, DrawnFigure> figures_of(const std::filesystem::path& set) 
         std::filesystem::path file = entry.path();
         if (file.extension() != ".svg") continue;
         const std::string name = file.stem().string();
-        figures[name] = {name, svg_picture(file), table_in(file.replace_extension(".csv"))};
+        DrawnFigure& figure = figures[name];
+        figure = {name, svg_picture(file)};
+        if (std::filesystem::exists(file.replace_extension(".csv")))
+            figure.table = table_of(contents(file));
     }
     return figures;
+}
+
+std::vector<Row> samples_of(const std::filesystem::path& scene, std::size_t count) {
+    const Outcome outcome = run({CAROM_PROGRAM, "run", scene.string(), "--csv", "-", "--quiet"});
+    if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
+    const std::vector<Row> all = table_of(outcome.out);
+    return {all.end() - static_cast<std::ptrdiff_t>(count), all.end()};
 }
 
 std::vector<Row> rows_of(const DrawnFigure& figure, const std::string& part) {

@@ -16,11 +16,14 @@ using Row = std::map<std::string, std::string>;  ///< by column
 struct DrawnFigure {
     std::string name;
     SvgPicture picture;
-    std::vector<Row> table;  ///< empty: the figure has none
+    std::vector<Row> table = {};  ///< empty: the figure has none
 };
 
 /// All figures of a set, as `carom figures` writes them.
 std::map<std::string, DrawnFigure> figures_of(const std::filesystem::path& set);
+
+/// The last so many samples of a run, one of each particle.
+std::vector<Row> samples_of(const std::filesystem::path& scene, std::size_t count);
 
 /// The rows of a part of the picture.
 std::vector<Row> rows_of(const DrawnFigure& figure, const std::string& part);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "readback/checks.h"
 
@@ -292,14 +293,21 @@ Problems collision_problems(const DrawnFigure& figure) {
     return problems;
 }
 
-namespace {
-
 Paint paint_of(const std::string& hex) {
     Paint paint{};
     for (std::size_t i = 0; i < 3; ++i) paint[i] = std::stoi(hex.substr(1 + 2 * i, 2), nullptr, 16);
     paint[3] = 1.0;
     return paint;
 }
+
+bool is_near_color(const Paint& a, const Paint& b) {
+    constexpr double level = 1.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!(std::abs(a[i] - b[i]) <= level)) return false;
+    return true;
+}
+
+namespace {
 
 bool is_same(const Paint& a, const Paint& b) {
     constexpr double half_a_level = 0.5;
@@ -379,6 +387,69 @@ Problems line_problems(const DrawnFigure& figure, double length) {
         if (!(off <= half_a_pixel))
             problems.push_back(off_by("a bend of bead " + bend.at("particle"), off));
     }
+    return problems;
+}
+
+// The key is a column of strips, from the lowest number, 0, up to that at its top.
+Paint key_color(const SvgPicture& picture, double value) {
+    std::vector<Paint> steps;
+    Edges bar{INFINITY, INFINITY, 0.0, 0.0};
+    for (const Shape& shape : picture.shapes) {
+        const auto strip = shape.is_stroke ? std::nullopt : shape.rectangle();
+        if (!strip || strip->height() > 4.0 || strip->width() < 5.0 || strip->width() > 10.0)
+            continue;
+        steps.push_back(shape.paint);
+        bar = *strip;  // the last is the highest
+    }
+    double top = 0.0;
+    for (const Said& text : texts_of(picture))
+        if (const auto number = number_in(text.words.substr(text.words.rfind(' ') + 1));
+            number && text.ink.left > bar.right && text.ink.left < bar.right + 10.0)  // or "≥ 3"
+            top = std::max(top, *number);
+    if (steps.size() < 2 || top == 0.0) throw std::runtime_error("no key of colours");
+    const double last = static_cast<double>(steps.size() - 1);
+    const double at = std::clamp(value / top, 0.0, 1.0) * last,
+                 low = std::min(std::floor(at), last - 1.0);
+    const Paint &from = steps[static_cast<std::size_t>(low)],
+                &to = steps[static_cast<std::size_t>(low) + 1];
+    Paint mixed{};
+    for (std::size_t i = 0; i < 4; ++i) mixed[i] = std::lerp(from[i], to[i], at - low);
+    return mixed;
+}
+
+Problems field_problems(const DrawnFigure& figure, double side, const std::string& column) {
+    constexpr double on_whole_pixels = 0.5;  // on which cells are drawn
+    Problems problems;
+    const Edges ground = ground_of(figure);
+    const double scale = ground.width() / side;
+    const std::vector<Row> cells = rows_of(figure, "cell");
+    const double half = 0.5 * scale * side / std::sqrt(static_cast<double>(cells.size()));
+    std::size_t shown = 0;
+    for (const Shape& shape : figure.picture.shapes) {
+        const auto edges = shape.is_stroke ? std::nullopt : shape.rectangle();
+        if (!edges || shape.paint[3] == 1.0 || edges->width() < half) continue;
+        ++shown;
+        Paint seen{};  // over the white ground
+        for (std::size_t i = 0; i < 3; ++i)
+            seen[i] = std::lerp(255.0, shape.paint[i], shape.paint[3]);
+        const auto is_here = [&](const Row& cell) {
+            const double x = ground.left + scale * number(cell, "x (length)"),
+                         y = ground.bottom - scale * number(cell, "y (length)");
+            return std::abs(edges->left - x + half) <= on_whole_pixels &&
+                   std::abs(edges->right - x - half) <= on_whole_pixels &&
+                   std::abs(edges->top - y + half) <= on_whole_pixels &&
+                   std::abs(edges->bottom - y - half) <= on_whole_pixels;
+        };
+        const auto its = std::ranges::find_if(cells, is_here);
+        if (its == cells.end())
+            problems.push_back("a cell is where none is");
+        else if (its->at(column).empty())
+            problems.push_back("a cell without a number has a colour");
+        else if (!is_near_color(seen, key_color(figure.picture, number(*its, column))))
+            problems.push_back("a cell has another colour than the key");
+    }
+    for (const Row& cell : cells)
+        if (!cell.at(column).empty() && shown-- == 0) problems.push_back("a cell is missing");
     return problems;
 }
 

@@ -68,7 +68,37 @@ class PlotReading {
         return problems_;
     }
 
+    // Corners to the right along the upper line, and back along the lower.
+    Problems stack() {
+        if (!problems().empty()) return problems_;
+        std::vector<const Group*> lines;
+        for (const Group& group : groups_)
+            if (group.part == "line") lines.push_back(&group);
+        std::size_t areas = 0;
+        for (const Shape& shape : figure_.picture.shapes) {
+            const std::vector<Spot> corners = shape.corners();
+            if (shape.is_stroke || shape.paint[3] > 0.8 || corners.size() < 2 * 20) continue;
+            if (areas == lines.size()) return {"more areas than lines"};
+            const auto turn = std::ranges::max_element(corners, {}, &Spot::x);
+            const Group* below = areas == 0 ? nullptr : lines[areas - 1];
+            for (auto corner = corners.begin(); corner != corners.end(); ++corner)
+                if (!lies_on(corner <= turn ? lines[areas] : below, *corner) &&
+                    !(corner->x == turn->x && lies_on(below, *corner)))
+                    complain("a corner of area " + std::to_string(areas) + " is on no line");
+            ++areas;
+        }
+        if (areas != lines.size()) complain("fewer areas than lines");
+        return problems_;
+    }
+
   private:
+    // Without a line on the axis.
+    bool lies_on(const Group* line, Spot corner) const {
+        if (line == nullptr) return std::abs(corner.y - within(up_(0.0))) <= tolerance_;
+        return std::ranges::any_of(line->data,
+                                   [&](const Datum& datum) { return is_at(corner, datum); });
+    }
+
     void group_rows() {
         std::map<std::string, std::size_t> known;
         for (const Row& row : figure_.table) {
@@ -243,13 +273,19 @@ class PlotReading {
         complain("no line up shows the " + group.name());
     }
 
+    // As far to both sides of a level as the table says.
     void read_band(const Group& group) {
+        const Row row = rows_of(figure_, group.part).at(0);
+        const double error = number(row, "standard deviation of " + columns_.y);
+        const double y = group.data.front().y;
+        const double high = within(up_(y + error)), low = within(up_(y - error));
         for (const Shape& shape : figure_.picture.shapes) {
             const auto band = shape.is_stroke ? std::nullopt : shape.rectangle();
-            if (!band) continue;
-            const double y = band->middle().y;
-            if (is_at({band->left, y}, group.data.front()) &&
-                is_at({band->right, y}, group.data.back()))
+            if (band &&
+                is_near({band->left, band->top}, {across_(group.data.front().x), high},
+                        tolerance_) &&
+                is_near({band->right, band->bottom}, {across_(group.data.back().x), low},
+                        tolerance_))
                 return;
         }
         complain("no band shows the " + group.name());
@@ -362,6 +398,10 @@ class PlotReading {
 
 Problems plot_problems(const DrawnFigure& figure, const PlotColumns& columns) {
     return PlotReading(figure, columns).problems();
+}
+
+Problems stack_problems(const DrawnFigure& figure, const PlotColumns& columns) {
+    return PlotReading(figure, columns).stack();
 }
 
 }  // namespace carom::test

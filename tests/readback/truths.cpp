@@ -126,3 +126,28 @@ TEST_CASE("a histogram of three speeds has its bars and its mean in place") {
     check_equal(column(rows_of(speeds, "bar"), "value (count)"), {0, 2, 1, 0});
     check_equal(column(rows_of(speeds, "mean"), "speed from (length/time)"), {4.5 / 3.0});
 }
+
+TEST_CASE("cells of a field have the colours that the key has for their numbers") {
+    const DrawnFigure& field = drawn("field");
+    check_none(field_problems(field, 10.0, "density (1/length^2)"));
+    const std::vector<Row> cells = rows_of(field, "cell");
+    REQUIRE(cells.size() == 4);
+    CHECK(number(cells[0], "density (1/length^2)") == doctest::Approx(6.0 / 25.0));
+    CHECK(number(cells[3], "density (1/length^2)") == doctest::Approx(3.0 / 25.0));
+    CHECK(cells[1].at("density (1/length^2)").empty());  // fewer than 3 show nothing
+}
+
+TEST_CASE("disks of a gas have their places in the run, and the colours of their speeds") {
+    const std::filesystem::path scene = checkout() / "docs" / "panels" / "gas.yaml";
+    const DrawnFigure figure = figures_of(scene).at("gas");
+    const std::vector<Row> disks = rows_of(figure, "disk"),
+                           samples = samples_of(scene, disks.size());
+    REQUIRE(samples.size() == disks.size());
+    for (std::size_t i = 0; i < disks.size(); ++i) {
+        CAPTURE(i);
+        for (const std::string axis : {"x", "y"})  // in single precision
+            CHECK(std::stof(disks[i].at(axis + " (length)")) == std::stof(samples[i].at(axis)));
+        const double speed = std::hypot(number(samples[i], "vx"), number(samples[i], "vy"));
+        CHECK(is_near_color(paint_of(disks[i].at("colour")), key_color(figure.picture, speed)));
+    }
+}

@@ -382,7 +382,10 @@ void SeriesPanel::add_band_about(const plot::Level& level, double deviation) {
     band.depth = band_depth + 1;
     band.x = plot::column(whole_.columns[0], {whole_.x.low, whole_.x.high});
     band.y = plot::column(whole_.columns[1], {level.value, level.value});
-    band.error = plot::column("deviation", {deviation, deviation});
+    const std::string column = "standard deviation of " + whole_.columns[1];
+    if (std::ranges::find(whole_.columns, column) == whole_.columns.end())
+        whole_.columns.push_back(column);
+    band.error = plot::column(column, {deviation, deviation});
     band.role = muted;
     band.alpha = 0.2;
     whole_.layers.emplace_back(std::move(band));

@@ -68,7 +68,8 @@ Paint paint_of(const pugi::xml_node& node, const std::string& kind) {
     const bool is_share = std::erase(color, '%') > 0;
     Paint paint{};
     const std::vector<double> levels = numbers_in(color);
-    for (std::size_t i = 0; i < 3; ++i) paint[i] = levels.at(i) * (is_share ? 2.55 : 1.0);
+    for (std::size_t i = 0; i < 3; ++i)
+        paint[i] = is_share ? levels.at(i) * 255.0 / 100.0 : levels.at(i);
     paint[3] = number_or(property(node, kind + "-opacity"), 1.0);
     return paint;
 }

@@ -59,12 +59,13 @@ const Disk& nearest(const std::vector<Disk>& disks, Spot to) {
 std::vector<Tick> level_ticks(const DrawnFigure& figure, double from, double to) {
     constexpr double longest = 8.0, near = 3.0, beside = 25.0;  // pixels
     std::vector<Tick> ticks;
+    const std::vector<Said> texts = texts_of(figure.picture);
     for (const Shape& shape : figure.picture.shapes) {
         const std::vector<Spot> ends = shape.is_stroke ? shape.corners() : std::vector<Spot>{};
         if (ends.size() != 2 || ends[0].y != ends[1].y || ends[0].x < from || ends[1].x > to ||
             ends[1].x - ends[0].x > longest)
             continue;
-        for (const Said& text : texts_of(figure.picture))
+        for (const Said& text : texts)
             if (const auto value = number_in(text.words);
                 value && std::abs(text.ink.middle().y - ends[0].y) < near &&
                 text.ink.right < ends[0].x && text.ink.right > ends[0].x - beside)
@@ -120,11 +121,12 @@ std::vector<Tick> ticks_around(const DrawnFigure& figure, Spot middle, double ra
         marks.emplace_back(ends[0], ends[1]);
     }
     std::vector<Tick> ticks;
+    const std::vector<Said> texts = texts_of(figure.picture);
     for (const auto& [outer, inner] : marks) {
         if (distance(outer, inner) < 0.9 * longest) continue;
         double least = 0.5 * radius;
         std::optional<double> value;
-        for (const Said& text : texts_of(figure.picture)) {
+        for (const Said& text : texts) {
             const double apart = distance(text.ink.middle(), inner);
             if (!number_in(text.words) || apart > least ||
                 distance(text.ink.middle(), middle) > radius)

@@ -123,7 +123,9 @@ class PlotReading {
         tolerance_ = tolerance;
         x_pairs_.clear(), y_pairs_.clear(), problems_.clear(), used_.clear();
         for (const Group& group : groups_) {
-            if (group.part == "bar")
+            if (group.data.empty())
+                complain("no numbers of the " + group.name());
+            else if (group.part == "bar")
                 read_bars(group);
             else if (group.part == "deviation")
                 read_band(group);

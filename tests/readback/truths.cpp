@@ -151,3 +151,15 @@ TEST_CASE("disks of a gas have their places in the run, and the colours of their
         CHECK(is_near_color(paint_of(disks[i].at("colour")), key_color(figure.picture, speed)));
     }
 }
+
+TEST_CASE("bars of errors reach as far as the table says") {
+    DrawnFigure figure = drawn("errors");
+    const PlotColumns columns{"radius", "virial pressure (energy/area)"};
+    check_none(plot_problems(figure, columns));
+    CHECK(rows_of(figure, "mean").size() == 3);
+    for (Row& row : figure.table) {
+        std::string& error = row.at("standard error of " + columns.y);
+        if (!error.empty()) error = std::to_string(4.0 * std::stod(error));
+    }
+    CHECK(plot_problems(figure, columns).size() == 3);
+}

@@ -30,3 +30,8 @@ elseif(NOT DEFINED CAROM_UNITY)
     # Several files as one, in a third of the time; with ccache each by itself, so that little is compiled again after a change.
     set(CAROM_UNITY ON)
 endif()
+if(CAROM_UNITY)
+    # False alarms where the unnamed namespaces of several files are one, and of GCC 12 on variants.
+    target_compile_options(carom_rules INTERFACE
+        -Wno-shadow "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-maybe-uninitialized>")
+endif()

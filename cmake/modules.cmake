@@ -17,7 +17,6 @@ function(carom_module name)
     endif()
     if(CAROM_UNITY)
         set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-        target_compile_options(carom_${name} PRIVATE -w)  # warnings are for the build file by file
         list(TRANSFORM arg_SEPARATE PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
         list(REMOVE_ITEM sources ${arg_SEPARATE})
         foreach(source IN LISTS sources)

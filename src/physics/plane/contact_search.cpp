@@ -9,10 +9,11 @@
 
 // One version for each kind of processor, unless the compiler is told to build for one that has the
 // better instructions anyway (-march=native): there GCC 12 fails on a version for a lesser one.
-// Only GCC takes the attribute at the definition; its resolver would run before the address
-// sanitizer is ready.
+// Only GCC takes the attribute at the definition; its resolver would run before a sanitizer is
+// ready. CAROM_ONE_VERSION: for comparison.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !(defined(__AVX2__) && defined(__FMA__))
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&      \
+    !defined(CAROM_ONE_VERSION) && !(defined(__AVX2__) && defined(__FMA__))
 #define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define CAROM_FOR_EACH_PROCESSOR

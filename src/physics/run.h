@@ -79,11 +79,20 @@ struct Run {
     std::optional<int> bits = bits_of_double;  ///< none: as many as it takes for the gas to return
                                                ///< after each reversal (bits_for_return())
     std::optional<double> time_step =
-        {};                   ///< advance by steps of this length, at whose ends particles
-                              ///< that overlap collide; none: from contact to contact
+        {};  ///< advance by steps of this length, at whose ends particles
+             ///< that overlap collide; none: from contact to contact
+    std::optional<std::int64_t> most_collisions =
+        {};  ///< of particles with anything, from the start of the equilibration on; none: as
+             ///< collision_ceiling() says
     double tolerance = 1e-9;  ///< largest return distance, in units of the smallest radius, or on a
                               ///< line of points of the mean spacing
 };
+
+/// How many collisions a run may have, which ends one whose collisions follow ever faster.
+inline std::int64_t collision_ceiling(const Run& run, std::int64_t particles) {
+    constexpr std::int64_t least = 1'000'000'000, for_each_particle = 5'000;
+    return run.most_collisions.value_or(std::max(least, for_each_particle * particles));
+}
 
 /// Whether an event does more than reverse velocities or nudge particles: it acts on surfaces or
 /// heats the gas.

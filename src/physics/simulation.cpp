@@ -69,25 +69,26 @@ struct Simulation::Implementation {
           loop(loop_for(box, particles, run, bits)) {}
 
     template <typename Scalar, bool has_surfaces>
-    static Loop loop_in(const Box& box, const Particles& particles, int bits) {
+    static Loop loop_in(const Box& box, const Particles& particles, int bits, std::int64_t most) {
         const Arithmetic arithmetic{.bits = bits};
         if (box.dimension == 1)
             return Loop(std::in_place_type<EventLoop<1, Scalar, has_surfaces>>, box, particles,
-                        arithmetic);
+                        arithmetic, most);
         return Loop(std::in_place_type<EventLoop<2, Scalar, has_surfaces>>, box, particles,
-                    arithmetic);
+                    arithmetic, most);
     }
 
     static Loop loop_for(const Box& box, const Particles& particles, const Run& run, int bits) {
+        const std::int64_t most = collision_ceiling(run, particles.count());
         if (run.time_step)
-            return Loop(std::in_place_type<FixedStepLoop>, box, particles, *run.time_step);
+            return Loop(std::in_place_type<FixedStepLoop>, box, particles, *run.time_step, most);
         const bool is_plain =
             box.surfaces.are_plain() && std::ranges::none_of(run.events, needs_surfaces);
         if (bits > bits_of_double)
-            return is_plain ? loop_in<Real, false>(box, particles, bits)
-                            : loop_in<Real, true>(box, particles, bits);
-        return is_plain ? loop_in<double, false>(box, particles, bits)
-                        : loop_in<double, true>(box, particles, bits);
+            return is_plain ? loop_in<Real, false>(box, particles, bits, most)
+                            : loop_in<Real, true>(box, particles, bits, most);
+        return is_plain ? loop_in<double, false>(box, particles, bits, most)
+                        : loop_in<double, true>(box, particles, bits, most);
     }
 
     // Of what cannot be read from one simulation into another.

@@ -68,8 +68,8 @@ class Simulation {
     /// Processes all events with time <= `time` (inclusive; `run.events` too) and advances to it;
     /// not limited by `run.until`. Tells `on_progress` now and then how far it is. Throws
     /// std::invalid_argument if `time` lies in the past or is not finite; RunEventError;
-    /// Interrupted (util/interrupt.h); std::runtime_error when particles collide without end at one
-    /// instant, or two beads of infinite mass meet.
+    /// Interrupted (util/interrupt.h); CollisionError when particles collide without end at one
+    /// instant, more often than the run may, or two beads of infinite mass meet.
     AdvanceResult advance_to(double time, const TimeCallback& on_progress = {});
 
     /// Replaces the events of the run that are still to come, for instance in a copy; an error's

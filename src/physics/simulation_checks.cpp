@@ -116,6 +116,7 @@ int check_run(const Run& run, Eigen::Index particles, const Box& box) {
             "the bits of a run are 53, those of a double, or from 64 to 16384");
     require(run.equilibrate >= 0.0 && std::isfinite(run.equilibrate),
             "the time to equilibrate is finite and not negative");
+    require(run.most_collisions.value_or(1) > 0, "a run may have at least one collision");
     check_events(run.events, 0.0, particles, box);
     if (const auto problem = time_step_problem(box, run))
         throw std::invalid_argument(problem->message);

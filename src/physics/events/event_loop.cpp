@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <stdexcept>
+#include <map>
 #include <utility>
 
+#include "physics/collision_error.h"
 #include "physics/multiprecision/disk_overlap.h"
 #include "util/interrupt.h"
 
@@ -41,12 +42,14 @@ namespace carom {
 
 template <int Dimension, typename Scalar, bool has_surfaces>
 EventLoop<Dimension, Scalar, has_surfaces>::EventLoop(const Box& box, const Particles& particles,
-                                                      const Arithmetic& arithmetic)
+                                                      const Arithmetic& arithmetic,
+                                                      std::int64_t most)
     : box_(box),
       bodies_(Geometry::bodies_of(particles)),
       geometry_(box, particles, arithmetic),
       queue_(static_cast<std::int32_t>(particles.count()) + events_of_surfaces()),
-      bits_(arithmetic.bits) {
+      bits_(arithmetic.bits),
+      most_(most) {
     if constexpr (!of_doubles) clock_ = MpClock(arithmetic.bits);
     number_.reserve(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -229,7 +232,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
         if constexpr (is_large) fetch_ahead_.step(bodies_, geometry_, queue_);
-        if (process(i, record ? &collision : nullptr) && record) record->push_back(collision);
+        const bool is_surface_event = static_cast<std::size_t>(i) >= bodies_.size();
+        const bool is_collision = process(i, record ? &collision : nullptr);
+        if (is_collision && record) record->push_back(collision);
+        if ((is_collision || is_surface_event) && ++collisions_ > most_) refuse_more_collisions();
         if (--until_look == 0) {
             throw_if_interrupted();
             if (on_progress) on_progress(clock_.absolute(now_));
@@ -320,7 +326,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
     const Prediction event = body(i).prediction;
     const auto& exact_time = queue_.time(i);
     const auto time = static_cast<double>(exact_time);
-    move_on_to(exact_time);
+    move_on_to(exact_time, i);
     if (event.contact_time <= time) {
         if constexpr (has_surfaces)
             if (event.partner < 0) return hit(i, event, collision);
@@ -351,28 +357,60 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::move_on_to(const Scalar& time) {
+void EventLoop<Dimension, Scalar, has_surfaces>::move_on_to(const Scalar& time,
+                                                            std::optional<std::int32_t> i) {
     if (static_cast<double>(time) > static_cast<double>(now_))
         at_one_instant_ = 0;
     else
-        refuse_to_stall();
+        refuse_to_stall(i);
     now_ = time;
 }
 
 // Touching starts take some events at time 0, but far fewer than this. An instant is a double's:
 // with many bits the events of disks that are crushed could go on ever faster for ages.
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall() {
+void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<std::int32_t> i) {
     const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
     if (++at_one_instant_ <= bound) return;
     if constexpr (has_surfaces)
         if (const auto surface = geometry_.surfaces().hardest_worker()) throw crushes(*surface);
     const bool falls = (box_.surfaces.gravity != 0.0).any();
-    throw std::runtime_error(fmt::format(
-        "{} collide without end at t = {:g}: they fill the box along a line, or are squeezed "
-        "between infinite or far heavier masses{}",
-        Dimension == 1 ? "beads" : "disks", clock_.absolute(now_),
-        falls ? ", or lie without velocity on an obstacle, a piston or one another" : ""));
+    throw CollisionError(
+        fmt::format(
+            "{} collide without end at t = {:g}: they fill the box along a line, or are squeezed "
+            "between infinite or far heavier masses{}",
+            Dimension == 1 ? "beads" : "disks", clock_.absolute(now_),
+            falls ? ", or lie without velocity on an obstacle, a piston or one another" : ""),
+        i ? std::optional(number_of(*i)) : std::nullopt);
+}
+
+// Goes on for some more events, to see how fast collisions follow and whose they are.
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::refuse_more_collisions() {
+    constexpr int events_seen = 4096;
+    std::map<std::int32_t, std::int64_t> of_particle;
+    CollisionsSeen seen{.most = most_, .begin = clock_.absolute(now_)};
+    for (int k = 0; k < events_seen; ++k) {
+        const std::int32_t i = next_particle();
+        Collision collision;
+        if (i < 0) break;
+        if (!process(i, &collision)) continue;
+        ++seen.count;
+        ++of_particle[collision.first];
+        if (collision.second.is_particle()) ++of_particle[collision.second.particle()];
+    }
+    const auto busiest =
+        std::ranges::max_element(of_particle, {}, [](auto& one) { return one.second; });
+    seen.end = clock_.absolute(now_);
+    if (busiest != of_particle.end() && 2 * busiest->second > seen.count) {
+        const auto k = std::ranges::find(number_, busiest->first) - number_.begin();
+        const Body& b = bodies_[static_cast<std::size_t>(k)];
+        seen.particle = busiest->first;
+        for (std::size_t a = 0; a < Dimension; ++a)
+            seen.place.push_back(
+                box_.wrapped(a, static_cast<double>(position_at(b, a, Scalar(now_)))));
+    }
+    throw TooManyCollisions(seen);
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -43,16 +44,18 @@ namespace carom {
 template <int Dimension, typename Scalar = double, bool has_surfaces = false>
 class EventLoop {
   public:
-    /// Particles without state: start() gives it.
-    EventLoop(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
+    /// Particles without state: start() gives it. After `most` collisions of particles and of
+    /// moving surfaces advance() throws.
+    EventLoop(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {},
+              std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
     /// Puts all particles where `state` says, at its time, and predicts all events anew.
     void start(const Sample& state);
 
     /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
     /// `on_progress` is called now and then with the time of the latest event. Throws Interrupted,
-    /// SurfaceError (without its time), and std::runtime_error when particles collide without end
-    /// at one instant, or two of infinite mass meet on a line.
+    /// SurfaceError (without its time), and CollisionError when particles collide without end at
+    /// one instant, too often in all, or two of infinite mass meet on a line.
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
 
     /// What advance() has thrown, with the name of the surface, the time and where it is.
@@ -118,8 +121,8 @@ class EventLoop {
     void archive(Archive& archive) {
         const std::size_t count = bodies_.size();
         archive(bodies_, number_, geometry_, queue_, clock_, now_, changes_, heat_of_events_,
-                cycles_since_sorted_, counts_, impulses_, last_collision_, at_one_instant_,
-                last_pair_[0], last_pair_[1]);
+                cycles_since_sorted_, counts_, impulses_, collisions_, last_collision_,
+                at_one_instant_, last_pair_[0], last_pair_[1]);
         if (bodies_.size() != count || number_.size() != count)
             archive.refuse("it holds another number of particles");
         fetch_ahead_ = {};
@@ -168,8 +171,9 @@ class EventLoop {
     std::optional<std::int32_t> first_in(std::int32_t surface) const;
     bool counts_for(const Body& body, const std::optional<std::int32_t>& species) const;
     void stop_later(std::int32_t surface);
-    void move_on_to(const Scalar& time);
-    void refuse_to_stall();
+    void move_on_to(const Scalar& time, std::optional<std::int32_t> i);
+    void refuse_to_stall(std::optional<std::int32_t> i);
+    void refuse_more_collisions();
     void count_tie(std::int32_t first, std::int32_t second);
 
     Box box_;
@@ -186,6 +190,8 @@ class EventLoop {
     FetchAhead<Geometry> fetch_ahead_;  ///< used where memory is slow
     CollisionCounts counts_;
     ImpulseTotals impulses_;
+    std::int64_t collisions_ = 0;  ///< since start()
+    std::int64_t most_;
     Scalar last_collision_ = -1.0;
     std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
     std::int32_t last_pair_[2] = {-1, -1};

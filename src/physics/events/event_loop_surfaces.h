@@ -31,7 +31,7 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size_t k) {
     if constexpr (has_surfaces) {
         const Scalar time = queue_.time(static_cast<std::int32_t>(bodies_.size() + k));
-        move_on_to(time);
+        move_on_to(time, std::nullopt);
         if (k == geometry_.surfaces().mover_count()) {
             move_epoch_to(now_);
             Change<Scalar> change = changes_.take_next();

@@ -6,15 +6,18 @@
 #include <numeric>
 
 #include "physics/collision/pair_collision.h"
+#include "physics/collision_error.h"
 #include "util/interrupt.h"
 
 namespace carom {
 
-FixedStepLoop::FixedStepLoop(const Box& box, const Particles& particles, double step)
+FixedStepLoop::FixedStepLoop(const Box& box, const Particles& particles, double step,
+                             std::int64_t most)
     : box_(box),
       particles_(particles),
       step_(step),
-      order_(static_cast<std::size_t>(particles.count())) {
+      order_(static_cast<std::size_t>(particles.count())),
+      most_(most) {
     std::iota(order_.begin(), order_.end(), 0);
 }
 
@@ -43,10 +46,19 @@ void FixedStepLoop::advance(double time, std::vector<Collision>* record,
         throw_if_interrupted();
         move_to(next);
         ++steps_;
+        const std::int64_t before = counts_.particle + counts_.wall;
         reflect(record);
         collide_overlapping(record);
+        count_collisions(counts_.particle + counts_.wall - before);
         if (on_progress && steps_ % steps_between_calls == 0) on_progress(next);
     }
+}
+
+void FixedStepLoop::count_collisions(std::int64_t in_step) {
+    collisions_ += in_step;
+    if (collisions_ <= most_) return;
+    throw TooManyCollisions(
+        {.most = most_, .begin = now_.time - step_, .end = now_.time, .count = in_step});
 }
 
 // Those beyond a wall that go on outward.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,10 @@ namespace carom {
 
 class FixedStepLoop {
   public:
-    /// Disks in a box with plain walls; `step` > 0 is a time.
-    FixedStepLoop(const Box& box, const Particles& particles, double step);
+    /// Disks in a box with plain walls; `step` > 0 is a time. After `most` collisions advance()
+    /// throws CollisionError.
+    FixedStepLoop(const Box& box, const Particles& particles, double step,
+                  std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
     /// The functions of EventLoop, for the whole of a Simulation. Between the ends of two steps
     /// particles fly freely; a reversal and a displacement begin a new step.
@@ -41,7 +44,7 @@ class FixedStepLoop {
 
     template <class Archive>
     void archive(Archive& archive) {
-        archive(step_, first_, steps_, now_, order_, counts_, impulses_);
+        archive(step_, first_, steps_, now_, order_, counts_, impulses_, collisions_);
     }
 
   private:
@@ -49,6 +52,7 @@ class FixedStepLoop {
     void reflect(std::vector<Collision>* record);
     void collide_overlapping(std::vector<Collision>* record);
     void collide(std::int32_t first, std::int32_t second, std::vector<Collision>* record);
+    void count_collisions(std::int64_t in_step);
     Eigen::Array2d place(std::int32_t i) const { return now_.position.row(i).transpose(); }
     Eigen::Array2d velocity(std::int32_t i) const { return now_.velocity.row(i).transpose(); }
 
@@ -61,6 +65,8 @@ class FixedStepLoop {
     std::vector<std::int32_t> order_;  ///< the particles by their place along x
     CollisionCounts counts_;
     ImpulseTotals impulses_;
+    std::int64_t collisions_ = 0;  ///< since start()
+    std::int64_t most_;
 };
 
 }  // namespace carom

@@ -1,11 +1,11 @@
 #include "physics/line/line.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "physics/collision/flight.h"
 #include "physics/collision/pair_collision.h"
+#include "physics/collision_error.h"
 
 namespace carom {
 
@@ -118,7 +118,7 @@ bool Line<Scalar, BodyType>::collide(Bodies& bodies, std::int32_t i, std::int32_
     if (!(left.v[0] > right.v[0])) return false;
     const Scalar w = as_precise_as(a.v[0], a.inverse_mass) + b.inverse_mass;
     if (!(w > 0.0))
-        throw std::runtime_error(
+        throw CollisionError(
             "two beads of infinite mass meet: on a line they can neither pass nor yield; give one "
             "of them a finite mass, or let them move apart");
     const double sigma = a.radius + b.radius;

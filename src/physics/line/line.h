@@ -60,7 +60,7 @@ class Line : public PlainBodies<BodyType> {
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
     /// Changes the velocities of two neighbours that are at one time, false if they do not
-    /// approach. Throws std::runtime_error when both have infinite mass: neither can pass nor
+    /// approach. Throws CollisionError when both have infinite mass: neither can pass nor
     /// yield.
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
 

@@ -153,6 +153,7 @@ bool AtomicFile::appears() {
 void AtomicFile::commit() {
     settle();
     if (!appears()) fail("write", path_);
+    note_output();
     close(file_.descriptor);
     file_.descriptor = -1;
     sync_folder(folder_of(target_));
@@ -205,6 +206,7 @@ void AtomicFolder::settle() {
 void AtomicFolder::commit() {
     settle();
     if (rename(folder_.name.c_str(), path_.c_str()) != 0) fail("write", path_);
+    note_output();
     folder_.name.clear();
     sync_folder(folder_of(path_));
 }

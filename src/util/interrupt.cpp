@@ -9,15 +9,18 @@
 namespace carom {
 namespace {
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> interrupted{false}, has_output{false};
 std::atomic<int> ending_at_once{0}, to_clean_up{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);  // hence safe in a signal handler
 
+constexpr std::string_view nothing = "carom: interrupted; nothing was written\n",
+                           nothing_more = "carom: interrupted; nothing more was written\n";
+
 void on_signal(int) {
     interrupted.store(true);
     if (ending_at_once.load() == 0 || to_clean_up.load() > 0) return;
-    constexpr std::string_view message = "carom: interrupted; nothing more was written\n";
+    const std::string_view message = has_output.load() ? nothing_more : nothing;
     constexpr std::string_view on_terminal = "\r\033[K";  // in place of a line of progress
     if (isatty(STDERR_FILENO) != 0) [[maybe_unused]]
         const ssize_t cleared = write(STDERR_FILENO, on_terminal.data(), on_terminal.size());
@@ -34,6 +37,11 @@ void stop_at_hangup(const struct sigaction& action) {
 }
 
 }  // namespace
+
+Interrupted::Interrupted()
+    : Interrupted(has_output.load() ? "nothing more was written" : "nothing was written") {}
+
+void note_output() { has_output.store(true); }
 
 void install_signal_handlers() {
     struct sigaction action = {};

@@ -10,9 +10,12 @@ namespace carom {
 /// Thrown where work stops because the user asked for it (exit code 130). Says what is left of it.
 class Interrupted : public std::runtime_error {
   public:
-    explicit Interrupted(const std::string& left = "nothing was written")
-        : std::runtime_error("interrupted; " + left) {}
+    Interrupted();  ///< whether any output has its name: nothing was written, or nothing more
+    explicit Interrupted(const std::string& left) : std::runtime_error("interrupted; " + left) {}
 };
+
+/// To be called when an output has its name: what an interruption says from then on.
+void note_output();
 
 /// Sets the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored; ignores SIGXFSZ and
 /// SIGPIPE, so that a full disk or a closed pipe is an error and no death.

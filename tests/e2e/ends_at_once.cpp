@@ -26,7 +26,7 @@ TEST_CASE("the loading of a large file can be stopped") {
               folder.path());
     CHECK(stopped.exit_code == 130);
     CHECK(stopped.out.empty());
-    CHECK(stopped.err == "carom: interrupted; nothing more was written\n");
+    CHECK(stopped.err == "carom: interrupted; nothing was written\n");
 }
 
 TEST_CASE("a large still can be stopped while it is drawn") {
@@ -41,6 +41,6 @@ TEST_CASE("a large still can be stopped while it is drawn") {
             "wait $p",
         folder.path());
     CHECK(stopped.exit_code == 130);
-    CHECK(stopped.err == "carom: interrupted; nothing more was written\n");
+    CHECK(stopped.err == "carom: interrupted; nothing was written\n");
     CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
 }

@@ -52,8 +52,25 @@ TEST_CASE("a signal sets a flag, and ends a program at once where it may") {
             raise(signal);
         });
         CHECK(ended.exit_code == 130);
-        CHECK(ended.said == "carom: interrupted; nothing more was written\n");
+        CHECK(ended.said == "carom: interrupted; nothing was written\n");
+        const test::TemporaryFolder outputs;
+        const Ending after_output = ending([&] {
+            AtomicFile(outputs.path() / "output").commit();
+            const EndsAtOnce whole;
+            raise(signal);
+        });
+        CHECK(after_output.said == "carom: interrupted; nothing more was written\n");
     }
+}
+
+TEST_CASE("an interruption says whether anything was written before") {
+    CHECK(std::string(Interrupted().what()) == "interrupted; nothing was written");
+    const test::TemporaryFolder outputs;
+    CHECK(ending([&] {
+              AtomicFolder(outputs.path() / "output").commit();
+              if (std::string(Interrupted().what()) != "interrupted; nothing more was written")
+                  throw Interrupted();
+          }).exit_code == 0);
 }
 
 TEST_CASE("a signal that came before is not forgotten, nor does one end what comes after") {

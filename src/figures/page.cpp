@@ -156,6 +156,21 @@ class Parser {
     bool broken_ = false;  ///< reported, and nothing after it is read
 };
 
+// What stands before a colon would be taken for the scheme of the address.
+string address(const string& file) {
+    const string encoded = percent_encoded(file, "-._~/+=:;,");
+    const bool is_inline = file.starts_with("data:image/");
+    return !is_inline && file.find(':') != string::npos ? "./" + encoded : encoded;
+}
+
+string latex_name(const string& file) {
+    if (file.find_first_of("\\{}%#^~$&\n") == string::npos) return file;
+    throw UsageError(fmt::format(
+        "{}: a LaTeX page cannot name this file, as letters of its name are commands there; rename "
+        "the scene",
+        file));
+}
+
 class Filler {
   public:
     Filler(PageKind kind, Language language) : kind_(kind), language_(language) {}
@@ -183,8 +198,8 @@ class Filler {
             if (const auto words = scope->formulated.find(name); words != scope->formulated.end())
                 return escaped_with_formulas(words->second, kind_);
             if (const auto file = scope->files.find(name); file != scope->files.end())
-                return kind_ == PageKind::latex ? file->second
-                                                : percent_encoded(file->second, "-._~/+=:;,");
+                return kind_ == PageKind::latex ? latex_name(file->second)
+                                                : address(file->second);
         }
         return std::nullopt;
     }

@@ -1,0 +1,40 @@
+// Words that would be script, markup, commands or formulas in what carom writes, if any were taken
+// for what it looks like. Each is at most as long as a name may be.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace carom::test {
+
+/// What each of them would do, if it could: set the attribute `pwned` of a document, make the file
+/// `pwned`, set the text of `canary.tex`.
+inline const std::vector<std::string> hostile_words{"<script>pwned()</script>",
+                                                    "\"><img src=x onerror=pwned()>",
+                                                    "'><svg onload=pwned()>",
+                                                    "<b>bold</b> &lt;i&gt; &#60;u&#62;",
+                                                    "]]><script>pwned()</script>",
+                                                    "--><script>pwned()</script><!--",
+                                                    "</title></text><script>pwned()</script>",
+                                                    "<?php pwned() ?><!DOCTYPE x>",
+                                                    "00:00.000 --> 99:59.000",
+                                                    "NOTE STYLE WEBVTT",
+                                                    "[a](javascript:pwned()) ![b](x)",
+                                                    "\\input{canary}",
+                                                    "\\immediate\\write18{touch pwned}",
+                                                    "$(touch pwned) `touch pwned`",
+                                                    "'; touch pwned; '",
+                                                    "{% include canary %} {{ site.title }}",
+                                                    "${PATH} %s %n {0} {}",
+                                                    "=cmd|' /C calc'!A0",
+                                                    "+1, @SUM(A1), -2",
+                                                    "\u202egnp.\u2066live\u2069"};
+
+/// The same as one text.
+inline std::string all_hostile_words() {
+    std::string all;
+    for (const std::string& words : hostile_words) all += (all.empty() ? "" : " ") + words;
+    return all;
+}
+
+}  // namespace carom::test

@@ -5,10 +5,23 @@
 #include <utility>
 
 #include "panels/panel.h"
+#include "physics/collision_error.h"
 #include "physics/surfaces/surface_error.h"
 #include "scene/feasibility/feasibility.h"
 
 namespace carom {
+namespace {
+
+// Of its species.
+const Diagnostic& place_of_particle(const Scene& scene, std::int64_t particle) {
+    std::size_t species = 0;
+    while (species + 1 < scene.gas.species.size() && particle >= scene.gas.species[species].count)
+        particle -= scene.gas.species[species++].count;
+    return scene.species_spans.at(species);
+}
+
+}  // namespace
+
 void with_places_of_errors(const Scene& scene, const std::function<void()>& run) {
     try {
         run();
@@ -18,6 +31,9 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
         throw scene_error(scene, error);
     } catch (const RunEventError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), error.hint());
+    } catch (const CollisionError& error) {
+        refuse(error.particle() ? place_of_particle(scene, *error.particle()) : scene.ceiling_place,
+               error.what(), error.hint());
     } catch (const SurfaceError& error) {
         const auto surface = static_cast<std::size_t>(error.surface());
         refuse(scene.surface_places.at(surface), error.what(), error.hint());

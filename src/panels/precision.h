@@ -10,8 +10,8 @@
 namespace carom {
 
 /// Calls `run`; a gas that cannot be placed, a precision that cannot be reached, a perturbation
-/// that has no room and a surface that leaves the gas none become a SceneError with the place in
-/// the file.
+/// that has no room, collisions without end and a surface that leaves the gas none become a
+/// SceneError with the place in the file.
 void with_places_of_errors(const Scene& scene, const std::function<void()>& run);
 
 /// A scene with `run.bits` set, and its simulation at time 0, equilibrated.

@@ -49,6 +49,7 @@ inline constexpr Limit most_events{1'000, "events of a run"};
 inline constexpr Limit most_precise{16'384, "bits of a number: 4,900 decimal digits"};
 inline constexpr Limit most_samples{10e6, "samples of a run"};
 inline constexpr Limit most_time_steps{10e6, "time steps of a run"};
+inline constexpr Limit most_run_collisions{1e15, "collisions of a run, with `most_collisions`"};
 inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of overlaps"};
 
 inline constexpr Limit most_frames{108'000, "frames of a film: an hour at 30 frames a second"};
@@ -65,6 +66,8 @@ inline constexpr Limit most_figures{200, "figures of a scene"};
 inline constexpr Limit most_set_scenes{100, "scenes of a figure set"};
 inline constexpr Limit most_strip{12, "moments in a strip"};
 inline constexpr Limit most_compared{6, "runs compared in one figure"};
+inline constexpr Limit most_read_again{
+    2 << 20, "bytes of a scene and its template read again, for runs that figures compare or vary"};
 inline constexpr Limit most_changes{20, "values that a compared run sets"};
 inline constexpr Limit largest_figure{100, "centimetres on a side of a figure"};
 inline constexpr Limit smallest_figure{2, "centimetres on a side of a figure, at least"};

@@ -167,6 +167,8 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     draft.captions = values_of(draft.written_run.captions);
     const Node* precision = draft.written_run.precision;
     draft.precision_place = place_of(precision != nullptr ? *precision : root);
+    const Node* ceiling = draft.written_run.ceiling;
+    draft.ceiling_place = place_of(ceiling != nullptr ? *ceiling : root);
     place_surfaces(draft, errors);
     for (const SpeciesDraft& species : draft.species) {
         draft.gas.species.push_back(species);
@@ -230,6 +232,31 @@ Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides
             "with this change the scene is not valid: " + refused.diagnostics().front().message;
         error.hint = refused.diagnostics().front().hint;
     }
+    throw SceneError({std::move(error)});
+}
+
+// Of a sweep at least the first and the last point.
+std::size_t scenes_of(const FigureSpec& figure) {
+    if (figure.panel.kind != "sweep") return figure.compare.size();
+    return figure.panel.sweep.from ? 0 : 2;
+}
+
+// Each such run is a scene of its own, in time and memory.
+void refuse_many_scenes(const Scene& scene) {
+    const FigureSpec* last = nullptr;
+    std::size_t runs = 0;
+    for (const FigureSpec& figure : scene.figures) {
+        runs += scenes_of(figure);
+        if (scenes_of(figure) > 0) last = &figure;
+    }
+    const std::size_t bytes = runs * read_bytes(scene.source);
+    if (bytes <= most_read_again.count()) return;
+    Diagnostic error = last->panel.place;
+    error.message = fmt::format(
+        "for {} runs that the figures compare or vary, the scene and its template of {} bytes are "
+        "read as often: {} bytes",
+        runs, read_bytes(scene.source), bytes);
+    error.hint = to_text(most_read_again);
     throw SceneError({std::move(error)});
 }
 
@@ -408,6 +435,7 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     Scene scene = read_scene(tree, resources, wanted, errors);
     scene.source = source_of(tree, source, resources, overrides);
     if (!part.is_whole()) return scene;
+    refuse_many_scenes(scene);
     load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
         return load(source, path, resources, others, wanted, {.figure = name});
     });

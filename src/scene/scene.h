@@ -345,6 +345,11 @@ struct SceneSource {
     FileTexts files = {};  ///< what it names beside itself, as read: templates, scenes
 };
 
+/// Bytes of a scene's file and its template, which loading it again reads.
+inline std::size_t read_bytes(const SceneSource& source) {
+    return source.text.size() + source.template_text.size();
+}
+
 struct Scene {
     std::string title;
     std::string subtitle;
@@ -362,6 +367,7 @@ struct Scene {
                                              ///< written, of the box
     Diagnostic surfaces_place;               ///< of the first that acts, or of gravity
     Diagnostic precision_place;              ///< of `precision` (or of the scene) in the file, and
+    Diagnostic ceiling_place;                ///< of `most_collisions` (or of the run), and
     std::vector<Diagnostic> event_places;    ///< of each of run.events, as those of the species
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
                                             ///< empty message, for errors found later

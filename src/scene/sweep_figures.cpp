@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "scene/limits.h"
+
 namespace carom {
 namespace {
 
@@ -17,9 +21,13 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
     return diagnostic;
 }
 
-void check_points(const FigureSpec& figure, std::vector<Diagnostic>& errors) {
+// Of more points than may be looked at those that are spread evenly, with the first and the last.
+void check_points(const FigureSpec& figure, std::int64_t most, std::vector<Diagnostic>& errors) {
     const SweepShown& shown = figure.panel.sweep;
-    for (std::int64_t point = 0; !shown.from && point < shown.sweep.points(); ++point) {
+    const std::int64_t points = shown.from ? 0 : shown.sweep.points();
+    const std::int64_t looks = std::min(points, std::max<std::int64_t>(most, 2));
+    for (std::int64_t look = 0; look < looks; ++look) {
+        const std::int64_t point = looks > 1 ? look * (points - 1) / (looks - 1) : 0;
         const std::vector<std::string> changes = shown.sweep.changes_at(point);
         try {
             shown.scene_with(changes);
@@ -34,8 +42,11 @@ void check_points(const FigureSpec& figure, std::vector<Diagnostic>& errors) {
 
 void load_sweep_figures(Scene& scene, const SceneResources& resources) {
     std::vector<Diagnostic> errors;
+    const auto is_sweep = [](const FigureSpec& figure) { return figure.panel.kind == "sweep"; };
+    const auto sweeps = std::ranges::count_if(scene.figures, is_sweep);
+    const auto loads = most_read_again.count() / std::max<std::size_t>(read_bytes(scene.source), 1);
     for (FigureSpec& figure : scene.figures) {
-        if (figure.panel.kind != "sweep") continue;
+        if (!is_sweep(figure)) continue;
         figure.panel.sweep.scene_with = [source = scene.source,
                                          resources](const std::vector<std::string>& changes) {
             Overrides overrides = source.overrides;
@@ -43,7 +54,7 @@ void load_sweep_figures(Scene& scene, const SceneResources& resources) {
             return std::make_shared<const Scene>(
                 load_run_text(source.text, source.path, resources, overrides));
         };
-        check_points(figure, errors);
+        check_points(figure, static_cast<std::int64_t>(loads) / sweeps, errors);
     }
     if (!errors.empty()) throw SceneError(std::move(errors));
 }

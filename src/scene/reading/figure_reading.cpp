@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <variant>
 
@@ -178,6 +179,17 @@ void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) 
             "make a figure for each");
 }
 
+// Only the command line may give another path.
+void check_is_inside(const std::string& written, const Node& node, Reading& reading) {
+    const std::filesystem::path path = written;
+    const bool leads_out = path.is_absolute() || std::ranges::find(path, "..") != path.end();
+    if (leads_out && node.source->origin != Origin::command_line)
+        reading.errors.add(node,
+                           fmt::format("{} leads out of the scene's folder", in_quotes(written)),
+                           "move the sweep there, or name it on the command line: --set "
+                           "figures.NAME.seeds.from=FOLDER");
+}
+
 // How many runs, or the folder of a sweep in which they were done.
 Binding<PanelSpec> seeds_key() {
     struct Joined {
@@ -186,7 +198,8 @@ Binding<PanelSpec> seeds_key() {
     using Runs = std::variant<std::int64_t, Joined>;
     const KeyTable<Joined> joined_sweep{
         .name = "`seeds`",
-        .keys = {bind_key("from", &Joined::from, text(1, most_title_letters),
+        .keys = {bind_key("from", &Joined::from,
+                          checked(text(1, most_title_letters), check_is_inside),
                           "The folder of a sweep that `carom join` has put together, or its "
                           "summary; beside the scene.")
                      .required()}};

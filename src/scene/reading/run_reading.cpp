@@ -88,6 +88,8 @@ void check_way_home(const RunDraft& run, Errors& errors) {
 
 void complete_run(RunReading& run, const Node& node, Reading& reading) {
     run.precision = given(node, "precision");
+    const Node* most = given(node, "most_collisions");
+    run.ceiling = most != nullptr ? most : &node;
     run.step = given(node, "time_step");
     check_samples(run, given(node, "sample_every"), reading.errors);
     check_steps(run, run.step, reading.errors);
@@ -125,6 +127,11 @@ KeyTable<RunReading> run_table(int dimension) {
                           "How close to its place `precision: auto` must return every particle, in "
                           "units of the smallest radius; for points on a wire, of the length per "
                           "point."),
+                 bind_key("most_collisions", &Run::most_collisions, whole(1, most_run_collisions),
+                          "The run ends with an error after so many collisions, those before time "
+                          "0 and with walls counted: particles that are trapped collide ever "
+                          "faster.")
+                     .default_text("1e9, or 5000 for each particle if that is more"),
                  bind_key(
                      "events", &RunReading::written_events,
                      list_of(placed(event_notation(dimension)), 0, most_events, "a list of events"),

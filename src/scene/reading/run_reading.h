@@ -13,6 +13,7 @@ namespace carom {
 struct RunDraft : Run {
     std::vector<const Node*> event_nodes;   ///< of each of its events
     const Node* precision = nullptr;        ///< where it is given
+    const Node* ceiling = nullptr;          ///< `most_collisions`, or the run where it is not given
     const Node* step = nullptr;             ///< where `time_step` is given
     std::vector<Mark> marks;                ///< in order of time; equal times in the order listed
     std::vector<Placed<Pause>> pauses;      ///< in order of time

@@ -31,10 +31,23 @@ Stop too_many_values(std::size_t offset) {
             to_text(most_values)};
 }
 
+Stop too_many_bytes(std::size_t offset) {
+    return {offset,
+            fmt::format("the aliases stand for more than {} bytes", most_file_bytes.count()),
+            to_text(most_file_bytes)};
+}
+
 std::size_t count_nodes(const Node& node) {
     std::size_t count = 1 + node.keys.size();
     for (const Node& item : node.items) count += count_nodes(item);
     return count;
+}
+
+std::size_t count_bytes(const Node& node) {
+    std::size_t bytes = node.text.size();
+    for (const Node& key : node.keys) bytes += count_bytes(key);
+    for (const Node& item : node.items) bytes += count_bytes(item);
+    return bytes;
 }
 
 class TreeBuilder : public YAML::EventHandler {
@@ -76,6 +89,8 @@ class TreeBuilder : public YAML::EventHandler {
         if (found == anchored_.end())
             throw Stop{at(mark), "an alias inside the value that it refers to", ""};
         count(count_nodes(found->second), at(mark));
+        bytes_of_aliases_ += count_bytes(found->second);
+        if (bytes_of_aliases_ > most_file_bytes.count()) throw too_many_bytes(at(mark));
         finish(Node{found->second}, 0);
     }
 
@@ -217,7 +232,7 @@ class TreeBuilder : public YAML::EventHandler {
     std::size_t begin_;
     std::vector<Open> open_;
     std::map<YAML::anchor_t, Node> anchored_;
-    std::size_t values_ = 0;
+    std::size_t values_ = 0, bytes_of_aliases_ = 0;
     int documents_ = 0;
     Node root_;
 };

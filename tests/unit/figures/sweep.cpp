@@ -95,7 +95,8 @@ TEST_CASE("a figure of a joined sweep is that of its own runs, pixel for pixel")
     const std::string keys = "number: wall pressure, ";
     const Scene own = scene_of(keys + "vary: \"gas.0.radius=0.2:0.4:3\", seeds: 2");
     write_summary(own, folder);
-    const Scene joined = scene_of(keys + "seeds: {from: " + folder.path().string() + "}");
+    const std::string from = "figures.f.seeds.from=" + folder.path().string();
+    const Scene joined = scene_of(keys + "seeds: {from: S}", physics, {from});
     const FigureRun one = run_of(own), other = run_of(joined);
     const Canvas a = draw_figure(one, one.figures().front(), {}, {});
     const Canvas b = draw_figure(other, other.figures().front(), {}, {});
@@ -109,8 +110,7 @@ TEST_CASE("a figure of a joined sweep is that of its own runs, pixel for pixel")
           words_of(other, other.figures().front()).caption);
 
     // Of another gas, though with the same keys.
-    const Scene refused = scene_of(keys + "seeds: {from: " + folder.path().string() + "}", physics,
-                                   {"gas.0.count=41"});
+    const Scene refused = scene_of(keys + "seeds: {from: S}", physics, {from, "gas.0.count=41"});
     CHECK(refusal(refused).find("of another scene") != std::string::npos);
     CHECK(refusal(scene_of(keys + "seeds: {from: nowhere}")).find("nowhere is not there") !=
           std::string::npos);

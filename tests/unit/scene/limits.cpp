@@ -21,55 +21,20 @@ using namespace carom;
 namespace {
 
 // All of them, in the order of the page.
-constexpr std::array limits{most_file_bytes,
-                            most_nesting,
-                            most_values,
-                            most_letters,
-                            most_title_letters,
-                            most_caption_letters,
-                            most_words_letters,
-                            most_name_letters,
-                            most_seconds,
-                            most_trail_seconds,
-                            most_overrides,
-                            most_errors_shown,
-                            largest_quantity,
-                            smallest_quantity,
-                            largest_seed,
-                            most_seeds,
-                            most_runs,
-                            most_points,
-                            most_particles,
-                            most_returning,
-                            most_species,
-                            most_events,
-                            most_partitions,
-                            most_gaps,
-                            most_obstacles,
-                            most_corners,
-                            most_samples,
-                            most_time_steps,
-                            most_pairs_compared,
-                            most_frames,
-                            most_frames_per_second,
-                            smallest_side,
-                            largest_side,
-                            most_panels,
-                            most_slow_spans,
-                            most_overlays,
-                            most_field_cells,
-                            most_monitors,
-                            most_bins,
-                            most_chosen,
-                            largest_grid,
-                            most_figures,
-                            most_set_scenes,
-                            most_strip,
-                            most_compared,
-                            most_changes,
-                            largest_figure,
-                            smallest_figure,
-                            most_precise};
+constexpr std::array limits{
+    most_file_bytes,     most_nesting,         most_values,        most_letters,
+    most_title_letters,  most_caption_letters, most_words_letters, most_name_letters,
+    most_seconds,        most_trail_seconds,   most_overrides,     most_errors_shown,
+    largest_quantity,    smallest_quantity,    largest_seed,       most_seeds,
+    most_runs,           most_points,          most_particles,     most_returning,
+    most_species,        most_events,          most_partitions,    most_gaps,
+    most_obstacles,      most_corners,         most_samples,       most_time_steps,
+    most_run_collisions, most_pairs_compared,  most_frames,        most_frames_per_second,
+    smallest_side,       largest_side,         most_panels,        most_slow_spans,
+    most_overlays,       most_field_cells,     most_monitors,      most_bins,
+    most_chosen,         largest_grid,         most_figures,       most_set_scenes,
+    most_strip,          most_compared,        most_read_again,    most_changes,
+    largest_figure,      smallest_figure,      most_precise};
 
 std::string text_of(const std::string& path) {
     return test::contents(carom::test::checkout().string() + path);
@@ -117,6 +82,20 @@ TEST_CASE("a file may be as long as the limit, and not a byte longer") {
     const std::string padding(most_file_bytes.count() - scene.size() - 2, 'x');
     CHECK(complaint(scene + "#" + padding + "\n").empty());
     CHECK(names(complaint(scene + "#x" + padding + "\n"), most_file_bytes));
+}
+
+// Each run would be a scene of its own, 1,200 of them.
+TEST_CASE("figures may compare so many runs as the bytes that are read for them allow") {
+    const auto scene = [](std::size_t figures, std::size_t comment) {
+        std::string text = scene_with("{count: 2}") + "figures:\n";
+        for (std::size_t k = 0; k < figures; ++k)
+            text += fmt::format(
+                "  - {{name: f{}, kind: speed-histogram, at: 1, compare: {{seeds: 6}}}}\n", k);
+        return text + "#" + std::string(comment, 'x') + "\n";
+    };
+    CHECK(complaint(scene(10, 25'000)).empty());
+    CHECK(names(complaint(scene(10, 40'000)), most_read_again));
+    CHECK(names(complaint(scene(200, 100'000)), most_read_again));
 }
 
 TEST_CASE("a file may hold as many values as the limit, lists and mappings too") {

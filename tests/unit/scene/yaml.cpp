@@ -93,6 +93,14 @@ TEST_CASE("what is ambiguous or hostile is refused at its place") {
           "0:0 the file has more than 4194304 bytes");
 }
 
+// 30,000 texts of 2 MB would take 60 GB.
+TEST_CASE("aliases of a large text are refused before they take memory") {
+    std::string text = "a: &a " + std::string(2 << 20, 'x') + "\nb: [";
+    for (int i = 0; i < 30'000; ++i) text += "*a, ";
+    CHECK(first_error(text + "]") == "2:13 the aliases stand for more than 4194304 bytes");
+    CHECK(first_error("a: &a " + std::string(2 << 20, 'x') + "\nb: [*a, *a]").empty());
+}
+
 TEST_CASE("an empty document is no error of its own") {
     for (const char* text : {"", "\n\n", "# only words\n", "---\n", "~"}) {
         CAPTURE(text);

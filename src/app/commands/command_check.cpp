@@ -10,6 +10,7 @@
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/film/letters.h"
+#include "app/film/trial_run.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/report/check_facts.h"
@@ -45,7 +46,10 @@ std::pair<Scene, bool> loaded(const std::string& path, const Overrides& override
 // With all its scenes, figures and pages.
 Facts facts_of_set(const std::string& path, const Overrides& overrides) {
     const FigureSet set = load_set(path, overrides);
-    for (const SetPart& part : set.parts) refuse_long_words(part.scene);
+    for (const SetPart& part : set.parts) {
+        refuse_long_words(part.scene);
+        try_run(part.scene, true);
+    }
     for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
     refuse_same_names(set);
     return facts_of(set);
@@ -76,6 +80,7 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     const auto [scene, has_film] = loaded(path, overrides);
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
+    try_run(scene, has_film);
     return facts_of(scene,
                     has_film ? std::optional(checked_film(arguments, path, scene)) : std::nullopt);
 }

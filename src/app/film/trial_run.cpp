@@ -1,0 +1,77 @@
+#include "app/film/trial_run.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "panels/panel_set.h"
+#include "panels/precision.h"
+#include "panels/registry.h"
+#include "physics/collision_error.h"
+#include "scene/panel_kind.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+constexpr std::int64_t most_particles_tried = 20'000;
+
+// Numbers of many bits take some hundred times as long.
+std::int64_t collisions_tried(const Run& run) {
+    return run.bits == bits_of_double ? 300'000 : 5'000;
+}
+
+std::vector<PanelSpec> panels_of_collisions(const Scene& scene) {
+    std::vector<PanelSpec> specs = scene.film.panels;
+    for (const FigureSpec& figure : scene.figures) specs.push_back(figure.panel);
+    std::erase_if(specs, [](const PanelSpec& spec) {
+        const PanelKind* kind = kind_of(panel_kinds(), spec.kind);
+        return kind == nullptr || !kind->can(Ability::pair);
+    });
+    return specs;
+}
+
+// In steps, so that the collisions of a long run do not add up in memory.
+void survey(PanelSet& panels, Simulation& simulation, double until) {
+    constexpr int steps = 64;
+    for (int k = 0; k <= steps; ++k) {
+        const Tick tick{.frame = k, .time = until * k / steps};
+        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        panels.survey(tick, simulation.sample(), advanced);
+    }
+}
+
+void try_whole_run(const Scene& scene, const std::vector<PanelSpec>& specs) {
+    Simulation simulation = start_run(scene.gas, scene.run);
+    simulation.record_collisions(!specs.empty());
+    const Particles particles = simulation.particles();
+    PanelSet panels(scene, particles, simulation.sample(), 1, specs);
+    survey(panels, simulation, scene.run.until);
+    all_made(panels.panels(), [](const PanelSet::Placed& placed) {
+        placed.panel->fix_axes();
+        return true;
+    });
+}
+
+}  // namespace
+
+void try_run(const Scene& scene, bool has_film) {
+    Scene tried = scene;
+    std::int64_t particles = 0;
+    for (const Species& species : scene.gas.species) particles += species.count;
+    if (particles > most_particles_tried || scene.run.time_step) return;
+    const std::int64_t ceiling = collision_ceiling(scene.run, particles);
+    tried.run.most_collisions = std::min(ceiling, collisions_tried(scene.run));
+    const bool is_cut = tried.run.most_collisions < ceiling;
+    with_places_of_errors(scene, [&] {
+        try {
+            try_whole_run(tried, has_film ? panels_of_collisions(scene) : std::vector<PanelSpec>{});
+        } catch (const TooManyCollisions&) {
+            if (!is_cut) throw;
+        }
+    });
+    if (has_film && scene.film.beside && scene.film.beside->scene)
+        try_run(*scene.film.beside->scene, false);
+}
+
+}  // namespace carom

@@ -1,4 +1,4 @@
-#include "app/film/trial_run.h"
+#include "app/report/trial_run.h"
 
 #include <algorithm>
 #include <cstdint>

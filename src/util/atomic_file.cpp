@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include "util/diagnostics.h"
@@ -81,13 +82,18 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
     const MustCleanUp together;
     std::string there;
     for (PendingOutput* output : outputs) {
+        std::string next = there + (there.empty() ? "" : ", ") + output->name();
         try {
             output->commit();
         } catch (const SystemError& error) {
             if (there.empty()) throw;
             throw SystemError(fmt::format("{}; already written: {}", error.what(), there));
+        } catch (const std::bad_alloc&) {
+            if (there.empty()) throw;
+            throw SystemError(fmt::format("cannot write {}: not enough memory; already written: {}",
+                                          output->name(), there));
         }
-        there += (there.empty() ? "" : ", ") + output->name();
+        there.swap(next);
     }
 }
 
@@ -152,11 +158,12 @@ bool AtomicFile::appears() {
 // could complain of, fsync has.
 void AtomicFile::commit() {
     settle();
+    const fs::path folder = folder_of(target_);  // while no memory for it is still a failure
     if (!appears()) fail("write", path_);
     note_output();
     close(file_.descriptor);
     file_.descriptor = -1;
-    sync_folder(folder_of(target_));
+    sync_folder(folder);
 }
 
 AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {
@@ -205,10 +212,11 @@ void AtomicFolder::settle() {
 // The system renames a folder onto an empty one in a single step, and onto no other.
 void AtomicFolder::commit() {
     settle();
+    const fs::path folder = folder_of(path_);
     if (rename(folder_.name.c_str(), path_.c_str()) != 0) fail("write", path_);
     note_output();
     folder_.name.clear();
-    sync_folder(folder_of(path_));
+    sync_folder(folder);
 }
 
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

@@ -10,11 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
+#include <new>
+#include <random>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -40,6 +44,12 @@ std::string pattern_beside(const fs::path& path) {
     while (length > 0 && length < name.size() && (name[length] & 0xC0) == 0x80) --length;
     name.resize(length);
     return (folder_of(path) / ("." + name + mark() + std::string(unique))).string();
+}
+
+// As many digits as `unique`. Names are no result: they need not be the same in the next run.
+std::string random_ending() {
+    constexpr unsigned digits = 0xFFFFFF;
+    return fmt::format("{:06x}", std::random_device()() & digits);
 }
 
 bool is_temporary(std::string_view name) {
@@ -88,7 +98,13 @@ TemporaryFile locked(const fs::path& path, const Make& make) {
         const int descriptor = make(name);
         if (descriptor < 0) return {};
         flock(descriptor, LOCK_EX);
-        if (is_still_there(descriptor, name)) return {descriptor, name};
+        try {
+            if (is_still_there(descriptor, name)) return {descriptor, name};
+        } catch (const std::bad_alloc&) {  // for the name
+            std::remove(name.c_str());
+            close(descriptor);
+            throw;
+        }
         close(descriptor);
     }
     errno = EEXIST;
@@ -127,16 +143,13 @@ TemporaryFile temporary_file(const fs::path& path) {
     return locked(path, [](std::string& name) { return mkostemp(name.data(), O_CLOEXEC); });
 }
 
-// A name that is not taken yet, made as mkostemp makes it: the empty file of that name is replaced
-// by a link of the same name when it is gone, which fails only if somebody else takes it.
+// Nothing asks for memory once the name is there, so that it is always known.
 fs::path named_beside(const fs::path& path, int descriptor) {
     constexpr int most_tries = 100;
     for (int i = 0; i < most_tries; ++i) {
-        std::string name = pattern_beside(path);
-        const int placeholder = mkostemp(name.data(), O_CLOEXEC);
-        if (placeholder < 0) return {};
-        unlink(name.c_str());
-        close(placeholder);
+        std::string text = pattern_beside(path);
+        text.replace(text.size() - unique.size(), unique.size(), random_ending());
+        fs::path name = std::move(text);
         if (linkat(AT_FDCWD, path_of_descriptor(descriptor).c_str(), AT_FDCWD, name.c_str(),
                    AT_SYMLINK_FOLLOW) == 0)
             return name;
